@@ -1,0 +1,65 @@
+"""The command `linkwork`. Errors are one line on standard error: `error: what, which, which value`.
+
+Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+from collections.abc import Sequence
+from typing import Any
+
+import click
+
+from linkwork.cli.commands import linkwork
+from linkwork.errors import LinkworkError
+
+__all__ = ["main"]
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Run one command and exit; `--debug` anywhere on the line lets exceptions through."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    debug = "--debug" in words
+    warnings.showwarning = _show_warning
+    sys.exit(run([word for word in words if word != "--debug"], debug))
+
+
+def run(words: list[str], debug: bool) -> int:
+    """The exit code of one command; its errors are told in one line."""
+    try:
+        return int(linkwork.main(words, prog_name="linkwork", standalone_mode=False) or 0)
+    except click.ClickException as error:
+        return _complain(_sentence(error.format_message()), 2)
+    except (KeyboardInterrupt, click.Abort):
+        return _complain("interrupted", 130)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except LinkworkError as error:
+        if debug:
+            raise
+        return _complain(str(error), 1)
+    except MemoryError:
+        return _complain("not enough memory", 1)
+    except Exception as error:
+        if debug:
+            raise
+        return _complain(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
+
+
+def _complain(message: str, code: int) -> int:
+    print("error:", " ".join(message.split()), file=sys.stderr)
+    return code
+
+
+def _sentence(message: str) -> str:
+    """click's messages in the manner of ours: no capital, no full stop."""
+    message = message.strip().rstrip(".")
+    return message[:1].lower() + message[1:]
+
+
+def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    print("warning:", " ".join(str(message).split()), file=sys.stderr)

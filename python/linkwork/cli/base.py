@@ -1,0 +1,49 @@
+"""Commands whose errors name the nearest valid choice."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from linkwork.errors import nearest
+
+
+class Group(click.Group):
+    """A group whose unknown subcommand is answered with the nearest, and a missing one with what is needed."""
+
+    def __init__(self, *args: Any, what: str = "command", **kwargs: Any) -> None:
+        kwargs.setdefault("no_args_is_help", False)
+        super().__init__(*args, **kwargs)
+        self.what = what
+        self.command_class = Command
+
+    def resolve_command(
+        self, context: click.Context, words: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        name = words[0]
+        known = self.list_commands(context)
+        if name not in known and not name.startswith("-"):
+            raise click.UsageError(f"no {self.what} '{name}'{nearest(name, known)}")
+        return super().resolve_command(context, words)
+
+    def parse_args(self, context: click.Context, words: list[str]) -> list[str]:
+        if not words and not self.invoke_without_command:
+            raise click.UsageError(f"{context.info_name} needs a {self.what}: {', '.join(self.list_commands(context))}")
+        return with_nearest_option(self, context, words, super().parse_args)
+
+
+class Command(click.Command):
+    """A command whose unknown option is answered with the nearest."""
+
+    def parse_args(self, context: click.Context, words: list[str]) -> list[str]:
+        return with_nearest_option(self, context, words, super().parse_args)
+
+
+def with_nearest_option(command: click.Command, context: click.Context, words: list[str], parse: Any) -> list[str]:
+    try:
+        rest: list[str] = parse(context, words)
+        return rest
+    except click.NoSuchOption as error:
+        known = [name for parameter in command.get_params(context) for name in parameter.opts]
+        raise click.UsageError(f"no option {error.option_name}{nearest(error.option_name, known)}") from error

@@ -1,0 +1,104 @@
+"""The tree of commands. A mechanism is a subcommand of `run` and `check` with options of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from linkwork.cli import base
+
+if TYPE_CHECKING:
+    from linkwork.mechanisms import Mechanism
+
+SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
+
+Action = Callable[..., None]
+
+
+@click.group(context_settings=SETTINGS, cls=base.Group, invoke_without_command=True)
+@click.version_option(package_name="linkwork", message="%(prog)s %(version)s")
+@click.pass_context
+def linkwork(context: click.Context) -> None:
+    """Simulate spatial mechanisms and compare the methods that solve their equations.
+
+    \b
+    linkwork demo                          one mechanism by the four methods, in one table
+    linkwork run four_bar --plot run.png   simulate a mechanism
+    linkwork run chain --help              the options of one mechanism
+
+    --debug, anywhere, shows the Python traceback of an error.
+    """
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help())
+
+
+class MechanismGroup(base.Group):
+    """One subcommand for every registered mechanism."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, subcommand_metavar="NAME [OPTIONS]", **kwargs)
+
+    def list_commands(self, context: click.Context) -> list[str]:
+        from linkwork.mechanisms import MECHANISMS
+
+        return list(MECHANISMS)
+
+    def get_command(self, context: click.Context, name: str) -> click.Command | None:
+        from linkwork.cli import mechanism_commands
+        from linkwork.mechanisms import MECHANISMS
+
+        make = {"run": mechanism_commands.run_command, "check": mechanism_commands.check_command}[self.name or ""]
+        return make(name, MECHANISMS[name]) if name in MECHANISMS else None
+
+    def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
+        from linkwork.mechanisms import MECHANISMS
+
+        with formatter.section("Mechanisms"):
+            formatter.write_dl([(name, _short(mechanism)) for name, mechanism in MECHANISMS.items()])
+
+
+@linkwork.group(cls=MechanismGroup, what="mechanism")
+def run() -> None:
+    """Simulate a mechanism.
+
+    `linkwork run NAME --help` shows its parameters and the options of the run.
+    """
+
+
+@linkwork.group(cls=MechanismGroup, what="mechanism")
+def check() -> None:
+    """Examine a mechanism before it is simulated.
+
+    Degrees of freedom, rank of the constraints, redundant joints, initial residuals, inertias.
+    """
+
+
+@linkwork.command("list")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+def list_mechanisms(as_json: bool) -> None:
+    """List the mechanisms and their parameters."""
+    from linkwork.cli.listing import show_mechanisms
+
+    show_mechanisms(as_json)
+
+
+@linkwork.command()
+@click.option(
+    "--output-dir", default=".", show_default=True, metavar="DIR", help="Where the result and the picture go."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+def demo(output_dir: str, as_json: bool) -> None:
+    """Simulate one mechanism by every method, side by side.
+
+    A spatial slider-crank by the four methods of Flores (2015), chapter 12, in one table: violation, energy,
+    reactions, effort. Writes linkwork-demo.h5 and linkwork-demo.png.
+    """
+    from linkwork.cli.demonstration import show
+
+    show(output_dir, as_json)
+
+
+def _short(mechanism: Mechanism) -> str:
+    return mechanism.description.split(". ")[0].rstrip(".")

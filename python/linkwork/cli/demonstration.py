@@ -1,0 +1,157 @@
+"""`linkwork demo`: one spatial mechanism by the four methods of Flores (2015), chapter 12, side by side."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from linkwork.cli import output as out
+from linkwork.errors import FileError
+
+if TYPE_CHECKING:
+    from linkwork.result import Result
+
+MECHANISM = "spatial_slider_crank"
+
+#: The reference has this many times smaller steps, and a method of order 5.
+FINER = 4
+
+
+@dataclass(frozen=True)
+class Method:
+    """One column of the table: its name on up to two lines, its equations in the book, the options that select it."""
+
+    name: str
+    equations: str
+    options: dict[str, Any]
+
+    @property
+    def label(self) -> str:
+        return self.name.replace("\n", " ")
+
+
+METHODS = (
+    Method("Lagrange\nmultipliers", "12.3", {"formulation": "standard", "stabilization": "none"}),
+    Method("\nBaumgarte", "12.8", {"formulation": "standard", "stabilization": "baumgarte"}),
+    Method("\npenalty", "12.14", {"formulation": "penalty", "stabilization": "baumgarte"}),
+    Method("augmented\nLagrangian", "12.16-18", {"formulation": "augmented_lagrangian", "stabilization": "baumgarte"}),
+    Method("sampled\nBaumgarte", "default", {}),
+)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What one method made of the mechanism."""
+
+    method: Method
+    result: Result
+    reaction_difference: float
+    seconds: float
+
+    def numbers(self) -> dict[str, Any]:
+        violation = self.result.violation.max(axis=0)
+        statistics = self.result.statistics
+        return {
+            "max_position_violation": float(violation[0]),
+            "max_velocity_violation": float(violation[1]),
+            "max_energy_error": float(np.abs(self.result.energy_error).max()),
+            "reaction_difference": self.reaction_difference,
+            "evaluations": statistics["evaluations"],
+            "factorizations": statistics["factorizations"],
+            "iterations": statistics["iterations"],
+            "seconds": self.seconds,
+        }
+
+
+ROWS = (
+    ("max_position_violation", "position violation [m]", "{:.1e}"),
+    ("max_velocity_violation", "velocity violation", "{:.1e}"),
+    ("max_energy_error", "energy error [J]", "{:.1e}"),
+    ("reaction_difference", "reaction difference", "{:.1e}"),
+    ("evaluations", "evaluations", "{:,}"),
+    ("factorizations", "factorizations", "{:,}"),
+    ("iterations", "iterations", "{:,}"),
+    ("seconds", "time [s]", "{:.3f}"),
+)
+
+
+def show(output_dir: str, as_json: bool) -> None:
+    """Run every method, print the table, write the default method's result and the picture."""
+    from linkwork import plotting
+    from linkwork.mechanisms import MECHANISMS
+
+    files = {"result": Path(output_dir) / "linkwork-demo.h5", "picture": Path(output_dir) / "linkwork-demo.png"}
+    _make_directory(output_dir)
+    for file in files.values():
+        out.check_writable(file)
+
+    settings = dict(MECHANISMS[MECHANISM].settings)
+    step, t_end = settings.pop("step"), settings.pop("t_end")
+    outcomes = run_methods(t_end, step, settings)
+
+    outcomes[-1].result.save(files["result"])
+    title = f"{MECHANISM}, {outcomes[-1].result.manifest['options']['integrator']}, step {step:g} s"
+    plotting.plot_methods({o.method.label: o.result for o in outcomes}, files["picture"], title)
+    if as_json:
+        out.print_json(_document(t_end, step, outcomes, files))
+    else:
+        _print(t_end, step, outcomes, files)
+
+
+def run_methods(t_end: float, step: float, settings: dict[str, Any]) -> list[Outcome]:
+    """Every method on the mechanism, and how far its reactions are from those of the reference."""
+    import linkwork as lw
+    from linkwork.mechanisms import MECHANISMS
+
+    model = MECHANISMS[MECHANISM].function()
+    every = max(1, round(t_end / step / 1000))
+    reference = lw.simulate(model, t_end, step / FINER, integrator="dp5", record_every=FINER * every)
+    outcomes = []
+    for method in METHODS:
+        start = time.perf_counter()
+        result = lw.simulate(model, t_end, step, record_every=every, **{**settings, **method.options})
+        seconds = time.perf_counter() - start
+        outcomes.append(Outcome(method, result, _reaction_difference(result, reference), seconds))
+    return outcomes
+
+
+def _reaction_difference(result: Result, reference: Result) -> float:
+    """Largest difference of any joint's force at any time, relative to the largest force of the reference."""
+    force, exact = result.reactions().force, reference.reactions().force
+    return float(np.linalg.norm(force - exact, axis=-1).max() / np.linalg.norm(exact, axis=-1).max())
+
+
+def _document(t_end: float, step: float, outcomes: list[Outcome], files: dict[str, Path]) -> dict[str, Any]:
+    methods = [
+        {"name": o.method.label, "equations": o.method.equations, "options": o.method.options, **o.numbers()}
+        for o in outcomes
+    ]
+    reference = {"integrator": "dp5", "step": step / FINER}
+    return {"mechanism": MECHANISM, "t_end": t_end, "step": step, "reference": reference, "methods": methods,
+            "files": files}  # fmt: skip
+
+
+def _print(t_end: float, step: float, outcomes: list[Outcome], files: dict[str, Path]) -> None:
+    result = outcomes[-1].result
+    integrator = result.manifest["options"]["integrator"]
+    print(f"{MECHANISM}: {len(result.body_names)} bodies, {len(result.joint_names)} joints "
+          f"({', '.join(dict.fromkeys(result.header.joint_kinds))}), {t_end:g} s, {integrator}, step {step:g} s\n")  # fmt: skip
+    columns = ("", *(f"{o.method.name}\n({o.method.equations})" for o in outcomes))
+    table = [o.numbers() for o in outcomes]
+    out.print_table(columns, [(label, *(form.format(numbers[key]) for numbers in table)) for key, label, form in ROWS])
+    print(f"Equation numbers: Flores (2015), chapter 12. Violations and energy errors are the largest over time.\n"
+          f"Reaction difference: the largest error of any joint force, relative to the largest force, against a\n"
+          f"reference run (dp5, step {step / FINER:g} s, the default method).\n\n"
+          f"result   {files['result']}\npicture  {files['picture']}")  # fmt: skip
+
+
+def _make_directory(path: str) -> None:
+    try:
+        Path(path).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(f"output directory '{path}': cannot be made: {(error.strerror or '').lower()}",
+                        code="not_writable") from error  # fmt: skip

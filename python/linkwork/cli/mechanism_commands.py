@@ -1,0 +1,62 @@
+"""`run NAME` and `check NAME`: a mechanism's record turned into a command."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from linkwork.cli import base, run_options
+
+if TYPE_CHECKING:
+    from linkwork.mechanisms import Mechanism
+
+JSON = click.Option(["--json", "as_json"], is_flag=True, help="Print one JSON document.")
+
+
+def run_command(name: str, mechanism: Mechanism) -> click.Command:
+    def run(**values: Any) -> None:
+        from linkwork.cli.running import simulate_and_show
+
+        simulate_and_show(name, mechanism, parameters=_taken(values, mechanism), **_grouped(values))
+
+    options = [*_parameter_options(mechanism), *run_options.options(mechanism.settings), *run_options.outputs(), JSON]
+    return _command(name, mechanism, options, run)
+
+
+def check_command(name: str, mechanism: Mechanism) -> click.Command:
+    def check(as_json: bool, **values: Any) -> None:
+        from linkwork.cli.checking import check_and_show
+
+        check_and_show(name, mechanism, _taken(values, mechanism), as_json)
+
+    return _command(name, mechanism, [*_parameter_options(mechanism), JSON], check)
+
+
+def _command(name: str, mechanism: Mechanism, options: Sequence[click.Parameter], callback: Any) -> click.Command:
+    return base.Command(name, params=list(options), callback=callback, help=mechanism.description)
+
+
+def _parameter_options(mechanism: Mechanism) -> list[click.Option]:
+    """An option for every parameter of the mechanism's function: its type is the type of its default."""
+    return [
+        click.Option(
+            ["--" + parameter.name.replace("_", "-"), parameter.name],
+            type=type(parameter.default),
+            default=parameter.default,
+            show_default=True,
+            help=parameter.description,
+        )
+        for parameter in mechanism.parameters
+    ]
+
+
+def _taken(values: dict[str, Any], mechanism: Mechanism) -> dict[str, Any]:
+    return {parameter.name: values[parameter.name] for parameter in mechanism.parameters}
+
+
+def _grouped(values: dict[str, Any]) -> dict[str, Any]:
+    """What `simulate_and_show` takes: the options of the run that were given, and where the results go."""
+    options = {name: values[name] for name in run_options.NAMES if values[name] is not None}
+    return {"options": options, **{name: values[name] for name in ("output", "plot", "as_json")}}

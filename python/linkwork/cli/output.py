@@ -1,0 +1,66 @@
+"""What the commands print: tables for people, JSON for programs."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from linkwork.errors import FileError
+
+
+def print_json(document: Any) -> None:
+    """One document on standard output; what JSON cannot say (NaN, infinity) is null."""
+    json.dump(_plain(document), sys.stdout, indent=2, allow_nan=False)
+    sys.stdout.write("\n")
+
+
+def print_pairs(pairs: Iterable[tuple[str, str]]) -> None:
+    """A label and what it says, a line each."""
+    shown = [(label, text) for label, text in pairs if text]
+    width = max((len(label) for label, _ in shown), default=0)
+    for label, text in shown:
+        print(f"{label:<{width}}  {text}")
+
+
+def print_table(columns: Sequence[str], rows: Iterable[Sequence[str]], title: str | None = None,
+                left: int = 1) -> None:  # fmt: skip
+    """A table; the first `left` columns are text, the others numbers."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False)
+    for place, column in enumerate(columns):
+        table.add_column(column, justify="left" if place < left else "right", overflow="fold")
+    for row in rows:
+        table.add_row(*row)
+    width = None if sys.stdout.isatty() else 160
+    Console(highlight=False, width=width).print(table)
+
+
+def check_writable(path: str | os.PathLike[str]) -> None:
+    """FileError, before a long run, where a file to be written at its end could not be."""
+    parent = Path(path).absolute().parent
+    if not parent.is_dir():
+        raise FileError(f"output '{path}': cannot be written: no directory '{parent}'", code="not_writable")
+    if Path(path).is_dir():
+        raise FileError(f"output '{path}': cannot be written: is a directory", code="not_writable")
+    if not os.access(path if os.path.exists(path) else parent, os.W_OK):
+        raise FileError(f"output '{path}': cannot be written: permission denied", code="not_writable")
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if hasattr(value, "tolist"):
+        return _plain(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value if isinstance(value, (bool, int, float, str, type(None))) else str(value)

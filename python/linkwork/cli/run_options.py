@@ -1,0 +1,49 @@
+"""The options of a run on the command line; their names are those of `linkwork.simulate`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import click
+
+#: name of the argument of `simulate`, type, help
+_OPTIONS: tuple[tuple[str, type, str], ...] = (
+    ("t_end", float, "End of the simulated time [s]."),
+    ("step", float, "Step of the integrator [s]."),
+    ("integrator", str, "rk4, dp5, ab4, ...: any of `linkwork.integrators.METHODS`."),
+    ("formulation", str, "standard, penalty or augmented_lagrangian."),
+    ("system", str, "Linear system of the standard method: kkt, schur or auto."),
+    ("stabilization", str, "none, baumgarte or sampled_baumgarte."),
+    ("linear_solver", str, "cholmod, umfpack, klu, spqr, eigen_ldlt, dense or auto."),
+    ("penalty", float, "Penalty factor; without it scaled to the mechanism."),
+    ("baumgarte_alpha", float, "Gain of the velocity violation [1/s]."),
+    ("baumgarte_beta", float, "Gain of the position violation [1/s]."),
+    ("damping_ratio", float, "Of the penalty method."),
+    ("frequency", float, "Of the penalty method [rad/s]."),
+    ("tolerance", float, "At which the augmented Lagrangian iteration stops."),
+    ("max_iterations", int, "Cap of the augmented Lagrangian iteration."),
+    ("record_every", int, "Steps between recorded frames; without it about 1000 frames."),
+)
+
+NAMES = tuple(name for name, _, _ in _OPTIONS)
+
+
+def options(settings: Mapping[str, Any]) -> list[click.Option]:
+    """The options; the mechanism's recommended `settings` are shown as their defaults."""
+    return [
+        click.Option(
+            ["--" + name.replace("_", "-"), name],
+            type=kind,
+            help=text + (f"  [default: {settings[name]}]" if name in settings else ""),
+        )
+        for name, kind, text in _OPTIONS
+    ]
+
+
+def outputs() -> list[click.Option]:
+    """Where the results go."""
+    return [
+        click.Option(["--output"], metavar="FILE", help="Write the result to this HDF5 file, while the run goes on."),
+        click.Option(["--plot"], metavar="FILE", help="Write a picture of the result (.png, .pdf, .svg)."),
+    ]

@@ -1,0 +1,39 @@
+"""`linkwork run`: simulate, then say what happened."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from linkwork.cli import output as out
+
+if TYPE_CHECKING:
+    from linkwork.mechanisms import Mechanism
+
+
+def simulate_and_show(
+    name: str,
+    mechanism: Mechanism,
+    parameters: Mapping[str, Any],
+    options: Mapping[str, Any],
+    output: str | None,
+    plot: str | None,
+    as_json: bool,
+) -> None:
+    """Run with the mechanism's recommended settings where no option was given."""
+    import linkwork as lw
+    from linkwork import summary
+
+    if plot is not None:
+        out.check_writable(plot)
+    model = mechanism.function(**parameters)
+    result = lw.simulate(model, **{**mechanism.settings, **options}, output=output)
+    if plot is not None:
+        result.plot(plot)
+    if as_json:
+        files = {"output": output, "plot": plot}
+        out.print_json({"mechanism": name, "parameters": dict(parameters), "result": summary.numbers(result),
+                        "statistics": result.statistics, "manifest": result.manifest, "files": files})  # fmt: skip
+        return
+    files = [(label, path) for label, path in (("result", output), ("picture", plot)) if path]
+    out.print_pairs([*summary.lines(result), *files])

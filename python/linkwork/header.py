@@ -1,0 +1,141 @@
+"""What a result knows beside its frames: the model's constant arrays, its names, and the manifest of the run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import rotation
+
+if TYPE_CHECKING:
+    from linkwork import _core
+
+Floats = NDArray[np.float64]
+
+#: reactions(t, q (7n,), multipliers (m,)) -> force (joints, 3) [N], torque (joints, 3) [N m]: see Result.reaction.
+Reactions = Callable[[float, Floats, Floats], tuple[Floats, Floats]]
+
+
+@dataclass(frozen=True)
+class Header:
+    """n bodies, J joints, m constraint rows. SI units; ground is body index -1."""
+
+    manifest: Mapping[str, Any]
+    body_names: Sequence[str]
+    joint_names: Sequence[str]
+    joint_kinds: Sequence[str]
+    gravity: Floats  # (3,) inertial
+    mass: Floats  # (n,)
+    inertia: Floats  # (n, 3, 3) about the center of mass, body frame
+    q0: Floats  # (7n,) initial pose
+    v0: Floats  # (6n,) initial velocity
+    joint_rows: NDArray[np.int32]  # (J + 1,) offsets of each joint's constraint rows
+    joint_bodies: NDArray[np.int32]  # (J, 2)
+    joint_frame: Floats  # (J, 3, 3) axes of the joint as columns, in the first body's frame
+    joint_origin: Floats  # (J, 2, 3) the joint's points in its two bodies
+    expected_frames: int | None = None
+    reactions: Reactions | None = field(default=None, compare=False)
+
+    @classmethod
+    def of(
+        cls,
+        model: _core.Model,
+        dynamics: _core.Dynamics,
+        manifest: Mapping[str, Any],
+        expected_frames: int | None = None,
+    ) -> Header:
+        """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
+        return cls(
+            manifest=dict(manifest),
+            body_names=_Listing(model.body_name, model.body_count),
+            joint_names=_Listing(model.joint_name, model.joint_count),
+            joint_kinds=_Listing(model.joint_kind, model.joint_count),
+            gravity=model.gravity,
+            mass=model.mass,
+            inertia=model.inertia,
+            q0=model.q0,
+            v0=model.v0,
+            joint_rows=model.joint_rows,
+            joint_bodies=model.joint_bodies,
+            joint_frame=_joint_frame_in_first_body(model, dynamics),
+            joint_origin=model.joint_origin,
+            expected_frames=expected_frames,
+            reactions=dynamics.reactions,
+        )
+
+    @property
+    def body_count(self) -> int:
+        return len(self.body_names)
+
+    @property
+    def joint_count(self) -> int:
+        return len(self.joint_names)
+
+    @property
+    def row_count(self) -> int:
+        return int(self.joint_rows[-1])
+
+    def frame_shapes(self) -> dict[str, tuple[int, ...]]:
+        """Shape of one frame of every recorded field; `t` comes last, as in the file."""
+        n, joints = self.body_count, self.joint_count
+        return {
+            "q": (n, 7),
+            "v": (n, 6),
+            "vdot": (n, 6),
+            "lambda": (self.row_count,),
+            "kinetic": (),
+            "potential": (),
+            "work": (),
+            "violation": (3,),
+            "reaction_force": (joints, 3),
+            "reaction_torque": (joints, 3),
+            "t": (),
+        }
+
+
+def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[str, Floats]:
+    """The fields of `frames`, with reaction_force and reaction_torque (k, joints, 3) computed where they are missing."""
+    values = {name: np.asarray(field, dtype=float) for name, field in frames.items()}
+    if "reaction_force" in values:
+        return values
+    count = len(values["t"])
+    force, torque = np.zeros((count, header.joint_count, 3)), np.zeros((count, header.joint_count, 3))
+    if header.joint_count:
+        assert header.reactions is not None, "frames without reactions need the dynamics that compute them"
+        q, multipliers = values["q"].reshape(count, -1), values["lambda"]
+        for k, t in enumerate(values["t"]):
+            force[k], torque[k] = header.reactions(float(t), q[k], multipliers[k])
+    return {**values, "reaction_force": force, "reaction_torque": torque}
+
+
+class _Listing(Sequence[str]):
+    """Names asked for one by one: a million of them take no memory."""
+
+    def __init__(self, name: Callable[[int], str], count: int) -> None:
+        self._name, self._count = name, count
+
+    def __len__(self) -> int:
+        return self._count
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[str]: ...
+    def __getitem__(self, index: int | slice) -> str | list[str]:
+        places = range(self._count)[index]
+        return self._name(places) if isinstance(places, int) else [self._name(i) for i in places]
+
+
+def _joint_frame_in_first_body(model: _core.Model, dynamics: _core.Dynamics) -> Floats:
+    """The joints' axes at the initial pose, turned back into their first bodies."""
+    axes = dynamics.joint_frames(model.q0)
+    first = model.joint_bodies[:, 0]
+    p = model.q0.reshape(-1, 7)[:, 3:]
+    moving = first >= 0
+    axes = axes.copy()
+    axes[moving] = np.swapaxes(rotation.matrix(p[first[moving]]), -1, -2) @ axes[moving]
+    return axes

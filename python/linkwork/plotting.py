@@ -1,0 +1,199 @@
+"""Pictures of results with matplotlib. Each function returns its Figure and leaves pyplot's state alone."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from linkwork.errors import FileError
+from linkwork.header import Floats
+
+if TYPE_CHECKING:
+    from linkwork.result import Result
+
+#: The most lines of one kind in one picture.
+BODIES, JOINTS = 3, 4
+
+#: Frames looked at to choose the bodies and joints that tell the most.
+SAMPLED_FRAMES = 50
+
+#: Okabe and Ito's colors: distinguishable with any color vision.
+COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+COORDINATES = (("x", "-"), ("y", "--"), ("z", ":"))
+LEVELS = ("position", "velocity", "acceleration")
+
+
+def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
+    """Energies, energy error, violation, positions and reactions of one run.
+
+    Of many bodies the three that move the most are shown, of many joints the four with the largest forces (torques):
+    the legends say so. FileError: `path` cannot be written.
+    """
+    figure = _figure(10.5, 9.0)
+    axes = figure.subplots(3, 2, sharex=True)
+    _plot_energies(axes[0, 0], result)
+    _plot_energy_error(axes[0, 1], result)
+    _plot_positions(axes[1, 0], result)
+    _plot_violation(axes[1, 1], result)
+    _plot_reactions(axes[2, 0], result, "force", "N")
+    _plot_reactions(axes[2, 1], result, "torque", "N m")
+    for ax in axes[-1]:
+        ax.set_xlabel("time [s]")
+    figure.suptitle(_title(result), fontsize=11)
+    return _written(figure, path)
+
+
+def plot_methods(results: Mapping[str, Result], path: str | os.PathLike[str] | None = None, title: str = "") -> Figure:
+    """The violation of the constraints and the energy error of several runs of one model, over time."""
+    figure = _figure(10.5, 4.4)
+    left, right = figure.subplots(1, 2)
+    for color, (label, result) in zip(_cycle(len(results)), results.items(), strict=True):
+        left.plot(result.t, _positive(result.violation[:, 0]), color=color, lw=1.2, label=label)
+        right.plot(result.t, _positive(result.energy_error), color=color, lw=1.2)
+    for ax, quantity in ((left, "largest violation of the constraints [m or 1]"), (right, "energy error [J]")):
+        _style(ax, quantity)
+        _log(ax)
+        ax.set_xlabel("time [s]")
+    figure.legend(loc="outside lower center", ncols=min(len(results), 5), frameon=False, fontsize=9)
+    figure.suptitle(title, fontsize=11)
+    return _written(figure, path)
+
+
+def _plot_energies(ax: Axes, result: Result) -> None:
+    _style(ax, "energy [J]")
+    ax.plot(result.t, result.kinetic_energy, color=COLORS[0], label="kinetic")
+    ax.plot(result.t, result.potential_energy, color=COLORS[1], label="potential")
+    ax.plot(result.t, result.energy, color=COLORS[6], label="total")
+    if np.any(result.work):
+        ax.plot(result.t, result.work, color=COLORS[2], ls="--", label="work of other forces")
+    _legend(ax)
+
+
+def _plot_energy_error(ax: Axes, result: Result) -> None:
+    _style(ax, "energy error, absolute [J]")
+    ax.plot(result.t, _positive(result.energy_error), color=COLORS[6])
+    _log(ax)
+
+
+def _plot_violation(ax: Axes, result: Result) -> None:
+    _style(ax, "largest violation of constraints")
+    for level, (label, color) in enumerate(zip(LEVELS, COLORS, strict=False)):
+        ax.plot(result.t, _positive(result.violation[:, level]), color=color, label=label)
+    _log(ax)
+    _legend(ax)
+
+
+def _plot_positions(ax: Axes, result: Result) -> None:
+    """Color tells the body, line style the coordinate; coordinates that hardly change are left out."""
+    _style(ax, "center of mass [m]")
+    chosen = _largest(_travel(result), BODIES)
+    positions = {result.body_names[i]: result.body(i).position for i in chosen}
+    most = max((np.ptp(p, axis=0).max() for p in positions.values() if len(p)), default=0.0)
+    for color, (name, position) in zip(COLORS, positions.items(), strict=False):
+        for axis, (coordinate, line) in enumerate(COORDINATES):
+            if len(position) and np.ptp(position[:, axis]) >= 0.02 * most:
+                ax.plot(result.t, position[:, axis], color=color, ls=line, label=f"{name}  {coordinate}")
+    _legend(ax, _share(len(chosen), len(result.body_names), "bodies, those that move most"))
+
+
+def _plot_reactions(ax: Axes, result: Result, part: str, unit: str) -> None:
+    """Magnitudes of one part, "force" or "torque", of the joints' reactions."""
+    _style(ax, f"reaction {part} [{unit}]")
+    every = max(1, len(result) // SAMPLED_FRAMES)
+    largest = np.linalg.norm(getattr(result.sampled_reactions(every), part), axis=-1).max(axis=0, initial=0.0)
+    chosen = [j for j in _largest(largest, JOINTS) if largest[j] > 1e-9 * largest.max(initial=0.0)]
+    for color, j in zip(COLORS, chosen, strict=False):
+        magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
+        ax.plot(result.t, magnitude, color=color, label=result.joint_names[j])
+    if not chosen:
+        ax.set_yticks([])
+        ax.text(0.5, 0.5, "none", transform=ax.transAxes, ha="center", color="0.5")
+    _legend(ax, _share(len(chosen), len(result.joint_names), f"joints, those with the largest {part}"))
+
+
+def _travel(result: Result) -> Floats:
+    """The longest side of the box that each body's center of mass moves in (n,) [m], from a sample of the frames."""
+    every = max(1, len(result) // SAMPLED_FRAMES)
+    positions = result.sampled_positions(every)
+    travel: Floats = np.ptp(positions, axis=0).max(axis=-1) if len(positions) else np.zeros(positions.shape[1])
+    return travel
+
+
+def _largest(values: Floats, count: int) -> Sequence[int]:
+    """Places of the `count` largest values, in the order of the model."""
+    return sorted(int(i) for i in np.argsort(-values, kind="stable")[:count])
+
+
+def _share(shown: int, total: int, which: str) -> str:
+    return f"{shown} of {total} {which}" if 0 < shown < total else ""
+
+
+def _title(result: Result) -> str:
+    manifest = result.manifest
+    options = manifest.get("options", {})
+    words = (manifest.get("model"), *(options.get(key) for key in ("formulation", "stabilization", "integrator")))
+    step = f"step {options['step']:g} s" if options.get("step") else None
+    return ", ".join(str(word) for word in (*words, step) if word)
+
+
+def _positive(values: Floats) -> Floats:
+    """Magnitudes for a logarithmic axis, where zero has no place."""
+    magnitude: Floats = np.abs(values)
+    return np.where(magnitude > 0, magnitude, np.nan)
+
+
+def _log(ax: Axes) -> None:
+    """A logarithmic axis; one on which nothing is to be seen says so instead."""
+    if any(np.isfinite(np.asarray(line.get_ydata(), dtype=float)).any() for line in ax.lines):
+        ax.set_yscale("log")
+    else:
+        ax.set_yticks([])
+        ax.text(0.5, 0.5, "exactly zero", transform=ax.transAxes, ha="center", color="0.5")
+
+
+def _style(ax: Axes, quantity: str) -> None:
+    ax.set_ylabel(quantity, fontsize=9)
+    ax.grid(True, color="0.9", lw=0.6)
+    ax.set_axisbelow(True)
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.tick_params(labelsize=8)
+    ax.margins(x=0)
+
+
+def _legend(ax: Axes, title: str = "") -> None:
+    """Above the axes, where it hides nothing."""
+    labels = ax.get_legend_handles_labels()[1]
+    if labels:
+        columns = max(1, min(4, 72 // (max(map(len, labels)) + 6)))
+        legend = ax.legend(
+            title=title or None, ncols=columns, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2,
+            frameon=False, fontsize=8, title_fontsize=8, alignment="left", columnspacing=1.5,
+        )  # fmt: skip
+        legend.set_in_layout(True)
+
+
+def _cycle(count: int) -> list[str]:
+    return [COLORS[i % len(COLORS)] for i in range(count)]
+
+
+def _figure(width: float, height: float) -> Figure:
+    """A figure of its own, drawn by Agg: no window, no pyplot."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def _written(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
+    if path is not None:
+        try:
+            figure.savefig(path, dpi=110)
+        except (OSError, ValueError) as error:
+            reason = os.strerror(error.errno).lower() if isinstance(error, OSError) and error.errno else str(error)
+            raise FileError(f"picture '{path}': cannot be written: {reason}", code="not_writable") from error
+    return figure

@@ -1,0 +1,297 @@
+"""The motion that a run found: quantities by name, computed when asked for."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+
+from linkwork import rotation
+from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.header import Floats, Header, record_reactions
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Frame = Literal["inertial", "joint"]
+
+
+class Reaction(NamedTuple):
+    """What a joint does to its second body, at the joint's point: force (k, 3) [N] and torque (k, 3) [N m]."""
+
+    force: Floats
+    torque: Floats
+
+
+@dataclass(frozen=True)
+class BodyResult:
+    """The motion of one body's center of mass and its rotation; k frames, SI units."""
+
+    name: str
+    position: Floats  # (k, 3) inertial
+    orientation: Floats  # (k, 4) Euler parameters, scalar first
+    velocity: Floats  # (k, 3) inertial
+    omega: Floats  # (k, 3) body-fixed
+    acceleration: Floats  # (k, 3) inertial
+    angular_acceleration: Floats  # (k, 3) body-fixed
+
+    @property
+    def omega_inertial(self) -> Floats:
+        """Angular velocity (k, 3), inertial axes [rad/s]."""
+        return rotate(self.orientation, self.omega)
+
+
+class Result:
+    """k frames of n bodies, J joints and m constraint rows. SI units; inertial axes unless said otherwise.
+
+    A fresh result holds its frames in memory; a loaded one leaves them in the file and reads what is asked for.
+    `manifest` says what was run (versions, options, hash of the model), `statistics` what it took.
+    """
+
+    def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
+                 run: str | None = None) -> None:  # fmt: skip
+        """`frames`: arrays as `Simulation.advance` gives them, joined over time, or fields of a result file."""
+        shapes = header.frame_shapes()
+        count = len(frames["t"])
+        self._frames = {
+            name: np.reshape(field, (count, *shapes[name])) if isinstance(field, np.ndarray) else field
+            for name, field in frames.items()
+        }
+        self._header = header
+        self._run = run or uuid.uuid4().hex
+        self._places: dict[str, dict[str, int]] = {}
+        self.statistics = dict(statistics)
+        self.t: Floats = self._frames["t"][:]
+
+    # --- what was run -------------------------------------------------------------------------------------------
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        """Versions, options and the hash of the model: what is needed to run it again."""
+        return dict(self._header.manifest)
+
+    @property
+    def header(self) -> Header:
+        """The constant arrays of the model."""
+        return self._header
+
+    @property
+    def body_names(self) -> Sequence[str]:
+        return self._header.body_names
+
+    @property
+    def joint_names(self) -> Sequence[str]:
+        return self._header.joint_names
+
+    @property
+    def finished(self) -> bool:
+        """False for the file of a run that was interrupted."""
+        return bool(self.statistics)
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        end = f" to t = {self.t[-1]:g} s" if len(self) else ""
+        bodies, joints = self._header.body_count, self._header.joint_count
+        return f"<Result: {bodies} bodies, {joints} joints, {len(self)} frames{end}>"
+
+    # --- motion -------------------------------------------------------------------------------------------------
+
+    @property
+    def q(self) -> Floats:
+        """Poses (k, n, 7): position, then Euler parameters."""
+        return self._field("q")
+
+    @property
+    def v(self) -> Floats:
+        """Velocities (k, n, 6): inertial velocity, then body-fixed angular velocity."""
+        return self._field("v")
+
+    @property
+    def position(self) -> Floats:
+        """Centers of mass (k, n, 3) [m]."""
+        return self._field("q", np.s_[:, :, :3])
+
+    @property
+    def orientation(self) -> Floats:
+        """Euler parameters (k, n, 4), scalar first; they turn body axes to inertial."""
+        return self._field("q", np.s_[:, :, 3:])
+
+    @property
+    def velocity(self) -> Floats:
+        """Of the centers of mass (k, n, 3) [m/s]."""
+        return self._field("v", np.s_[:, :, :3])
+
+    @property
+    def omega(self) -> Floats:
+        """Angular velocities in body axes (k, n, 3) [rad/s]."""
+        return self._field("v", np.s_[:, :, 3:])
+
+    @property
+    def omega_inertial(self) -> Floats:
+        """Angular velocities in inertial axes (k, n, 3) [rad/s]."""
+        return rotate(self.orientation, self.omega)
+
+    @property
+    def acceleration(self) -> Floats:
+        """Of the centers of mass (k, n, 3) [m/s2]."""
+        return self._field("vdot", np.s_[:, :, :3])
+
+    @property
+    def angular_acceleration(self) -> Floats:
+        """In body axes (k, n, 3) [rad/s2]."""
+        return self._field("vdot", np.s_[:, :, 3:])
+
+    def body(self, name: str | int) -> BodyResult:
+        """The motion of one body, by name or index. ModelError: no such body."""
+        i = self._place("body", name)
+        q, v, vdot = (self._field(field, np.s_[:, i]) for field in ("q", "v", "vdot"))
+        return BodyResult(self.body_names[i], q[:, :3], q[:, 3:], v[:, :3], v[:, 3:], vdot[:, :3], vdot[:, 3:])
+
+    # --- joints -------------------------------------------------------------------------------------------------
+
+    @property
+    def multipliers(self) -> Floats:
+        """Lagrange multipliers (k, m), joint by joint in the order they were added."""
+        return self._field("lambda")
+
+    def reactions(self) -> Reaction:
+        """Of all joints, in inertial axes: force and torque (k, J, 3)."""
+        self._need_reactions()
+        return Reaction(self._field("reaction_force"), self._field("reaction_torque"))
+
+    def reaction(self, name: str | int, frame: Frame = "inertial") -> Reaction:
+        """Force and torque (k, 3) that a joint exerts on its second body, at the joint's point.
+
+        `frame="joint"` gives the components along the joint's own axes, which move with its first body.
+        ModelError: no such joint.
+        """
+        if frame not in ("inertial", "joint"):
+            raise OptionError(f"frame {frame!r} is neither 'inertial' nor 'joint'", code="unknown_option")
+        joint = self._place("joint", name)
+        self._need_reactions()
+        force, torque = (self._field(field, np.s_[:, joint]) for field in ("reaction_force", "reaction_torque"))
+        if frame == "inertial":
+            return Reaction(force, torque)
+        axes = self.joint_axes(joint)
+        return Reaction(np.einsum("kij,ki->kj", axes, force), np.einsum("kij,ki->kj", axes, torque))
+
+    def joint_axes(self, name: str | int) -> Floats:
+        """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""
+        joint = self._place("joint", name)
+        first, in_body = self._header.joint_bodies[joint, 0], self._header.joint_frame[joint]
+        if first < 0:
+            return np.broadcast_to(in_body, (len(self), 3, 3))
+        axes: Floats = rotation.matrix(self._field("q", np.s_[:, int(first), 3:])) @ in_body
+        return axes
+
+    # --- samples, for what must stay quick on large results -----------------------------------------------------
+
+    def sampled_positions(self, every: int) -> Floats:
+        """Centers of mass (., n, 3) of every so manyth frame [m]."""
+        return self._field("q", np.s_[::every, :, :3])
+
+    def sampled_reactions(self, every: int) -> Reaction:
+        """Reactions (., J, 3) of every so manyth frame."""
+        self._need_reactions()
+        force, torque = (self._field(field, np.s_[::every]) for field in ("reaction_force", "reaction_torque"))
+        return Reaction(force, torque)
+
+    # --- energy and violation -----------------------------------------------------------------------------------
+
+    @property
+    def kinetic_energy(self) -> Floats:
+        """(k,) [J]"""
+        return self._field("kinetic")
+
+    @property
+    def potential_energy(self) -> Floats:
+        """Of gravity and springs (k,) [J]."""
+        return self._field("potential")
+
+    @property
+    def energy(self) -> Floats:
+        """Kinetic and potential energy (k,) [J]."""
+        return self.kinetic_energy + self.potential_energy
+
+    @property
+    def work(self) -> Floats:
+        """Done since the start by all forces without a potential (k,) [J]: applied forces, dampers, driven joints."""
+        return self._field("work")
+
+    @property
+    def energy_error(self) -> Floats:
+        """Energy that the method made or lost (k,) [J]: energy - energy[0] - work."""
+        energy = self.energy
+        return energy - energy[:1] - self.work
+
+    @property
+    def violation(self) -> Floats:
+        """Largest violation of the constraints (k, 3): max abs of Phi, Phi_dot and Phi_ddot."""
+        return self._field("violation")
+
+    # --- files, pictures, text ----------------------------------------------------------------------------------
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write everything to an HDF5 file (replaced only when the new one is complete). FileError."""
+        from linkwork import result_file
+
+        self._need_reactions()
+        result_file.save(path, self._header, self._frames, self.statistics, self._run)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Result:
+        """A result file, also of a run that was interrupted. FileError: missing, damaged, or of another kind."""
+        from linkwork import result_file
+
+        stored = result_file.read(path)
+        return cls(stored.fields, stored.header, stored.statistics, run=stored.run)
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """Energy, violation, positions and reactions in one figure, written to `path` when given."""
+        from linkwork import plotting
+
+        return plotting.plot(self, path)
+
+    def summary(self) -> str:
+        """A few lines of plain text: what ran, how well, what it took."""
+        from linkwork import summary
+
+        return summary.text(self)
+
+    # --- how it works -------------------------------------------------------------------------------------------
+
+    def _field(self, name: str, part: Any = np.s_[:]) -> Floats:
+        values: Floats = self._frames[name][part]
+        return values
+
+    def _need_reactions(self) -> None:
+        """Evaluate the reactions of a result in memory, once."""
+        if "reaction_force" not in self._frames:
+            self._frames.update(record_reactions(self._header, self._frames))
+
+    def _place(self, what: Literal["body", "joint"], name: str | int) -> int:
+        """Index of a body or joint given by name or index."""
+        names = self.body_names if what == "body" else self.joint_names
+        if isinstance(name, (int, np.integer)):
+            if not -len(names) <= name < len(names):
+                raise ModelError(f"no {what} {name}: there are {len(names)}", code="unknown_name")
+            return int(name) % len(names)
+        places = self._places.setdefault(what, {})
+        if not places:
+            places.update({known: place for place, known in enumerate(names)})
+        if name not in places:
+            raise ModelError(f"no {what} named '{name}'{nearest(name, places)}", code="unknown_name")
+        return places[name]
+
+
+def rotate(p: Floats, u: Floats) -> Floats:
+    """A(p) u for Euler parameters p (..., 4) and body vectors u (..., 3), both to (..., 3) inertial."""
+    e0, e = p[..., :1], p[..., 1:]
+    turned: Floats = u + 2 * np.cross(e, np.cross(e, u) + e0 * u)
+    return turned

@@ -1,0 +1,348 @@
+"""Results on disk: HDF5, written while the run goes on, readable however it ends.
+
+    /            attributes `format`, `version`, `run` (an identity), `manifest` and, after the end, `statistics` (JSON)
+    /frames/     q (k, n, 7), v (k, n, 6), vdot (k, n, 6), lambda (k, m), kinetic, potential, work (k,), violation (k, 3),
+                 reaction_force and reaction_torque (k, joints, 3), t (k,)
+    /model/      the arrays of `Header`, and the names
+
+The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so a run that
+is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when there is none the
+file is closed with what it has. The reactions are stored, not recomputed: what was recorded needs no model to be read,
+so a mechanism driven by a Python function (which no file can hold) is loaded like any other.
+A field of no width (the multipliers of a free body) is not stored.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import math
+import os
+import shutil
+import time
+import uuid
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+import h5py
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork.errors import FileError
+from linkwork.header import Floats, Header, record_reactions
+
+FORMAT, VERSION = "linkwork result", 1
+
+#: Together with the driver's chunk of frames, a kill loses at most the last second.
+FLUSH_SECONDS = 0.5
+
+#: HDF5's index of chunks splits (and for an instant is inconsistent) beyond 64 chunks; a known run stays below.
+CHUNKS = 48
+CHUNK_BYTES = (4096, 32 * 2**20)
+
+#: Room kept for HDF5's own records and the closing attributes [bytes].
+MARGIN_BYTES = 256 * 1024
+
+_MODEL_ARRAYS = ("gravity", "mass", "inertia", "q0", "v0", "joint_rows", "joint_bodies", "joint_frame", "joint_origin")
+_MODEL_NAMES = ("body_names", "joint_names", "joint_kinds")
+
+
+class ResultWriter:
+    """Appends frames to a result file.
+
+    FileError: the path cannot be written or the disk has no room for the expected frames (before the run), or the
+    disk is full (during it; the frames so far stay readable).
+    """
+
+    def __init__(self, path: str | os.PathLike[str], header: Header, *, run: str | None = None) -> None:
+        self.path = Path(path)
+        self._header = header
+        self._frames = 0
+        self._pending: list[Floats] = []
+        self._flushed_at = time.monotonic()
+        self._size = self._reserved = 0  # of the file [bytes]: with all chunks begun so far; made sure of
+        self._fields: dict[str, h5py.Dataset] = {}
+        self._check_room(_frame_bytes(header) * (header.expected_frames or 0) + MARGIN_BYTES)
+        with self._failures():
+            self._file = h5py.File(self.path, "w")
+            self._write_header(run or uuid.uuid4().hex)
+            self._file.flush()
+
+    def write(self, chunk: Mapping[str, ArrayLike]) -> None:
+        """Append frames: the arrays of `Simulation.advance`, reactions included or to be computed here."""
+        t = np.asarray(chunk["t"], dtype=float)
+        if not len(t):
+            return
+        values = record_reactions(self._header, chunk)
+        start, end = self._frames, self._frames + len(t)
+        self._reserve(start, end)
+        with self._failures():
+            for name, dataset in self._fields.items():
+                if name != "t":
+                    dataset.resize(end, axis=0)
+                    dataset[start:end] = np.reshape(values[name], (len(t), *dataset.shape[1:]))
+        self._frames = end
+        self._pending.append(t)
+        if time.monotonic() - self._flushed_at > FLUSH_SECONDS:
+            self.flush()
+
+    def flush(self) -> None:
+        """Bring the frames so far to the file: first the data, then the times that make them count."""
+        with self._failures():
+            self._file.flush()
+            if self._pending:
+                t = self._fields["t"]
+                start = len(t)
+                t.resize(self._frames, axis=0)
+                t[start:] = np.concatenate(self._pending)
+                self._pending.clear()
+                self._file.flush()
+        self._flushed_at = time.monotonic()
+
+    def close(self, statistics: Mapping[str, Any] | None = None) -> None:
+        """End the file; without `statistics` it is marked as unfinished."""
+        if not self._file:
+            return
+        self.flush()
+        with self._failures():
+            if statistics is not None:
+                self._file.attrs["statistics"] = json.dumps(dict(statistics), default=_plain)
+            self._file.flush()
+            size = self._file.id.get_filesize()
+            self._file.close()
+            if os.path.getsize(self.path) > size:
+                os.truncate(self.path, size)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
+        try:
+            self.close()
+        except FileError:
+            if error is None:
+                raise
+
+    def _write_header(self, run: str) -> None:
+        attributes = {"format": FORMAT, "version": VERSION, "run": run}
+        self._file.attrs.update(attributes)
+        self._file.attrs["manifest"] = json.dumps(dict(self._header.manifest), default=_plain)
+        model = self._file.create_group("model")
+        for name in _MODEL_ARRAYS:
+            model[name] = getattr(self._header, name)
+        for name in _MODEL_NAMES:
+            model[name] = _encoded(getattr(self._header, name))
+        frames = self._file.create_group("frames")
+        for name, shape in self._header.frame_shapes().items():
+            if math.prod(shape):
+                chunk = (_chunk_frames(shape, self._header.expected_frames), *shape)
+                self._fields[name] = frames.create_dataset(
+                    name, (0, *shape), "f8", maxshape=(None, *shape), chunks=chunk, fillvalue=math.nan
+                )
+
+    def _reserve(self, start: int, end: int) -> None:
+        """Make sure of the room for the frames start..end before HDF5 is touched: its own failure to write would
+        leave the file half changed, and comes late, because HDF5 holds chunks back."""
+        chunks = [dataset.chunks for dataset in self._fields.values()]
+        new = [(-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8 for chunk in chunks]
+        with self._failures():
+            self._size = max(self._size, self._file.id.get_filesize()) + sum(new)
+            needed = self._size + self._size // 50 + MARGIN_BYTES  # a chunk's entry in the index takes less than 2 %
+            if needed > self._reserved:
+                self._check_room(needed - os.stat(self.path).st_blocks * 512)
+                _allocate(self.path, self._reserved, needed)
+                self._reserved = needed
+
+    def _check_room(self, needed: int) -> None:
+        with self._failures():
+            free = shutil.disk_usage(self.path.parent).free
+        if needed > free:
+            raise FileError(
+                f"output '{self.path}': no room: {_bytes(needed)} needed, {_bytes(free)} free{self._kept()}",
+                code="no_room",
+            )
+
+    @contextmanager
+    def _failures(self) -> Iterator[None]:
+        """What the operating system or HDF5 reports, as one line about this file."""
+        try:
+            yield
+        except (OSError, RuntimeError) as error:
+            raise FileError(
+                f"output '{self.path}': cannot be written: {_reason(error)}{self._kept()}", code="not_writable"
+            ) from error
+
+    def _kept(self) -> str:
+        return f"; the {self._frames} frames so far are kept" if self._frames else ""
+
+
+@dataclass(frozen=True)
+class StoredField:
+    """One field of /frames on disk. The file is opened for each reading only: it may be moved or written again."""
+
+    path: Path
+    run: str
+    name: str
+    shape: tuple[int, ...]
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __getitem__(self, key: Any) -> Floats:
+        """The part asked for, and nothing else, is read."""
+        if not math.prod(self.shape[1:]):
+            return np.zeros(self.shape)[key]
+        rows, *rest = key if isinstance(key, tuple) else (key,)
+        if isinstance(rows, slice):
+            rows = slice(*rows.indices(len(self)))
+        with _opened(self.path) as file:
+            if file.attrs["run"] != self.run:
+                raise FileError(f"result '{self.path}': was replaced by another run since it was loaded", code="changed")
+            values: Floats = file["frames"][self.name][(rows, *rest)]
+        return values
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        return np.asarray(self[:], dtype=dtype)
+
+
+@dataclass(frozen=True)
+class StoredRun:
+    """What `read` finds in a file."""
+
+    run: str
+    header: Header
+    statistics: dict[str, Any]
+    fields: dict[str, StoredField]
+
+
+def read(path: str | os.PathLike[str]) -> StoredRun:
+    """The result in a file, finished or not; the frames stay on disk until asked for."""
+    path = Path(path)
+    with _opened(path) as file:
+        if file.attrs.get("format") != FORMAT:
+            raise FileError(f"result '{path}': is not a result file of linkwork", code="not_a_result")
+        if file.attrs["version"] > VERSION:
+            raise FileError(
+                f"result '{path}': has version {file.attrs['version']}, this linkwork reads up to {VERSION}",
+                code="not_a_result",
+            )
+        run = str(file.attrs["run"])
+        header = _read_header(file)
+        count = _valid_frames(file["frames"])
+        statistics = json.loads(file.attrs.get("statistics", "{}"))
+    shapes = header.frame_shapes().items()
+    fields = {name: StoredField(path, run, name, (count, *shape)) for name, shape in shapes}
+    return StoredRun(run, header, statistics, fields)
+
+
+def save(path: str | os.PathLike[str], header: Header, frames: Mapping[str, Any], statistics: Mapping[str, Any],
+         run: str) -> None:  # fmt: skip
+    """Write a whole result: to a file beside, then renamed, so that `path` is never half written."""
+    path = Path(path)
+    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    count = len(frames["t"])
+    try:
+        with ResultWriter(beside, header, run=run) as writer:
+            block = max(1, 2**26 // _frame_bytes(header))
+            for start in range(0, count, block):
+                writer.write({name: values[start : start + block] for name, values in frames.items()})
+            writer.close(statistics)
+        os.replace(beside, path)
+    except FileError as error:
+        raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
+    except OSError as error:
+        raise FileError(f"output '{path}': cannot be written: {_reason(error)}", code="not_writable") from error
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[h5py.File]:
+    try:
+        with h5py.File(path, "r") as file:
+            yield file
+    except FileNotFoundError as error:
+        raise FileError(f"result '{path}': no such file", code="not_found") from error
+    except OSError as error:
+        raise FileError(f"result '{path}': cannot be read: {_reason(error)}", code="not_readable") from error
+    except KeyError as error:
+        raise FileError(f"result '{path}': is damaged: {_reason(error)}", code="not_readable") from error
+
+
+def _read_header(file: h5py.File) -> Header:
+    model = file["model"]
+    arrays = {name: model[name][()] for name in _MODEL_ARRAYS}
+    names = {name: [text.decode() for text in model[name][()]] for name in _MODEL_NAMES}
+    return Header(manifest=json.loads(file.attrs["manifest"]), **arrays, **names)
+
+
+def _valid_frames(frames: h5py.Group) -> int:
+    """Frames with a time, before the first gap: after a kill the end of `t` may be named but not written."""
+    t = frames["t"]
+    count = min(len(dataset) for dataset in frames.values())
+    valid = 0
+    for start in range(0, count, t.chunks[0]):
+        try:
+            times = t[start : min(start + t.chunks[0], count)]
+        except OSError:
+            break
+        finite = np.isfinite(times)
+        valid = start + (len(times) if finite.all() else int(np.argmin(finite)))
+        if not finite.all():
+            break
+    return valid
+
+
+def _chunk_frames(shape: tuple[int, ...], expected: int | None) -> int:
+    """Frames in a chunk of a field: few chunks in the file, none too small or too large."""
+    width = 8 * math.prod(shape)
+    smallest, largest = (max(1, limit // width) for limit in CHUNK_BYTES)
+    return min(max(smallest, -(-(expected or 0) // CHUNKS)), largest)
+
+
+def _frame_bytes(header: Header) -> int:
+    return 8 * sum(math.prod(shape) for shape in header.frame_shapes().values())
+
+
+def _allocate(path: Path, start: int, end: int) -> None:
+    """Give the file its blocks from start to end, so that writing them cannot fail (quotas and limits included)."""
+    if not hasattr(os, "posix_fallocate"):
+        return
+    descriptor = os.open(path, os.O_RDWR)
+    try:
+        os.posix_fallocate(descriptor, start, end - start)
+    except OSError as error:
+        if error.errno not in (errno.EOPNOTSUPP, errno.EINVAL):
+            raise
+    finally:
+        os.close(descriptor)
+
+
+def _encoded(names: Any) -> NDArray[np.bytes_]:
+    texts = [name.encode() for name in names]
+    return np.array(texts, dtype=f"S{max(map(len, texts), default=1) or 1}")
+
+
+def _plain(value: Any) -> Any:
+    """JSON for numpy's numbers and arrays, and text for the rest."""
+    return value.tolist() if isinstance(value, (np.generic, np.ndarray)) else str(value)
+
+
+def _reason(error: Exception) -> str:
+    """The cause in plain words; HDF5 wraps the system's own."""
+    if isinstance(error, OSError) and error.errno:
+        return os.strerror(error.errno).lower()
+    text = str(error).splitlines()[0]
+    return text
+
+
+def _bytes(count: float) -> str:
+    for unit in ("bytes", "kB", "MB", "GB"):
+        if count < 1000:
+            return f"{count:.3g} {unit}"
+        count /= 1000
+    return f"{count:.3g} TB"

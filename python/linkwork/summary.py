@@ -1,0 +1,74 @@
+"""A result in a few lines of plain text, and as the numbers behind them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from linkwork.result import Result
+
+
+def numbers(result: Result) -> dict[str, Any]:
+    """The figures by which runs are compared; SI units. None where there is nothing to measure."""
+    violation = result.violation.max(axis=0) if len(result) else [None] * 3
+    energy = result.energy
+    return {
+        "bodies": len(result.body_names),
+        "joints": len(result.joint_names),
+        "constraints": result.header.row_count,
+        "frames": len(result),
+        "t_end": float(result.t[-1]) if len(result) else None,
+        "max_violation": dict(zip(("position", "velocity", "acceleration"), map(_number, violation), strict=True)),
+        "energy_start": _number(energy[0]) if len(result) else None,
+        "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
+        "finished": result.finished,
+    }
+
+
+def text(result: Result) -> str:
+    """One line for the model, the method, the violation, the energy and the effort."""
+    return "\n".join(f"{label:<10}{content}" for label, content in lines(result) if content)
+
+
+def lines(result: Result) -> list[tuple[str, str]]:
+    """The summary as pairs of a label and what it says."""
+    found, manifest = numbers(result), result.manifest
+    model = manifest.get("model") or "model"
+    counts = f"{found['bodies']} bodies, {found['joints']} joints, {found['constraints']} constraints"
+    end = f"0 to {found['t_end']:.6g} s" if found["frames"] else "nothing"
+    violation = ", ".join(f"{level} {_figure(value)}" for level, value in found["max_violation"].items())
+    return [
+        ("model", f"{model}: {counts}"),
+        ("method", _method(manifest.get("options", {}))),
+        ("recorded", f"{end}, {found['frames']} frames{'' if result.finished else ', not finished'}"),
+        ("violation", f"largest {violation}"),
+        ("energy", f"{_figure(found['energy_start'])} J at the start, error at most "
+                   f"{_figure(found['max_energy_error'])} J"),
+        ("effort", _effort(result.statistics)),
+    ]  # fmt: skip
+
+
+def _method(options: dict[str, Any]) -> str:
+    words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
+    if options.get("step"):
+        words.append(f"step {options['step']:g} s")
+    if options.get("linear_solver"):
+        words.append(f"solver {options['linear_solver']}")
+    return ", ".join(words)
+
+
+def _effort(statistics: dict[str, Any]) -> str:
+    counts = [f"{statistics[key]:,} {key}" for key in ("steps", "evaluations", "factorizations", "iterations")
+              if statistics.get(key)]  # fmt: skip
+    seconds = statistics.get("seconds")
+    return ", ".join(counts) + (f" in {seconds:.3g} s" if isinstance(seconds, (int, float)) else "")
+
+
+def _number(value: Any) -> float | None:
+    return None if value is None else float(value)
+
+
+def _figure(value: float | None) -> str:
+    return "-" if value is None else f"{value:.3g}"

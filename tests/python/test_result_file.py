@@ -1,0 +1,252 @@
+"""Results on disk: exact, complete up to the last second, readable however the run ended."""
+
+from __future__ import annotations
+
+import math
+import os
+import random
+import resource
+import shutil
+import subprocess
+import sys
+import textwrap
+import time
+import tracemalloc
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+import synthetic
+
+from linkwork import Result
+from linkwork.errors import FileError
+from linkwork.header import Header
+from linkwork.result_file import ResultWriter
+
+FIELDS = ("t", "q", "v", "acceleration", "angular_acceleration", "multipliers", "kinetic_energy", "potential_energy",
+          "work", "violation")  # fmt: skip
+
+
+def make_result(header: Header, count: int = 100) -> Result:
+    return Result(synthetic.frames(header, 0, count), header, {"steps": 7, "seconds": 0.25})
+
+
+@pytest.mark.parametrize("bodies, joints", [(3, 4), (1, 0), (40, 39)])
+def test_round_trip_is_exact(tmp_path: Path, bodies: int, joints: int) -> None:
+    result = make_result(synthetic.header(bodies, joints))
+    result.save(tmp_path / "run.h5")
+    loaded = Result.load(tmp_path / "run.h5")
+    for name in FIELDS:
+        np.testing.assert_array_equal(getattr(loaded, name), getattr(result, name), err_msg=name)
+    for name in ("gravity", "mass", "inertia", "q0", "v0", "joint_rows", "joint_bodies", "joint_frame", "joint_origin"):
+        np.testing.assert_array_equal(getattr(loaded.header, name), getattr(result.header, name), err_msg=name)
+    for part in (0, 1):
+        np.testing.assert_array_equal(loaded.reactions()[part], result.reactions()[part])
+    assert list(loaded.body_names) == list(result.body_names)
+    assert list(loaded.joint_names) == list(result.joint_names)
+    assert (loaded.statistics, loaded.manifest) == (result.statistics, result.manifest)
+
+
+def test_file_written_in_chunks_equals_file_saved_at_once(tmp_path: Path) -> None:
+    header = synthetic.header(expected_frames=100)
+    result = make_result(header)
+    with ResultWriter(tmp_path / "run.h5", header) as writer:
+        start = 0
+        for count in (1, 0, 9, 40, 50):
+            if count:
+                part = slice(start, start + count)
+                writer.write({name: values[part] for name, values in synthetic.frames(header, 0, 100).items()})
+            start += count
+        writer.close(result.statistics)
+    loaded = Result.load(tmp_path / "run.h5")
+    for name in FIELDS:
+        np.testing.assert_array_equal(getattr(loaded, name), getattr(result, name), err_msg=name)
+    assert loaded.finished
+
+
+def test_one_body_is_read_without_reading_the_others(tmp_path: Path) -> None:
+    result = make_result(synthetic.header(bodies=200, joints=200), count=1000)  # 11 MB of poses
+    result.save(tmp_path / "run.h5")
+    loaded = Result.load(tmp_path / "run.h5")
+    tracemalloc.start()
+    body = loaded.body(77)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    np.testing.assert_array_equal(body.position, result.position[:, 77])
+    assert peak < 1e6
+
+
+def test_result_can_be_saved_over_the_file_it_came_from(tmp_path: Path) -> None:
+    result = make_result(synthetic.header())
+    result.save(tmp_path / "run.h5")
+    loaded = Result.load(tmp_path / "run.h5")
+    loaded.save(tmp_path / "run.h5")
+    np.testing.assert_array_equal(loaded.q, result.q)
+    assert os.listdir(tmp_path) == ["run.h5"]
+
+
+def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
+    old = make_result(synthetic.header())
+    old.save(tmp_path / "run.h5")
+    new = make_result(synthetic.header(bodies=100, joints=100), count=1000)
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2**20, limits[1]))
+    try:
+        with pytest.raises(FileError, match="run.h5': cannot be written: file too large"):
+            new.save(tmp_path / "run.h5")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    np.testing.assert_array_equal(Result.load(tmp_path / "run.h5").q, old.q)
+    assert os.listdir(tmp_path) == ["run.h5"]
+
+
+# --- ends that nobody wished for ------------------------------------------------------------------------------------
+
+WRITE_UNTIL_KILLED = """
+    import sys, synthetic
+    from linkwork import result_file
+    bodies, expected, result_file.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]) or None, float(sys.argv[4])
+    header = synthetic.header(bodies, bodies, expected_frames=expected)
+    with result_file.ResultWriter(sys.argv[1], header) as writer:
+        print("started", flush=True)
+        for first in range(0, 10**9, 5):
+            writer.write(synthetic.frames(header, first, 5))
+"""
+
+
+def start(
+    program: str, *arguments: object, before: Sequence[str] = (), limit: Callable[[], None] | None = None
+) -> subprocess.Popen[str]:
+    """The program in a Python of its own, in which `synthetic` can be imported."""
+    words = [*before, sys.executable, "-c", textwrap.dedent(program), *map(str, arguments)]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
+    pipe = subprocess.PIPE
+    return subprocess.Popen(words, env=environment, stdout=pipe, stderr=pipe, text=True, preexec_fn=limit)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -> None:
+    pick = random.Random(seed)
+    path = tmp_path / "run.h5"
+    writer = start(WRITE_UNTIL_KILLED, path, pick.choice([1, 3, 50, 400]), pick.choice([0, 1000, 100000]), 0.0)
+    assert writer.stdout is not None
+    writer.stdout.readline()
+    time.sleep(pick.uniform(0.0, 0.5))
+    writer.kill()
+    writer.wait()
+    result = Result.load(path)
+    assert not result.finished
+    np.testing.assert_array_equal(result.t, 0.01 * np.arange(len(result)))
+    for name in ("q", "v", "multipliers", "kinetic_energy", "work", "violation"):
+        values = getattr(result, name)
+        last = values.reshape(len(result), math.prod(values.shape[1:]))[:, -1]
+        np.testing.assert_array_equal(last, result.t, err_msg=name)
+        assert np.isfinite(values).all(), name
+    assert np.isfinite(result.reactions().force).all()
+
+
+SIMULATE_FOR_AN_HOUR = """
+    import sys, time, linkwork as lw
+    from linkwork.mechanisms import MECHANISMS
+    model = MECHANISMS["spatial_slider_crank"].function()
+    said = lambda info: print(info.t, flush=True)
+    lw.simulate(model, 1e5, 1e-3, record_every=10, output=sys.argv[1], progress=said)
+"""
+
+
+def test_killed_run_loses_at_most_the_last_second(tmp_path: Path) -> None:
+    run = start(SIMULATE_FOR_AN_HOUR, tmp_path / "run.h5")
+    assert run.stdout is not None
+    reached = [(time.monotonic(), float(run.stdout.readline()))]
+    while reached[-1][0] < reached[0][0] + 2.5:
+        reached.append((time.monotonic(), float(run.stdout.readline())))
+    run.kill()
+    killed = time.monotonic()
+    run.wait()
+    result = Result.load(tmp_path / "run.h5")
+    a_second_before = max(t for at, t in reached if at < killed - 1.0)
+    assert result.t[-1] >= a_second_before - 0.01
+    assert np.isfinite(result.q).all() and np.isfinite(result.violation).all()
+
+
+def test_file_size_limit_ends_with_one_line_and_a_readable_file(tmp_path: Path) -> None:
+    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (3 * 2**20, 3 * 2**20))  # noqa: E731
+    writer = start(WRITE_UNTIL_KILLED, tmp_path / "run.h5", 20, 0, 0.5, limit=limit)
+    error = writer.communicate(timeout=60)[1].splitlines()[-1]
+    result = Result.load(tmp_path / "run.h5")
+    assert len(result) > 100
+    assert "run.h5': cannot be written: file too large; the" in error and f"{len(result)} frames so far are kept" in error
+    np.testing.assert_array_equal(result.q[:, -1, -1], result.t)
+
+
+ON_A_SMALL_DISK = """
+    import subprocess, sys, synthetic
+    from linkwork import Result, errors, result_file
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", sys.argv[1]], check=True)
+    header = synthetic.header(20, 20)
+    try:
+        with result_file.ResultWriter(sys.argv[1] + "/run.h5", header) as writer:
+            for first in range(0, 10**9, 5):
+                writer.write(synthetic.frames(header, first, 5))
+    except errors.FileError as error:
+        result = Result.load(sys.argv[1] + "/run.h5")
+        print(error, len(result), (result.q[:, -1, -1] == result.t).all(), sep="|")
+"""
+
+
+@pytest.mark.skipif(os.geteuid() != 0 or shutil.which("unshare") is None, reason="mounting a small disk needs root")
+def test_full_disk_ends_with_one_line_and_a_readable_file(tmp_path: Path) -> None:
+    if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", tmp_path], capture_output=True).returncode:
+        pytest.skip("mounting is not allowed here")
+    run = start(ON_A_SMALL_DISK, tmp_path, before=["unshare", "-m"])
+    output, errors = run.communicate(timeout=60)
+    assert run.returncode == 0, errors
+    error, count, whole = output.strip().split("|")
+    assert int(count) > 100 and whole == "True"
+    assert "run.h5': no room: " in error and f"free; the {count} frames so far are kept" in error
+
+
+def test_run_that_cannot_fit_is_refused_before_it_starts(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match=r"run.h5': no room: .* needed, .* free"):
+        ResultWriter(tmp_path / "run.h5", synthetic.header(expected_frames=10**14))
+    assert not list(tmp_path.iterdir())
+
+
+# --- files that are something else ----------------------------------------------------------------------------------
+
+
+def test_missing_directory_is_told_before_the_run(tmp_path: Path) -> None:
+    with pytest.raises(FileError, match="nowhere/run.h5': cannot be written: no such file or directory"):
+        ResultWriter(tmp_path / "nowhere" / "run.h5", synthetic.header())
+
+
+@pytest.mark.parametrize("content", [b"", b"text, not HDF5", os.urandom(5000)])
+def test_file_of_another_kind_is_refused_in_one_line(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "run.h5").write_bytes(content)
+    with pytest.raises(FileError, match="run.h5'") as caught:
+        Result.load(tmp_path / "run.h5")
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("share", [0.01, 0.3, 0.9])
+def test_file_cut_short_in_copying_is_refused_in_one_line(tmp_path: Path, share: float) -> None:
+    make_result(synthetic.header()).save(tmp_path / "run.h5")
+    content = (tmp_path / "run.h5").read_bytes()
+    (tmp_path / "run.h5").write_bytes(content[: int(share * len(content))])
+    with pytest.raises(FileError, match="run.h5': cannot be read") as caught:
+        Result.load(tmp_path / "run.h5")
+    assert "\n" not in str(caught.value)
+
+
+def test_frames_of_a_file_that_was_replaced_are_not_mixed_up(tmp_path: Path) -> None:
+    make_result(synthetic.header()).save(tmp_path / "run.h5")
+    loaded = Result.load(tmp_path / "run.h5")
+    make_result(synthetic.header()).save(tmp_path / "run.h5")
+    with pytest.raises(FileError, match="run.h5': was replaced by another run since it was loaded"):
+        _ = loaded.q
+
+
+def test_finished_file_has_no_spare_room(tmp_path: Path) -> None:
+    make_result(synthetic.header(bodies=1, joints=0), count=10).save(tmp_path / "run.h5")
+    assert (tmp_path / "run.h5").stat().st_size < 100_000
