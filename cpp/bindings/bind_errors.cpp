@@ -1,0 +1,35 @@
+#include <cmath>
+
+#include "bindings.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork::python {
+namespace {
+
+py::object number_or_none(double value) { return std::isnan(value) ? py::object(py::none()) : py::float_(value); }
+
+/// Raises the class of linkwork.errors that has the error's name.
+void raise(const Error& error) {
+  const py::object type = py::module_::import("linkwork.errors").attr(error.kind());
+  py::dict residuals;
+  for (const auto& [name, value] : error.details.residuals) residuals[py::str(name)] = value;
+  const py::object instance =
+      type(py::str(error.what()), py::arg("code") = error.code(), py::arg("bodies") = error.details.bodies,
+           py::arg("joints") = error.details.joints, py::arg("time") = number_or_none(error.details.time),
+           py::arg("step") = number_or_none(error.details.step), py::arg("residuals") = residuals);
+  PyErr_SetObject(type.ptr(), instance.ptr());
+}
+
+}  // namespace
+
+void bind_errors(py::module_&) {
+  py::register_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const Error& error) {
+      raise(error);
+    }
+  });
+}
+
+}  // namespace linkwork::python

@@ -1,0 +1,225 @@
+#include "bindings.hpp"
+#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork::python {
+namespace {
+
+void check_size(const ConstVector& vector, Eigen::Index size, const char* name) {
+  if (vector.size() != size)
+    throw OptionError("shape", std::string(name) + " has " + std::to_string(vector.size()) + " entries, not " +
+                                   std::to_string(size));
+}
+
+/// y = (q, v, 0) of the drivers from y = (q, v) of Python.
+VectorXd with_work(const Dynamics& dynamics, const ConstVector& y) {
+  check_size(y, dynamics.y_size() - 1, "y");
+  VectorXd out(dynamics.y_size());
+  out << y, 0.0;
+  return out;
+}
+
+VectorXd state(const Dynamics& dynamics, const ConstVector& q, const ConstVector& v) {
+  check_size(q, dynamics.system().q_size(), "q");
+  check_size(v, dynamics.system().v_size(), "v");
+  VectorXd out(dynamics.y_size());
+  out << q, v, 0.0;
+  return out;
+}
+
+/// D in compressed rows.
+py::dict sparse_D(const System& system, const Evaluation& at) {
+  std::vector<std::int64_t> begin(static_cast<std::size_t>(system.row_count()) + 1, 0);
+  for (const ConstraintBlock& block : system.blocks())
+    for (int k = 0; k < block.rows; ++k) begin[static_cast<std::size_t>(block.row + k) + 1] += 6;
+  for (std::size_t r = 1; r < begin.size(); ++r) begin[r] += begin[r - 1];
+  py::array_t<double> data(static_cast<py::ssize_t>(begin.back()));
+  py::array_t<std::int64_t> indices(static_cast<py::ssize_t>(begin.back()));
+  std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
+  for (const ConstraintBlock& block : system.blocks())
+    for (int k = 0; k < block.rows; ++k)
+      for (int c = 0; c < 6; ++c) {
+        const std::int64_t place = next[static_cast<std::size_t>(block.row + k)]++;
+        data.mutable_data()[place] = at.D[static_cast<std::size_t>(block.offset + 6 * k + c)];
+        indices.mutable_data()[place] = 6 * block.body + c;
+      }
+  py::dict out;
+  out["data"] = data;
+  out["indices"] = indices;
+  out["indptr"] = py::array_t<std::int64_t>(static_cast<py::ssize_t>(begin.size()), begin.data());
+  return out;
+}
+
+py::array_t<double> mass_blocks(const System& system) {
+  const auto count = static_cast<py::ssize_t>(system.body_count());
+  py::array_t<double> out({count, py::ssize_t{6}, py::ssize_t{6}});
+  using Block = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  for (int body = 0; body < system.body_count(); ++body) {
+    Eigen::Map<Block> block(out.mutable_data() + 36 * body);
+    block.setZero();
+    block.topLeftCorner<3, 3>().diagonal().setConstant(system.mass(body));
+    block.bottomRightCorner<3, 3>() = system.inertia(body);
+  }
+  return out;
+}
+
+py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+  check_size(q, dynamics.system().q_size(), "q");
+  check_size(v, dynamics.system().v_size(), "v");
+  const System& system = dynamics.system();
+  Evaluation at = system.make_evaluation();
+  system.evaluate(t, q, v, at);
+  py::dict out;
+  out["M"] = mass_blocks(system);
+  out["D"] = sparse_D(system, at);
+  out["Phi"] = at.Phi;
+  out["Phi_t"] = at.Phi_t;
+  out["Phi_dot"] = at.Phi_dot;
+  out["gamma"] = at.gamma;
+  out["g"] = VectorXd(at.g.head(system.v_size()));
+  out["potential"] = at.potential;
+  out["force_power"] = at.power;
+  return out;
+}
+
+py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+  VectorXd v_dot(dynamics.system().v_size()), lambda(dynamics.system().row_count());
+  const VectorXd y = state(dynamics, q, v);
+  {
+    const py::gil_scoped_release release;
+    dynamics.evaluate(t, y);
+    dynamics.accelerations(v_dot, lambda);
+  }
+  return py::make_tuple(v_dot, lambda);
+}
+
+VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y) {
+  const VectorXd full = with_work(dynamics, y);
+  VectorXd y_dot(dynamics.y_size());
+  {
+    const py::gil_scoped_release release;
+    dynamics.evaluate(t, full);
+    dynamics.rates(y_dot);
+  }
+  return y_dot.head(y.size());
+}
+
+py::tuple reactions(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& lambda) {
+  const System& system = dynamics.system();
+  check_size(q, system.q_size(), "q");
+  check_size(lambda, system.row_count(), "multipliers");
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);
+  Eigen::Matrix3Xd force(3, system.joint_count()), torque(3, system.joint_count());
+  system.reactions(at, lambda, force, torque);
+  return py::make_tuple(Eigen::MatrixX3d(force.transpose()), Eigen::MatrixX3d(torque.transpose()));
+}
+
+py::array_t<double> joint_frames(const Dynamics& dynamics, const ConstVector& q) {
+  const System& system = dynamics.system();
+  check_size(q, system.q_size(), "q");
+  const auto count = static_cast<py::ssize_t>(system.joint_count());
+  py::array_t<double> out({count, py::ssize_t{3}, py::ssize_t{3}});
+  for (int joint = 0; joint < system.joint_count(); ++joint)
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(out.mutable_data() + 9 * joint) =
+        system.joint_frame(joint, q);
+  return out;
+}
+
+void bind_information(py::module_& module) {
+  py::class_<LinearSolverInfo>(module, "SolverInfo", "A registered linear solver.")
+      .def_readonly("name", &LinearSolverInfo::name)
+      .def_readonly("documentation", &LinearSolverInfo::documentation)
+      .def_property_readonly("available", [](const LinearSolverInfo& info) { return info.make != nullptr; })
+      .def_property_readonly("systems", [](const LinearSolverInfo& info) {
+        std::vector<std::string> out;
+        for (const char* form : {"kkt", "schur", "normal"})
+          if (can_solve(form, info)) out.push_back(form);
+        return out;
+      });
+  module.def("linear_solvers", [] { return linear_solvers(); });
+  py::class_<FormulationInfo>(module, "FormulationInfo", "A registered formulation.")
+      .def_readonly("name", &FormulationInfo::name)
+      .def_readonly("documentation", &FormulationInfo::documentation)
+      .def_readonly("systems", &FormulationInfo::forms)
+      .def_readonly("needs_full_rank", &FormulationInfo::needs_full_rank)
+      .def_readonly("needs_mass", &FormulationInfo::needs_mass)
+      .def_readonly("has_penalty", &FormulationInfo::has_penalty)
+      .def_readonly("iterative", &FormulationInfo::iterative);
+  module.def("formulations", [] { return formulations(); });
+  py::class_<StabilizationInfo>(module, "StabilizationInfo", "A registered stabilization.")
+      .def_property_readonly("name", [](const StabilizationInfo& info) { return info.name; })
+      .def_property_readonly("documentation", [](const StabilizationInfo& info) { return info.documentation; });
+  module.def("stabilizations", [] { return stabilizations(); });
+}
+
+void bind_options(py::module_& module) {
+  py::class_<Options>(module, "Options", "The choices of a run.")
+      .def(py::init<>())
+      .def_readwrite("formulation", &Options::formulation)
+      .def_readwrite("system", &Options::system)
+      .def_readwrite("linear_solver", &Options::linear_solver)
+      .def_readwrite("stabilization", &Options::stabilization)
+      .def_readwrite("baumgarte_alpha", &Options::baumgarte_alpha)
+      .def_readwrite("baumgarte_beta", &Options::baumgarte_beta)
+      .def_readwrite("penalty", &Options::penalty)
+      .def_readwrite("penalty_scale", &Options::penalty_scale)
+      .def_readwrite("tolerance", &Options::tolerance)
+      .def_readwrite("max_iterations", &Options::max_iterations);
+  py::class_<RankReport>(module, "RankReport", "Rank of the constraint matrix D.")
+      .def_readonly("rows", &RankReport::rows)
+      .def_readonly("rank", &RankReport::rank)
+      .def_readonly("dependent_rows", &RankReport::dependent_rows)
+      .def_readonly("degrees_of_freedom", &RankReport::degrees_of_freedom);
+}
+
+py::dict statistics(const Dynamics& dynamics) {
+  const DynamicsStatistics& cost = dynamics.statistics();
+  const IterationStatistics& iterations = dynamics.iterations();
+  py::dict out;
+  out["evaluations"] = cost.evaluations;
+  out["factorizations"] = cost.factorizations;
+  out["solves"] = cost.solves;
+  out["evaluate_time"] = cost.evaluate_time;
+  out["factorize_time"] = cost.factorize_time;
+  out["solve_time"] = cost.solve_time;
+  out["smallest_pivot"] = cost.smallest_pivot;
+  out["factor_nonzeros"] = dynamics.factor_nonzeros();
+  out["iterations"] = iterations.iterations;
+  out["most_iterations"] = iterations.most;
+  out["stagnations"] = iterations.stagnations;
+  out["iteration_change"] = iterations.last_change;
+  out["iteration_residual"] = iterations.last_residual;
+  out["worst_iteration_residual"] = iterations.worst_residual;
+  return out;
+}
+
+}  // namespace
+
+void bind_formulation(py::module_& module) {
+  bind_information(module);
+  bind_options(module);
+  py::class_<Dynamics>(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.")
+      .def(py::init<const Model&, const Options&>(), py::arg("model"), py::arg("options"),
+           py::call_guard<py::gil_scoped_release>())
+      .def_property_readonly("body_count", [](const Dynamics& d) { return d.system().body_count(); })
+      .def_property_readonly("joint_count", [](const Dynamics& d) { return d.system().joint_count(); })
+      .def_property_readonly("row_count", [](const Dynamics& d) { return d.system().row_count(); })
+      .def_property_readonly("system", [](const Dynamics& d) { return d.options().system; })
+      .def_property_readonly("linear_solver", [](const Dynamics& d) { return d.options().linear_solver; })
+      .def_property_readonly("options", &Dynamics::options)
+      .def("initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
+           "y = (q, v), 13 per body.")
+      .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"),
+           "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.")
+      .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"),
+           "(v_dot, multipliers) of the mechanism itself, without stabilization.")
+      .def("derivative", &derivative, py::arg("t"), py::arg("y"), "y_dot for y = (q, v).")
+      .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"),
+           "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes.")
+      .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
+      .def("rank", &Dynamics::rank, py::call_guard<py::gil_scoped_release>())
+      .def("statistics", &statistics);
+}
+
+}  // namespace linkwork::python

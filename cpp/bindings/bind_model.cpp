@@ -1,0 +1,250 @@
+#include <variant>
+
+#include "bindings.hpp"
+#include "linkwork/math/error.hpp"
+#include "linkwork/model/model.hpp"
+
+namespace linkwork::python {
+namespace {
+
+using Names = std::variant<std::string, std::vector<std::string>>;
+using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+/// Refuses an array whose shape is not (count, ...).
+template <class Array>
+void check_shape(const Array& array, std::vector<py::ssize_t> shape, const char* name) {
+  bool same = array.ndim() == static_cast<py::ssize_t>(shape.size());
+  for (std::size_t k = 0; same && k < shape.size(); ++k) same = array.shape(static_cast<py::ssize_t>(k)) == shape[k];
+  if (same) return;
+  std::string wanted, given;
+  for (const py::ssize_t extent : shape) wanted += (wanted.empty() ? "" : ", ") + std::to_string(extent);
+  for (py::ssize_t k = 0; k < array.ndim(); ++k) given += (k ? ", " : "") + std::to_string(array.shape(k));
+  throw ModelError("shape", std::string(name) + " has shape (" + given + "), not (" + wanted + ")");
+}
+
+int add_bodies(Model& model, const Names& names, const Doubles& mass, const Doubles& inertia, const Doubles& position,
+               const Doubles& orientation, const Doubles& velocity, const Doubles& omega) {
+  const py::ssize_t count = mass.size();
+  check_shape(mass, {count}, "mass");
+  check_shape(inertia, {count, 3, 3}, "inertia");
+  check_shape(position, {count, 3}, "position");
+  check_shape(orientation, {count, 4}, "orientation");
+  check_shape(velocity, {count, 3}, "velocity");
+  check_shape(omega, {count, 3}, "omega");
+  std::vector<Body> bodies(static_cast<std::size_t>(count));
+  for (py::ssize_t k = 0; k < count; ++k)
+    bodies[static_cast<std::size_t>(k)] = {mass.data()[k],
+                                           Eigen::Map<const RowMajor3>(inertia.data() + 9 * k),
+                                           Eigen::Map<const Vec3<double>>(position.data() + 3 * k),
+                                           Eigen::Map<const Vec4<double>>(orientation.data() + 4 * k),
+                                           Eigen::Map<const Vec3<double>>(velocity.data() + 3 * k),
+                                           Eigen::Map<const Vec3<double>>(omega.data() + 3 * k)};
+  if (const auto* prefix = std::get_if<std::string>(&names)) return model.add_bodies(*prefix, bodies);
+  const auto& list = std::get<std::vector<std::string>>(names);
+  const int first = static_cast<int>(model.bodies().size());
+  if (list.size() != bodies.size()) throw ModelError("names", "as many names as bodies are needed");
+  for (std::size_t k = 0; k < bodies.size(); ++k) model.add_body(list[k], bodies[k]);
+  return first;
+}
+
+struct Elements {
+  std::vector<Element> elements;
+  std::vector<Parameter> parameters;
+};
+
+Elements read_elements(const Integers& bodies, const Doubles& origin, const Doubles& frame, const Doubles& parameters,
+                       const Integers& signals) {
+  const py::ssize_t count = bodies.ndim() > 0 ? bodies.shape(0) : 0;
+  const py::ssize_t width = parameters.ndim() > 1 ? parameters.shape(1) : 0;
+  check_shape(bodies, {count, 2}, "bodies");
+  check_shape(origin, {count, 2, 3}, "origin");
+  check_shape(frame, {count, 2, 3, 3}, "frame");
+  check_shape(parameters, {count, width}, "parameters");
+  check_shape(signals, {count, width}, "signals");
+  Elements out;
+  for (py::ssize_t k = 0; k < count; ++k) {
+    const double* s = origin.data() + 6 * k;
+    const double* C = frame.data() + 18 * k;
+    using Vector = Eigen::Map<const Vec3<double>>;
+    using Matrix = Eigen::Map<const RowMajor3>;
+    out.elements.push_back({0, bodies.data()[2 * k], bodies.data()[2 * k + 1],
+                            {Vector(s), Vector(s + 3), Matrix(C), Matrix(C + 9)}, 0});
+    for (py::ssize_t p = 0; p < width; ++p)
+      out.parameters.push_back({parameters.data()[k * width + p], signals.data()[k * width + p]});
+  }
+  return out;
+}
+
+/// Adds one by one where names are given, in bulk where there is a prefix. `single` and `bulk` are members of Model.
+template <class Single, class Bulk>
+int add_elements(Model& model, const std::string& kind, const Names& names, const Elements& list, int first,
+                 Single single, Bulk bulk) {
+  if (const auto* prefix = std::get_if<std::string>(&names))
+    return (model.*bulk)(kind, *prefix, list.elements, list.parameters);
+  const auto& each = std::get<std::vector<std::string>>(names);
+  const std::size_t count = list.elements.size();
+  if (each.size() != count) throw ModelError("names", kind + ": as many names as elements are needed");
+  const std::size_t width = count ? list.parameters.size() / count : 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Element& element = list.elements[k];
+    const auto begin = list.parameters.begin() + static_cast<std::ptrdiff_t>(k * width);
+    (model.*single)(kind, each[k], element.i, element.j, element.at,
+                    std::vector<Parameter>(begin, begin + static_cast<std::ptrdiff_t>(width)));
+  }
+  return first;
+}
+
+py::dict element_arrays(const std::vector<Element>& elements, const std::vector<Parameter>& parameters) {
+  const auto count = static_cast<py::ssize_t>(elements.size());
+  py::array_t<int> kind(count), bodies({count, py::ssize_t{2}});
+  py::array_t<double> origin({count, py::ssize_t{2}, py::ssize_t{3}});
+  py::array_t<double> frame({count, py::ssize_t{2}, py::ssize_t{3}, py::ssize_t{3}});
+  py::array_t<std::int64_t> first_parameter(count);
+  for (py::ssize_t k = 0; k < count; ++k) {
+    const Element& element = elements[static_cast<std::size_t>(k)];
+    kind.mutable_data()[k] = element.kind;
+    bodies.mutable_data()[2 * k] = element.i;
+    bodies.mutable_data()[2 * k + 1] = element.j;
+    Eigen::Map<Vec3<double>>(origin.mutable_data() + 6 * k) = element.at.s_i;
+    Eigen::Map<Vec3<double>>(origin.mutable_data() + 6 * k + 3) = element.at.s_j;
+    Eigen::Map<RowMajor3>(frame.mutable_data() + 18 * k) = element.at.C_i;
+    Eigen::Map<RowMajor3>(frame.mutable_data() + 18 * k + 9) = element.at.C_j;
+    first_parameter.mutable_data()[k] = static_cast<std::int64_t>(element.first_parameter);
+  }
+  const auto total = static_cast<py::ssize_t>(parameters.size());
+  py::array_t<double> constant(total);
+  py::array_t<int> signal(total);
+  for (py::ssize_t p = 0; p < total; ++p) {
+    constant.mutable_data()[p] = parameters[static_cast<std::size_t>(p)].constant;
+    signal.mutable_data()[p] = parameters[static_cast<std::size_t>(p)].signal;
+  }
+  py::dict out;
+  out["kind"] = kind;
+  out["bodies"] = bodies;
+  out["origin"] = origin;
+  out["frame"] = frame;
+  out["first_parameter"] = first_parameter;
+  out["parameters"] = constant;
+  out["signals"] = signal;
+  return out;
+}
+
+py::array_t<double> masses(const Model& model) {
+  py::array_t<double> out(static_cast<py::ssize_t>(model.bodies().size()));
+  for (std::size_t b = 0; b < model.bodies().size(); ++b) out.mutable_data()[b] = model.bodies()[b].mass;
+  return out;
+}
+
+py::array_t<double> inertias(const Model& model) {
+  const auto count = static_cast<py::ssize_t>(model.bodies().size());
+  py::array_t<double> out({count, py::ssize_t{3}, py::ssize_t{3}});
+  for (py::ssize_t b = 0; b < count; ++b)
+    Eigen::Map<RowMajor3>(out.mutable_data() + 9 * b) = model.bodies()[static_cast<std::size_t>(b)].inertia;
+  return out;
+}
+
+void bind_time_functions(py::module_& module) {
+  py::class_<TimeFunction, std::shared_ptr<TimeFunction>>(module, "TimeFunction",
+                                                          "A quantity as a function of time [s], with two derivatives.")
+      .def("evaluate",
+           [](const TimeFunction& f, double t) {
+             const Signal<double> s = f.evaluate(t);
+             return py::make_tuple(s.value, s.rate, s.acceleration);
+           },
+           py::arg("t"), "(value, rate, acceleration) at t.")
+      .def_property_readonly("has_derivatives", &TimeFunction::has_derivatives)
+      .def_static("constant", [](double c) { return polynomial({c}); }, py::arg("value"))
+      .def_static("polynomial", &polynomial, py::arg("coefficients"), "sum c_k t^k, ascending powers.")
+      .def_static("harmonic", &harmonic, py::arg("amplitude"), py::arg("frequency"), py::arg("phase") = 0.0,
+                  py::arg("offset") = 0.0, "offset + amplitude sin(frequency t + phase); frequency in rad/s.")
+      .def_static("piecewise_polynomial", &piecewise_polynomial, py::arg("breaks"), py::arg("coefficients"),
+                  "Rows of ascending coefficients in t - breaks[i], flattened.")
+      .def_static("callback", &callback, py::arg("value"), py::arg("rate") = nullptr,
+                  py::arg("acceleration") = nullptr, "Python functions of t.");
+}
+
+void bind_kinds(py::module_& module) {
+  py::class_<KindInfo>(module, "KindInfo", "A registered kind of joint or force.")
+      .def_readonly("name", &KindInfo::name)
+      .def_readonly("rows", &KindInfo::rows)
+      .def_readonly("placement", &KindInfo::placement)
+      .def_readonly("parameters", &KindInfo::parameters)
+      .def_readonly("differentiated", &KindInfo::differentiated)
+      .def_readonly("equations", &KindInfo::equations)
+      .def_readonly("documentation", &KindInfo::documentation);
+  module.def("joint_kinds", [] {
+    std::vector<KindInfo> out;
+    for (const JointKind& kind : joint_kinds()) out.push_back(kind.info);
+    return out;
+  });
+  module.def("force_kinds", [] {
+    std::vector<KindInfo> out;
+    for (const ForceKind& kind : force_kinds()) out.push_back(kind.info);
+    return out;
+  });
+}
+
+}  // namespace
+
+void bind_model(py::module_& module) {
+  bind_time_functions(module);
+  bind_kinds(module);
+  py::class_<Model>(module, "Model", "The constant description of a mechanism; see linkwork.Model.")
+      .def(py::init<const Vec3<double>&>(), py::arg("gravity") = Vec3<double>(0.0, 0.0, -9.81))
+      .def("add_bodies", &add_bodies, py::arg("names"), py::arg("mass"), py::arg("inertia"), py::arg("position"),
+           py::arg("orientation"), py::arg("velocity"), py::arg("omega"),
+           "Adds bodies under a prefix (str) or names (list); returns the first index.")
+      .def("add_joints",
+           [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
+              const Doubles& frame, const Doubles& parameters, const Integers& signals) {
+             return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
+                                 static_cast<int>(model.joints().size()), &Model::add_joint, &Model::add_joints);
+           },
+           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
+           py::arg("parameters"), py::arg("signals"), "Adds joints; returns the first index.")
+      .def("add_forces",
+           [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
+              const Doubles& frame, const Doubles& parameters, const Integers& signals) {
+             return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
+                                 static_cast<int>(model.forces().size()), &Model::add_force, &Model::add_forces);
+           },
+           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
+           py::arg("parameters"), py::arg("signals"), "Adds force elements; returns the first index.")
+      .def("add_signal", [](Model& model, std::shared_ptr<TimeFunction> f) { return model.add_signal(std::move(f)); },
+           py::arg("function"))
+      .def_property_readonly("gravity", [](const Model& model) { return VectorXd(model.gravity()); })
+      .def_property_readonly("body_count", [](const Model& model) { return model.bodies().size(); })
+      .def_property_readonly("joint_count", [](const Model& model) { return model.joints().size(); })
+      .def_property_readonly("force_count", [](const Model& model) { return model.forces().size(); })
+      .def_property_readonly("row_count", &Model::row_count)
+      .def("body_name", &Model::body_name, py::arg("body"))
+      .def("joint_name", &Model::joint_name, py::arg("joint"))
+      .def("force_name", [](const Model& model, int force) { return model.force_names().name(force); }, py::arg("force"))
+      .def("joint_kind",
+           [](const Model& model, int joint) {
+             return joint_kinds()[static_cast<std::size_t>(model.joints().at(static_cast<std::size_t>(joint)).kind)].info.name;
+           },
+           py::arg("joint"))
+      .def("find_body", [](const Model& model, const std::string& name) { return model.body_names().find(name); },
+           py::arg("name"), "Index of a name, -1 where there is none.")
+      .def("find_joint", [](const Model& model, const std::string& name) { return model.joint_names().find(name); },
+           py::arg("name"), "Index of a name, -1 where there is none.")
+      .def("find_force", [](const Model& model, const std::string& name) { return model.force_names().find(name); },
+           py::arg("name"), "Index of a name, -1 where there is none.")
+      .def("describe_row", &Model::describe_row, py::arg("row"))
+      .def_property_readonly("joint_rows", [](const Model& model) {
+        return py::array_t<int>(static_cast<py::ssize_t>(model.joint_rows().size()), model.joint_rows().data());
+      })
+      .def_property_readonly("mass", &masses)
+      .def_property_readonly("inertia", &inertias)
+      .def_property_readonly("q0", &Model::initial_q)
+      .def_property_readonly("v0", &Model::initial_v)
+      .def("joint_arrays",
+           [](const Model& model) { return element_arrays(model.joints(), model.joint_parameters()); },
+           "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_joints took.")
+      .def("force_arrays",
+           [](const Model& model) { return element_arrays(model.forces(), model.force_parameters()); },
+           "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_forces took.");
+}
+
+}  // namespace linkwork::python

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+namespace linkwork::python {
+
+namespace py = pybind11;
+
+/// C-contiguous float64 and int32 arrays, converted where needed.
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
+
+void bind_errors(py::module_& module);
+void bind_model(py::module_& module);
+void bind_formulation(py::module_& module);
+void bind_integration(py::module_& module);
+
+/// Hands a vector over to numpy without a copy.
+py::array_t<double> to_numpy(std::vector<double>&& values, std::vector<py::ssize_t> shape);
+
+}  // namespace linkwork::python

@@ -1,0 +1,291 @@
+#include "linkwork/assembly/system.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <numeric>
+
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double singular_moment = 1e-14;  // principal moment, relative to the largest
+
+using Block = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>>;
+
+Block block_of(const Evaluation& at, const ConstraintBlock& block) {
+  return Block(at.D.data() + block.offset, block.rows, 6);
+}
+
+/// Fills `begin` and `list` so that list[begin[k] .. begin[k+1]) holds the blocks whose key is k, in order.
+template <class Key>
+void group_blocks(const std::vector<ConstraintBlock>& blocks, int groups, Key key, std::vector<int>& list,
+                  std::vector<int>& begin) {
+  begin.assign(static_cast<std::size_t>(groups) + 1, 0);
+  for (const ConstraintBlock& block : blocks) begin[static_cast<std::size_t>(key(block)) + 1] += 1;
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  list.resize(blocks.size());
+  std::vector<int> next(begin.begin(), begin.end() - 1);
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    list[static_cast<std::size_t>(next[static_cast<std::size_t>(key(blocks[b]))]++)] = static_cast<int>(b);
+}
+
+BlockRange range(const std::vector<int>& list, const std::vector<int>& begin, int k) {
+  const auto index = static_cast<std::size_t>(k);
+  return {list.data() + begin[index], list.data() + begin[index + 1]};
+}
+
+/// The inverse on the range of J, zero on its kernel (bodies without inertia).
+Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(J);
+  const Vec3<double> moments = eigen.eigenvalues();
+  singular = moments[0] <= singular_moment * moments[2] || moments[2] <= 0.0;
+  if (!singular) return J.isDiagonal(0.0) ? Mat3<double>(J.diagonal().cwiseInverse().asDiagonal()) : Mat3<double>(J.inverse());
+  Vec3<double> inverse = Vec3<double>::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (moments[k] > singular_moment * moments[2] && moments[2] > 0.0) inverse[k] = 1.0 / moments[k];
+  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+System::System(const Model& model) : model_(model) {
+  compile_masses();
+  compile_joints();
+  compile_forces();
+}
+
+void System::compile_masses() {
+  masses_.reserve(model_.bodies().size());
+  for (const Body& body : model_.bodies()) {
+    bool singular = false;
+    const Mat3<double> J_inverse = pseudo_inverse(body.inertia, singular);
+    if (singular || body.mass == 0.0) massless_.push_back(static_cast<int>(masses_.size()));
+    masses_.push_back({body.mass, body.mass > 0.0 ? 1.0 / body.mass : 0.0, body.inertia, J_inverse});
+  }
+}
+
+void System::compile_joints() {
+  joint_batches_.resize(joint_kinds().size());
+  const int n = body_count();
+  for (int joint = 0; joint < joint_count(); ++joint) {
+    const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+    const KindInfo& info = joint_kinds()[static_cast<std::size_t>(element.kind)].info;
+    Batch& batch = joint_batches_[static_cast<std::size_t>(element.kind)];
+    const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
+    batch.element.push_back(joint);
+    batch.body_i.push_back(element.i == ground ? n : element.i);
+    batch.body_j.push_back(element.j == ground ? n : element.j);
+    batch.attachment.push_back(element.at);
+    batch.row.push_back(row);
+    batch.D.push_back(D_size_);
+    for (std::size_t p = 0; p < info.parameters.size(); ++p) {
+      batch.parameters.push_back(model_.joint_parameters()[element.first_parameter + p]);
+      time_dependent_constraints_ = time_dependent_constraints_ || batch.parameters.back().signal >= 0;
+    }
+    if (element.i != ground) blocks_.push_back({joint, element.i, row, info.rows, D_size_});
+    if (element.j != ground) blocks_.push_back({joint, element.j, row, info.rows, D_size_ + 6 * info.rows});
+    D_size_ += 12 * info.rows;
+  }
+  group_blocks(blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_,
+               joint_block_begin_);
+  group_blocks(blocks_, body_count(), [](const ConstraintBlock& b) { return b.body; }, body_block_list_,
+               body_block_begin_);
+}
+
+void System::compile_forces() {
+  force_batches_.resize(force_kinds().size());
+  const int n = body_count();
+  for (std::size_t k = 0; k < model_.forces().size(); ++k) {
+    const Element& element = model_.forces()[k];
+    const ForceKind& kind = force_kinds()[static_cast<std::size_t>(element.kind)];
+    Batch& batch = force_batches_[static_cast<std::size_t>(element.kind)];
+    batch.element.push_back(static_cast<int>(k));
+    batch.body_i.push_back(element.i == ground ? n : element.i);
+    batch.body_j.push_back(element.j == ground ? n : element.j);
+    batch.attachment.push_back(element.at);
+    batch.memory.push_back(memory_size_);
+    const auto first = model_.force_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
+    batch.parameters.insert(batch.parameters.end(), first,
+                            first + static_cast<std::ptrdiff_t>(kind.info.parameters.size()));
+    memory_size_ += kind.memory;
+  }
+}
+
+Evaluation System::make_evaluation() const {
+  Evaluation out;
+  out.bodies.assign(static_cast<std::size_t>(body_count()) + 1, BodyState<double>::ground());
+  out.signals.resize(model_.signals().size());
+  out.D.assign(static_cast<std::size_t>(D_size_), 0.0);
+  out.memory.assign(static_cast<std::size_t>(memory_size_), 0.0);
+  for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
+  out.g.setZero(v_size() + velocity_size);
+  return out;
+}
+
+void System::evaluate(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  evaluate_constraints(t, q, v, out);
+  evaluate_forces(out);
+}
+
+void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  evaluate_states(t, q, v, out);
+  const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.gamma.data(), out.D.data()};
+  for (std::size_t kind = 0; kind < joint_batches_.size(); ++kind)
+    if (joint_batches_[kind].size() > 0)
+      joint_kinds()[kind].evaluate(joint_batches_[kind], out.bodies.data(), out.signals.data(), arrays);
+  multiply_D(out, v, out.Phi_dot);
+  if (time_dependent_constraints_) out.Phi_dot += out.Phi_t;
+}
+
+void System::evaluate_states(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  for (std::size_t s = 0; s < out.signals.size(); ++s) out.signals[s] = model_.signals()[s]->evaluate(t);
+  for (int b = 0; b < body_count(); ++b) {
+    const double* position = q.data() + position_size * b;
+    const double* velocity = v.data() + velocity_size * b;
+    BodyState<double>& state = out.bodies[static_cast<std::size_t>(b)];
+    state.r = Vec3<double>(position[0], position[1], position[2]);
+    state.A = rotation_matrix<double>(Vec4<double>(position[3], position[4], position[5], position[6]));
+    state.r_dot = Vec3<double>(velocity[0], velocity[1], velocity[2]);
+    state.omega = Vec3<double>(velocity[3], velocity[4], velocity[5]);
+  }
+}
+
+// g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
+void System::evaluate_forces(Evaluation& out) const {
+  const Vec3<double>& gravity = model_.gravity();
+  double potential = 0.0;
+  for (int b = 0; b < body_count(); ++b) {
+    const Mass& mass = masses_[static_cast<std::size_t>(b)];
+    const BodyState<double>& state = out.bodies[static_cast<std::size_t>(b)];
+    double* g = out.g.data() + velocity_size * b;
+    Eigen::Map<Vec3<double>> force(g), torque(g + 3);
+    force = mass.m * gravity;
+    torque = (mass.J * state.omega).cross(state.omega);
+    potential -= mass.m * gravity.dot(state.r);
+  }
+  out.g.tail<velocity_size>().setZero();
+  out.potential = potential;
+  out.power = 0.0;
+  const ForceArrays arrays{out.g.data(), out.memory.data(), &out.potential, &out.power};
+  for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
+    if (force_batches_[kind].size() > 0)
+      force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), arrays);
+}
+
+void System::position_rates(const ConstVector& q, const ConstVector& v, MutableVector q_dot) const {
+  for (int b = 0; b < body_count(); ++b) {
+    const auto velocity = v.segment<velocity_size>(velocity_size * b);
+    auto rates = q_dot.segment<position_size>(position_size * b);
+    rates.head<3>() = velocity.head<3>();
+    rates.tail<4>() = euler_parameter_rates<double>(q.segment<4>(position_size * b + 3), velocity.tail<3>());
+  }
+}
+
+void System::normalize(MutableVector q) const {
+  for (int b = 0; b < body_count(); ++b) q.segment<4>(position_size * b + 3).normalize();
+}
+
+MatrixXd System::massless_directions(int body) const {
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(inertia(body));
+  const Vec3<double> moments = eigen.eigenvalues();
+  MatrixXd kernel(6, 0);
+  const auto append = [&](int first_row, const Vec3<double>& direction) {
+    kernel.conservativeResize(6, kernel.cols() + 1);
+    kernel.rightCols<1>().setZero();
+    kernel.rightCols<1>().segment<3>(first_row) = direction;
+  };
+  for (int k = 0; k < 3; ++k) {
+    if (mass(body) == 0.0) append(0, Vec3<double>::Unit(k));
+    if (moments[k] <= singular_moment * moments[2] || moments[2] <= 0.0) append(3, eigen.eigenvectors().col(k));
+  }
+  return kernel;
+}
+
+void System::multiply_mass(const ConstVector& x, MutableVector y) const {
+  for (int b = 0; b < body_count(); ++b) {
+    const Mass& mass = masses_[static_cast<std::size_t>(b)];
+    const int k = velocity_size * b;
+    y.segment<3>(k) = mass.m * x.segment<3>(k);
+    y.segment<3>(k + 3).noalias() = mass.J * x.segment<3>(k + 3);
+  }
+}
+
+void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {
+  for (int b = 0; b < body_count(); ++b) {
+    const Mass& mass = masses_[static_cast<std::size_t>(b)];
+    const int k = velocity_size * b;
+    y.segment<3>(k) = mass.m_inverse * x.segment<3>(k);
+    y.segment<3>(k + 3).noalias() = mass.J_inverse * x.segment<3>(k + 3);
+  }
+}
+
+double System::kinetic_energy(const ConstVector& v) const {
+  double twice = 0.0;
+  for (int b = 0; b < body_count(); ++b) {
+    const Mass& mass = masses_[static_cast<std::size_t>(b)];
+    const auto velocity = v.segment<velocity_size>(velocity_size * b);
+    const Vec3<double> omega = velocity.tail<3>();
+    twice += mass.m * velocity.head<3>().squaredNorm() + omega.dot(mass.J * omega);
+  }
+  return 0.5 * twice;
+}
+
+BlockRange System::joint_blocks(int joint) const { return range(joint_block_list_, joint_block_begin_, joint); }
+BlockRange System::body_blocks(int body) const { return range(body_block_list_, body_block_begin_, body); }
+
+void System::multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const {
+  y.setZero();
+  for (const ConstraintBlock& block : blocks_)
+    y.segment(block.row, block.rows).noalias() +=
+        block_of(at, block) * x.segment<velocity_size>(velocity_size * block.body);
+}
+
+void System::add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const {
+  for (const ConstraintBlock& block : blocks_)
+    y.segment<velocity_size>(velocity_size * block.body).noalias() +=
+        block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
+}
+
+VectorXd System::row_mobility(const Evaluation& at) const {
+  VectorXd mobility = VectorXd::Zero(row_count());
+  for (const ConstraintBlock& block : blocks_) {
+    const Block D = block_of(at, block);
+    for (int k = 0; k < block.rows; ++k) {
+      const Vec3<double> rotation = D.row(k).tail<3>();
+      mobility[block.row + k] += inverse_mass(block.body) * D.row(k).head<3>().squaredNorm() +
+                                 rotation.dot(inverse_inertia(block.body) * rotation);
+    }
+  }
+  return mobility;
+}
+
+// A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.
+// About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite.
+void System::reactions(const Evaluation& at, const ConstVector& lambda, Eigen::Ref<Eigen::Matrix3Xd> force,
+                       Eigen::Ref<Eigen::Matrix3Xd> torque) const {
+  for (int joint = 0; joint < joint_count(); ++joint) {
+    const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+    const BlockRange places = joint_blocks(joint);
+    const ConstraintBlock& block = blocks_[static_cast<std::size_t>(*(places.end() - 1))];  // the second body, if any
+    const double sign = element.j == ground ? -1.0 : 1.0;
+    const auto state_of = [&](int body) -> const BodyState<double>& {
+      return at.bodies[static_cast<std::size_t>(body == ground ? body_count() : body)];
+    };
+    const BodyState<double>& body = state_of(block.body);
+    const BodyState<double>& second = state_of(element.j);
+    const Vec3<double> point = second.r + second.A * element.at.s_j;
+    const Eigen::Matrix<double, 6, 1> wrench =
+        block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
+    const Vec3<double> F = wrench.head<3>(), n = wrench.tail<3>();
+    force.col(joint) = sign * F;
+    torque.col(joint) = sign * (body.A * n - (point - body.r).cross(F));
+  }
+}
+
+Mat3<double> System::joint_frame(int joint, const ConstVector& q) const {
+  const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+  if (element.i == ground) return element.at.C_i;
+  return rotation_matrix<double>(q.segment<4>(position_size * element.i + 3)) * element.at.C_i;
+}
+
+}  // namespace linkwork

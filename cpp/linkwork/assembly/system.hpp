@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "linkwork/math/types.hpp"
+#include "linkwork/model/model.hpp"
+
+namespace linkwork {
+
+/// One dense block of D: the rows of a joint, the columns of one of its bodies.
+/// Values stand row after row (rows x 6) at `offset` in Evaluation::D.
+struct ConstraintBlock {
+  int joint;
+  int body;
+  int row;   ///< first row
+  int rows;  ///< number of rows
+  std::ptrdiff_t offset;
+};
+
+/// The blocks that a joint or a body takes part in: places in System::blocks().
+struct BlockRange {
+  const int* first;
+  const int* last;
+  const int* begin() const { return first; }
+  const int* end() const { return last; }
+};
+
+/// What an evaluation fills, allocated once by System::make_evaluation.
+struct Evaluation {
+  std::vector<BodyState<double>> bodies;  ///< the last entry is the ground
+  std::vector<Signal<double>> signals;
+  std::vector<double> D;       ///< blocks of D, see ConstraintBlock
+  std::vector<double> memory;  ///< what force elements remember
+  VectorXd Phi, Phi_t, Phi_dot, gamma;
+  VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
+  double potential = 0.0;  ///< of gravity and springs [J]
+  double power = 0.0;      ///< of the forces without a potential [W]
+};
+
+/// A Model compiled to flat arrays with a fixed sparsity: everything in
+///   M v_dot - D^T lambda = g,   D v_dot = gamma,   Phi_dot = D v + Phi_t
+/// at a state (t, q, v). Constant after construction; the numbers live in an Evaluation.
+class System {
+ public:
+  explicit System(const Model& model);
+  // Large, and never meant to be copied.
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+
+  int body_count() const { return static_cast<int>(masses_.size()); }
+  int joint_count() const { return static_cast<int>(model_.joints().size()); }
+  int row_count() const { return model_.row_count(); }
+  int q_size() const { return position_size * body_count(); }
+  int v_size() const { return velocity_size * body_count(); }
+  const Model& model() const { return model_; }
+  bool time_dependent_constraints() const { return time_dependent_constraints_; }
+
+  Evaluation make_evaluation() const;
+
+  /// Fills everything in `out`. p need not be a unit vector. Does not allocate.
+  void evaluate(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  /// Only the body states and the constraints: Phi, Phi_t, Phi_dot, gamma, D.
+  void evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+
+  /// q_dot = N(q) v.
+  void position_rates(const ConstVector& q, const ConstVector& v, MutableVector q_dot) const;
+  /// Scales every p to unit length.
+  void normalize(MutableVector q) const;
+
+  // The mass matrix: blocks diag(m I, J), constant.
+  double mass(int body) const { return masses_[static_cast<std::size_t>(body)].m; }
+  const Mat3<double>& inertia(int body) const { return masses_[static_cast<std::size_t>(body)].J; }
+  double inverse_mass(int body) const { return masses_[static_cast<std::size_t>(body)].m_inverse; }
+  const Mat3<double>& inverse_inertia(int body) const { return masses_[static_cast<std::size_t>(body)].J_inverse; }
+  /// Bodies whose mass or inertia is singular; their inverses are zero in the singular directions.
+  const std::vector<int>& massless_bodies() const { return massless_; }
+  /// Basis of the kernel of a body's mass matrix (6 x its dimension).
+  MatrixXd massless_directions(int body) const;
+  void multiply_mass(const ConstVector& x, MutableVector y) const;          ///< y = M x
+  void multiply_inverse_mass(const ConstVector& x, MutableVector y) const;  ///< y = M^-1 x
+  double kinetic_energy(const ConstVector& v) const;
+
+  // The constraint matrix.
+  const std::vector<ConstraintBlock>& blocks() const { return blocks_; }
+  BlockRange joint_blocks(int joint) const;
+  BlockRange body_blocks(int body) const;
+  void multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const;                 ///< y = D x
+  void add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const;      ///< y += D^T lambda
+  /// diag(D M^-1 D^T): how strongly each row accelerates under its own multiplier.
+  VectorXd row_mobility(const Evaluation& at) const;
+
+  /// What joint k exerts on its second body, for all joints: force and torque about the joint's point on the second
+  /// body, inertial axes (3 x joints each).
+  void reactions(const Evaluation& at, const ConstVector& lambda, Eigen::Ref<Eigen::Matrix3Xd> force,
+                 Eigen::Ref<Eigen::Matrix3Xd> torque) const;
+
+  /// Inertial axes (columns) of a joint's frame, fixed in its first body.
+  Mat3<double> joint_frame(int joint, const ConstVector& q) const;
+
+ private:
+  struct Mass {
+    double m, m_inverse;
+    Mat3<double> J, J_inverse;
+  };
+
+  void compile_masses();
+  void compile_joints();
+  void compile_forces();
+  void evaluate_states(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  void evaluate_forces(Evaluation& out) const;
+
+  Model model_;
+  std::vector<Mass> masses_;
+  std::vector<int> massless_;
+  std::vector<Batch> joint_batches_, force_batches_;  ///< one per registered kind
+  std::vector<ConstraintBlock> blocks_;
+  std::vector<int> joint_block_list_, joint_block_begin_;
+  std::vector<int> body_block_list_, body_block_begin_;
+  std::ptrdiff_t D_size_ = 0, memory_size_ = 0;
+  bool time_dependent_constraints_ = false;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,112 @@
+#include <cmath>
+#include <cstdio>
+
+#include "linkwork/formulation/formulation.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double roundoff_change = 1e-8;  // above it, a change that no longer shrinks is slow convergence, not roundoff
+
+/// The iteration (12.16)-(12.18),
+///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b),   lambda_{k+1} = lambda_k + alpha (b - D v_dot_{k+1}),
+/// in incremental form: with the residuals r_1 = a - M v_dot + D^T lambda and r_2 = b - D v_dot,
+///   (M + D^T alpha D) dv = r_1 + D^T alpha r_2,   dlambda = alpha (r_2 - D dv),
+/// which has the same limit and loses no digits to the size of alpha. It begins with lambda_0 = 0.
+class AugmentedLagrangian final : public Formulation {
+ public:
+  AugmentedLagrangian(std::unique_ptr<SaddleSolver> saddle, const Options& options)
+      : saddle_(std::move(saddle)), options_(options) {}
+
+  void analyze(const System& system, const Evaluation& typical) override {
+    system_ = &system;
+    saddle_->analyze(system, typical);
+    compliance_ = row_penalties(system, typical, options_).cwiseInverse();
+    r_1_.resize(system.v_size());
+    dv_.resize(system.v_size());
+    r_2_.resize(system.row_count());
+    dlambda_.resize(system.row_count());
+  }
+
+  void factorize(const Evaluation& at) override {
+    saddle_->factorize(at, compliance_);
+    at_ = &at;
+  }
+
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
+    saddle_->solve(a, b, v_dot, lambda);
+    double last_change = INFINITY;
+    for (int iteration = 2; iteration <= options_.max_iterations; ++iteration) {
+      residuals(a, b, v_dot, lambda);
+      saddle_->solve(r_1_, r_2_, dv_, dlambda_);
+      v_dot += dv_;
+      lambda += dlambda_;
+      const double change = dv_.norm() / (1.0 + v_dot.norm());
+      const bool stagnated = change > 0.5 * last_change && change < roundoff_change;
+      last_change = change;
+      if (change <= options_.tolerance || stagnated) return finish(iteration, change, stagnated);
+    }
+    throw_not_converged(last_change);
+  }
+
+  const SaddleSolver& saddle() const override { return *saddle_; }
+
+ private:
+  void residuals(const ConstVector& a, const ConstVector& b, const ConstVector& v_dot, const ConstVector& lambda) {
+    system_->multiply_mass(v_dot, dv_);
+    r_1_ = a - dv_;
+    system_->add_D_transposed(*at_, lambda, r_1_);
+    system_->multiply_D(*at_, v_dot, r_2_);
+    r_2_ = b - r_2_;
+  }
+
+  void finish(int iteration, double change, bool stagnated) {
+    iterations_.iterations += iteration;
+    iterations_.most = std::max(iterations_.most, iteration);
+    iterations_.stagnations += change > options_.tolerance && stagnated ? 1 : 0;
+    iterations_.last_change = change;
+    iterations_.last_residual = r_2_.size() > 0 ? r_2_.cwiseAbs().maxCoeff() : 0.0;
+    iterations_.worst_residual = std::max(iterations_.worst_residual, iterations_.last_residual);
+  }
+
+  [[noreturn]] void throw_not_converged(double change) const {
+    Eigen::Index row = -1;
+    ErrorDetails details;
+    std::string where;
+    if (r_2_.size() > 0) {
+      const double residual = r_2_.cwiseAbs().maxCoeff(&row);
+      details.joints = {system_->model().joint_name(system_->model().joint_of_row(static_cast<int>(row)))};
+      details.residuals = {{details.joints.front(), residual}};
+      where = "; the largest residual is at " + system_->model().describe_row(static_cast<int>(row));
+    }
+    char number[32];
+    std::snprintf(number, sizeof number, "%.1e", change);
+    throw NotConvergedError("augmented_lagrangian",
+                            "augmented Lagrangian: relative change " + std::string(number) + " after " +
+                                std::to_string(options_.max_iterations) + " iterations" + where +
+                                "; raise penalty or max_iterations",
+                            details);
+  }
+
+  const System* system_ = nullptr;
+  const Evaluation* at_ = nullptr;
+  std::unique_ptr<SaddleSolver> saddle_;
+  Options options_;
+  VectorXd compliance_, r_1_, r_2_, dv_, dlambda_;
+};
+
+}  // namespace
+
+FormulationInfo augmented_lagrangian_formulation() {
+  return {.name = "augmented_lagrangian",
+          .documentation = "Augmented Lagrangian iteration, Flores (2015) eq. (12.16)-(12.18), in incremental form",
+          .forms = {"normal"},
+          .has_penalty = true,
+          .iterative = true,
+          .make = [](std::unique_ptr<SaddleSolver> saddle, const Options& options) -> std::unique_ptr<Formulation> {
+            return std::make_unique<AugmentedLagrangian>(std::move(saddle), options);
+          }};
+}
+
+}  // namespace linkwork

@@ -1,0 +1,210 @@
+#include "linkwork/formulation/dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr int dense_rows = 32;            // up to this size a dense factorization is faster than any sparse one
+constexpr double hub_fill = 10.0;         // S this much fuller than the kkt matrix: a body with very many joints
+constexpr int polled_bodies = 1000;       // below, an evaluation is too short to be worth interrupting
+constexpr auto poll_interval = std::chrono::milliseconds(50);
+
+/// Adds the time from construction to destruction.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total) {}
+  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& total_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Entries of S and of the kkt matrix, before factorization.
+bool schur_is_too_full(const System& system) {
+  double schur = 0.0, kkt = 36.0 * system.body_count();
+  for (int body = 0; body < system.body_count(); ++body) {
+    double rows = 0.0;
+    for (const int block : system.body_blocks(body)) rows += system.blocks()[static_cast<std::size_t>(block)].rows;
+    schur += rows * rows;
+    kkt += 12.0 * rows;
+  }
+  return schur > hub_fill * kkt;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  return out;
+}
+
+bool available(const std::string& solver) {
+  const auto& all = linear_solvers();
+  return std::any_of(all.begin(), all.end(), [&](const auto& info) { return info.name == solver && info.make; });
+}
+
+/// The matrix of the formulation: as asked for, or the first that the linear solver can factorize.
+std::string choose_form(const FormulationInfo& info, const Options& options, const System& system) {
+  const bool given = options.system != "auto";
+  if (given && std::find(info.forms.begin(), info.forms.end(), options.system) == info.forms.end()) {
+    const std::string choices = info.forms.size() > 1 ? "choose from: " + joined(info.forms)
+                                                      : "it has one form only; leave system at 'auto'";
+    throw OptionError("system", "system '" + options.system + "' is not one of formulation '" + info.name + "'; " + choices);
+  }
+  if (given) return options.system;
+  if (info.name != "standard") return info.forms.front();
+  if (options.linear_solver == "auto") return schur_is_too_full(system) ? "kkt" : "schur";
+  return linear_solver_info(options.linear_solver).positive_definite || options.linear_solver == "dense" ? "schur" : "kkt";
+}
+
+std::string choose_solver(const std::string& form, const Options& options, const System& system) {
+  if (options.linear_solver != "auto") return linear_solver_info(options.linear_solver).name;
+  const int size = form == "schur" ? system.row_count()
+                                   : system.v_size() + (form == "kkt" ? system.row_count() : 0);
+  if (size <= dense_rows) return "dense";
+  if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
+  return "cholmod";
+}
+
+}  // namespace
+
+Dynamics::Dynamics(const Model& model, const Options& options)
+    : options_(options), system_(model), kind_(stabilization_kind(options.stabilization)), at_(system_.make_evaluation()) {
+  const FormulationInfo& info = formulation_info(options.formulation);
+  check_masses(info);
+  options_.system = choose_form(info, options, system_);
+  options_.linear_solver = choose_solver(options_.system, options, system_);
+  for (VectorXd* rows : {&held_u_, &b_, &lambda_}) rows->setZero(system_.row_count());
+  for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
+  y_ = initial_y();
+  system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
+  formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
+  if (!info.needs_mass) {
+    for (const int body : free_massless_bodies(system_, at_)) {
+      ErrorDetails details;
+      details.bodies = {model.body_name(body)};
+      throw SingularSystemError("free_massless_body",
+                                "body '" + details.bodies.front() +
+                                    "' has a motion without inertia that no joint resists; give it mass and inertia, or "
+                                    "hold it by joints",
+                                details);
+    }
+  }
+  formulation_->analyze(system_, at_);
+}
+
+void Dynamics::check_masses(const FormulationInfo& info) const {
+  if (!info.needs_mass || system_.massless_bodies().empty()) return;
+  ErrorDetails details;
+  for (const int body : system_.massless_bodies()) details.bodies.push_back(system_.model().body_name(body));
+  const int body = system_.massless_bodies().front();
+  const bool mass = system_.mass(body) == 0.0;
+  throw OptionError("massless_body",
+                    "body '" + details.bodies.front() + "' has " + (mass ? "mass 0" : "a singular inertia") +
+                        ": formulation '" + info.name + "' needs a regular mass matrix; use formulation 'penalty' or "
+                                                        "'augmented_lagrangian'",
+                    details);
+}
+
+VectorXd Dynamics::initial_y() const {
+  VectorXd y(y_size());
+  y << system_.model().initial_q(), system_.model().initial_v(), 0.0;
+  return y;
+}
+
+RankReport Dynamics::rank() const {
+  Evaluation at = system_.make_evaluation();
+  system_.evaluate_constraints(0.0, system_.model().initial_q(), system_.model().initial_v(), at);
+  return rank_of_constraints(system_, at);
+}
+
+void Dynamics::poll() {
+  if (!interrupt_ || system_.body_count() < polled_bodies) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_poll_ < poll_interval) return;
+  last_poll_ = now;
+  interrupt_();
+}
+
+void Dynamics::evaluate(double t, const ConstVector& y) {
+  poll();
+  y_ = y;
+  {
+    const Stopwatch watch(statistics_.evaluate_time);
+    system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
+    statistics_.evaluations += 1;
+  }
+  const Stopwatch watch(statistics_.factorize_time);
+  if (system_.row_count() > 0 || !system_.massless_bodies().empty()) factorize();
+  statistics_.factorizations += 1;
+  statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, formulation_->saddle().smallest_pivot());
+}
+
+/// A state that is not finite makes the matrix singular: say which of the two it is.
+void Dynamics::factorize() {
+  try {
+    formulation_->factorize(at_);
+  } catch (const SingularSystemError&) {
+    if (y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
+    throw NotFiniteError("not_finite", "the state became infinite or undefined within a step: the run diverged; use a "
+                                       "smaller step");
+  }
+}
+
+void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+  const Stopwatch watch(statistics_.solve_time);
+  statistics_.solves += 1;
+  if (system_.row_count() > 0) formulation_->solve(a, b, v_dot, lambda);
+  else system_.multiply_inverse_mass(a, v_dot);
+}
+
+void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {
+  solve(at_.g.head(system_.v_size()), at_.gamma, v_dot, lambda);
+}
+
+Gains Dynamics::gains_or(Gains defaults) const {
+  return {options_.baumgarte_alpha.value_or(defaults.alpha), options_.baumgarte_beta.value_or(defaults.beta)};
+}
+
+void Dynamics::hold_correction(Gains gains) {
+  if (!sampled()) return;
+  gains = gains_or(gains);
+  held_u_ = -2.0 * gains.alpha * at_.Phi_dot - gains.beta * gains.beta * at_.Phi;
+  held_ = true;
+}
+
+void Dynamics::add_correction(double h, MutableVector y) {
+  if (!sampled() || system_.row_count() == 0) return;
+  const Gains gains = gains_or({0.5 / h, 1.0 / h});
+  const VectorXd none = VectorXd::Zero(system_.v_size());
+  b_ = -2.0 * gains.alpha * h * at_.Phi_dot;
+  solve(none, b_, x_, lambda_);
+  y.segment(system_.q_size(), system_.v_size()) += x_;
+  b_ = -gains.beta * gains.beta * h * h * at_.Phi;
+  solve(none, b_, x_, lambda_);
+  VectorXd dq(system_.q_size());
+  system_.position_rates(y_.head(system_.q_size()), x_, dq);
+  y.head(system_.q_size()) += dq;
+}
+
+// The power of the constraints is v^T D^T lambda = lambda . (Phi_dot - Phi_t): -lambda . Phi_t for driven ones.
+void Dynamics::rates(MutableVector y_dot) {
+  const int nq = system_.q_size(), nv = system_.v_size();
+  b_ = at_.gamma;
+  if (kind_ == StabilizationKind::baumgarte) {
+    const Gains gains = gains_or(textbook_gains);
+    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;
+  } else if (held_) {
+    b_ += held_u_;
+  }
+  solve(at_.g.head(nv), b_, v_dot_, lambda_);
+  system_.position_rates(y_.head(nq), y_.segment(nq, nv), y_dot.head(nq));
+  y_dot.segment(nq, nv) = v_dot_;
+  y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda_.dot(at_.Phi_t) : 0.0);
+}
+
+}  // namespace linkwork

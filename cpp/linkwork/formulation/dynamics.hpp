@@ -1,0 +1,80 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/rank.hpp"
+#include "linkwork/formulation/stabilization.hpp"
+
+namespace linkwork {
+
+/// What a run cost. Times in s.
+struct DynamicsStatistics {
+  std::int64_t evaluations = 0, factorizations = 0, solves = 0;
+  double evaluate_time = 0.0, factorize_time = 0.0, solve_time = 0.0;
+  double smallest_pivot = 1.0;  ///< over the run; see Pivot
+};
+
+/// A System with a formulation and a stabilization: the right-hand side of y_dot = f(t, y), y = (q, v, work), with the
+/// work of the forces that have no potential [J] as the last entry.
+class Dynamics {
+ public:
+  Dynamics(const Model& model, const Options& options);
+
+  const System& system() const { return system_; }
+  const Options& options() const { return options_; }       ///< as chosen: no "auto" left
+  const Evaluation& evaluation() const { return at_; }
+  const DynamicsStatistics& statistics() const { return statistics_; }
+  const IterationStatistics& iterations() const { return formulation_->iterations(); }
+  std::int64_t factor_nonzeros() const { return formulation_->saddle().factor_nonzeros(); }
+  int y_size() const { return system_.q_size() + system_.v_size() + 1; }
+  VectorXd initial_y() const;
+  RankReport rank() const;  ///< at the initial pose
+
+  /// Evaluates and factorizes at (t, y): everything below refers to this state.
+  void evaluate(double t, const ConstVector& y);
+
+  /// Accelerations and multipliers of the mechanism itself, without stabilization.
+  void accelerations(MutableVector v_dot, MutableVector lambda);
+
+  // Sampled stabilization, for integrators. All three do nothing where another stabilization was chosen.
+  bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
+  /// Computes u from the current state with these gains (the user's, where given) and holds it for `rates`.
+  void hold_correction(Gains gains);
+  void release_correction() { held_ = false; }
+  /// For methods with memory: adds to `y` the two terms of u where they belong, h (-2 alpha Phi_dot) to v and
+  /// h^2 (-beta^2 Phi) to q, both through the response of the mechanism; the default alpha = 1/(2h), beta = 1/h annuls
+  /// both violations to first order.
+  void add_correction(double h, MutableVector y);
+
+  /// y_dot at the current state, with the held correction or the continuous stabilization.
+  void rates(MutableVector y_dot);
+
+  /// Called now and then inside long evaluations; may throw to end the run.
+  void set_interrupt(std::function<void()> interrupt) { interrupt_ = std::move(interrupt); }
+
+ private:
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
+  void factorize();
+  void check_masses(const FormulationInfo& info) const;
+  Gains gains_or(Gains defaults) const;
+  void poll();
+
+  Options options_;
+  System system_;
+  StabilizationKind kind_;
+  std::unique_ptr<Formulation> formulation_;
+  Evaluation at_;
+  DynamicsStatistics statistics_;
+  VectorXd held_u_, b_, x_, lambda_, v_dot_;
+  VectorXd y_;  ///< the state of the last evaluate
+  bool held_ = false;
+  std::function<void()> interrupt_;
+  std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace linkwork

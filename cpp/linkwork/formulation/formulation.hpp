@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "linkwork/formulation/options.hpp"
+#include "linkwork/linear/saddle_solver.hpp"
+
+namespace linkwork {
+
+/// How the iterations of a formulation went, over a run.
+struct IterationStatistics {
+  std::int64_t iterations = 0;
+  int most = 0;                   ///< in one solve
+  std::int64_t stagnations = 0;   ///< solves that ended at roundoff above the tolerance
+  double last_change = 0.0;       ///< ||d v_dot|| / (1 + ||v_dot||) of the last solve
+  double last_residual = 0.0;     ///< max |b - D v_dot| of the last solve
+  double worst_residual = 0.0;    ///< the same over the run
+};
+
+/// How v_dot and lambda follow from M v_dot - D^T lambda = a, D v_dot = b at one evaluation.
+class Formulation {
+ public:
+  virtual ~Formulation() = default;
+  virtual void analyze(const System& system, const Evaluation& typical) = 0;
+  virtual void factorize(const Evaluation& at) = 0;
+  /// After factorize, for any number of right-hand sides.
+  virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) = 0;
+
+  virtual const SaddleSolver& saddle() const = 0;
+  const IterationStatistics& iterations() const { return iterations_; }
+
+ protected:
+  IterationStatistics iterations_;
+};
+
+struct FormulationInfo {
+  std::string name;
+  std::string documentation;
+  std::vector<std::string> forms;   ///< matrices it can use, see SaddleSolver; the first is the default
+  bool needs_full_rank = false;     ///< dependent constraint rows are an error
+  bool needs_mass = false;          ///< massless bodies are an error
+  bool has_penalty = false;
+  bool iterative = false;
+  std::unique_ptr<Formulation> (*make)(std::unique_ptr<SaddleSolver>, const Options&) = nullptr;
+};
+
+/// All registered formulations, in the order of formulations.def.
+const std::vector<FormulationInfo>& formulations();
+const FormulationInfo& formulation_info(const std::string& name);
+
+/// penalty for every row, or penalty_scale / (D M^-1 D^T)_ii: then every row is as stiff against its own inertia, and
+/// results do not depend on units. Rows between massless bodies get the largest of the others.
+VectorXd row_penalties(const System& system, const Evaluation& typical, const Options& options);
+
+#define LINKWORK_FORMULATION(NAME) FormulationInfo NAME##_formulation();
+#include "linkwork/formulation/formulations.def"
+#undef LINKWORK_FORMULATION
+
+}  // namespace linkwork

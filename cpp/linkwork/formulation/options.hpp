@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace linkwork {
+
+/// The choices of a run, one per axis; see README for the table of methods.
+struct Options {
+  std::string formulation = "standard";
+  std::string system = "auto";         ///< of `standard`: "kkt", "schur" or "auto"
+  std::string linear_solver = "auto";  ///< a name in solvers.def or "auto"
+  std::string stabilization = "sampled_baumgarte";
+  std::optional<double> baumgarte_alpha, baumgarte_beta;  ///< [1/s]
+  std::optional<double> penalty;       ///< the same for all rows; without it penalty_scale / (D M^-1 D^T)_ii
+  double penalty_scale = 1e4;
+  double tolerance = 1e-12;            ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
+  int max_iterations = 100;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,40 @@
+#include "linkwork/formulation/formulation.hpp"
+
+namespace linkwork {
+namespace {
+
+/// Constraints as stiff massless elements: (M + D^T alpha D) v_dot = a + D^T alpha b, lambda = alpha (b - D v_dot) (12.14).
+class Penalty final : public Formulation {
+ public:
+  Penalty(std::unique_ptr<SaddleSolver> saddle, const Options& options)
+      : saddle_(std::move(saddle)), options_(options) {}
+
+  void analyze(const System& system, const Evaluation& typical) override {
+    saddle_->analyze(system, typical);
+    compliance_ = row_penalties(system, typical, options_).cwiseInverse();
+  }
+  void factorize(const Evaluation& at) override { saddle_->factorize(at, compliance_); }
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
+    saddle_->solve(a, b, v_dot, lambda);
+  }
+  const SaddleSolver& saddle() const override { return *saddle_; }
+
+ private:
+  std::unique_ptr<SaddleSolver> saddle_;
+  Options options_;
+  VectorXd compliance_;
+};
+
+}  // namespace
+
+FormulationInfo penalty_formulation() {
+  return {.name = "penalty",
+          .documentation = "Penalty method, Flores (2015) eq. (12.14)",
+          .forms = {"normal"},
+          .has_penalty = true,
+          .make = [](std::unique_ptr<SaddleSolver> saddle, const Options& options) -> std::unique_ptr<Formulation> {
+            return std::make_unique<Penalty>(std::move(saddle), options);
+          }};
+}
+
+}  // namespace linkwork

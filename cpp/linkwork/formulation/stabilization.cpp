@@ -1,0 +1,26 @@
+#include "linkwork/formulation/stabilization.hpp"
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+
+const std::vector<StabilizationInfo>& stabilizations() {
+  static const std::vector<StabilizationInfo> all = {
+      {"none", StabilizationKind::none, "D v_dot = gamma as it stands, (12.2)"},
+      {"baumgarte", StabilizationKind::baumgarte, "gamma - 2 alpha Phi_dot - beta^2 Phi in every evaluation, (12.8)"},
+      {"sampled_baumgarte", StabilizationKind::sampled_baumgarte,
+       "the same term computed once a step and held: keeps the order of the integrator"},
+  };
+  return all;
+}
+
+StabilizationKind stabilization_kind(const std::string& name) {
+  std::string known;
+  for (const StabilizationInfo& info : stabilizations()) {
+    if (name == info.name) return info.kind;
+    known += (known.empty() ? "" : ", ") + std::string(info.name);
+  }
+  throw OptionError("unknown_stabilization", "stabilization '" + name + "' does not exist; there are: " + known);
+}
+
+}  // namespace linkwork

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "linkwork/formulation/dynamics.hpp"
+
+namespace linkwork {
+
+/// One step of an explicit method for y_dot = f(t, y).
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  virtual const std::string& name() const = 0;
+  virtual int order() const = 0;
+  /// Forgets earlier steps and sizes its memory.
+  virtual void start(int y_size) = 0;
+  /// Advances y from t to t + h. On entry `dynamics` is evaluated at (t, y): that evaluation is the first stage.
+  virtual void step(Dynamics& dynamics, double t, double h, VectorXd& y) = 0;
+};
+
+/// Coefficients of an explicit Runge-Kutta method (Butcher's tableau): A strictly lower triangular, s x s.
+struct ButcherTableau {
+  std::string name;
+  int order = 0;
+  MatrixXd A;
+  VectorXd b, c;
+};
+
+/// Coefficients of a linear multistep method; newest value first.
+///   predictor: y' = y + h (p_0 f_n + p_1 f_{n-1} + ...)
+///   corrector (may be empty): y' = y + h (c_0 f(t', y'_predicted) + c_1 f_n + c_2 f_{n-1} + ...), PECE
+/// `starter` makes the first steps.
+struct MultistepCoefficients {
+  std::string name;
+  int order = 0;
+  VectorXd predictor, corrector;
+  ButcherTableau starter;
+};
+
+std::unique_ptr<Integrator> make_runge_kutta(const ButcherTableau& tableau);
+std::unique_ptr<Integrator> make_multistep(const MultistepCoefficients& coefficients);
+/// v' = v + h v_dot(q, v), q' = q + h N(q) v'.
+std::unique_ptr<Integrator> make_semi_implicit_euler();
+
+}  // namespace linkwork

@@ -1,0 +1,31 @@
+#include "linkwork/integration/integrator.hpp"
+
+namespace linkwork {
+namespace {
+
+class SemiImplicitEuler final : public Integrator {
+ public:
+  const std::string& name() const override { return name_; }
+  int order() const override { return 1; }
+  void start(int y_size) override { rates_.resize(y_size); }
+
+  void step(Dynamics& dynamics, double, double h, VectorXd& y) override {
+    const int nq = dynamics.system().q_size(), nv = dynamics.system().v_size();
+    dynamics.hold_correction(deadbeat_gains(1.0, h));
+    dynamics.rates(rates_);
+    dynamics.release_correction();
+    y.tail(nv + 1) += h * rates_.tail(nv + 1);
+    dynamics.system().position_rates(y.head(nq), y.segment(nq, nv), rates_.head(nq));
+    y.head(nq) += h * rates_.head(nq);
+  }
+
+ private:
+  std::string name_ = "semi_implicit_euler";
+  VectorXd rates_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_semi_implicit_euler() { return std::make_unique<SemiImplicitEuler>(); }
+
+}  // namespace linkwork

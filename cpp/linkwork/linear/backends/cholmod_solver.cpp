@@ -1,0 +1,131 @@
+#include "linkwork/linear/backends/cholmod_solver.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <new>
+
+namespace linkwork {
+namespace {
+
+class Cholmod final : public LinearSolver {
+ public:
+  explicit Cholmod(CholmodMode mode) {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.supernodal = mode == CholmodMode::simplicial   ? CHOLMOD_SIMPLICIAL
+                         : mode == CholmodMode::supernodal ? CHOLMOD_SUPERNODAL
+                                                           : CHOLMOD_AUTO;
+  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+  ~Cholmod() override {
+    release();
+    cholmod_finish(&common_);
+  }
+
+  void analyze(const SparseMatrix& pattern) override {
+    release();
+    cholmod_sparse A = view(pattern);
+    factor_ = cholmod_analyze(&A, &common_);
+    if (!factor_) throw std::bad_alloc();
+  }
+
+  Pivot factorize(const SparseMatrix& matrix) override {
+    cholmod_sparse A = view(matrix);
+    cholmod_factorize(&A, factor_, &common_);
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (factor_->minor < factor_->n) return {0.0, original(factor_->minor)};
+    return factor_->is_super ? supernodal_pivot(matrix) : simplicial_pivot(matrix);
+  }
+
+  void solve(Eigen::Ref<MatrixXd> x) override {
+    cholmod_dense B{};
+    B.nrow = static_cast<std::size_t>(x.rows());
+    B.ncol = static_cast<std::size_t>(x.cols());
+    B.d = static_cast<std::size_t>(x.outerStride());
+    B.nzmax = B.d * B.ncol;
+    B.x = x.data();
+    B.xtype = CHOLMOD_REAL;
+    B.dtype = CHOLMOD_DOUBLE;
+    cholmod_solve2(CHOLMOD_A, factor_, &B, nullptr, &solution_, nullptr, &work_y_, &work_e_, &common_);
+    x = Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(
+        static_cast<const double*>(solution_->x), x.rows(), x.cols(),
+        Eigen::OuterStride<>(static_cast<Eigen::Index>(solution_->d)));
+  }
+
+  std::int64_t factor_nonzeros() const override {
+    return factor_->is_super ? static_cast<std::int64_t>(factor_->xsize) : static_cast<std::int64_t>(factor_->nzmax);
+  }
+
+ private:
+  static cholmod_sparse view(const SparseMatrix& matrix) {
+    cholmod_sparse A{};
+    A.nrow = A.ncol = static_cast<std::size_t>(matrix.size);
+    A.nzmax = matrix.value.size();
+    A.p = const_cast<int*>(matrix.column_begin.data());
+    A.i = const_cast<int*>(matrix.row.data());
+    A.x = const_cast<double*>(matrix.value.data());
+    A.stype = 1;  // upper triangle
+    A.itype = CHOLMOD_INT;
+    A.xtype = CHOLMOD_REAL;
+    A.dtype = CHOLMOD_DOUBLE;
+    A.sorted = A.packed = 1;
+    return A;
+  }
+
+  int original(std::size_t column) const { return static_cast<const int*>(factor_->Perm)[column]; }
+
+  /// d_k / A_kk for the k-th eliminated row.
+  void lower(Pivot& smallest, const SparseMatrix& A, std::size_t column, double d) const {
+    const int row = original(column);
+    const int last = A.column_begin[static_cast<std::size_t>(row) + 1];
+    const int first = A.column_begin[static_cast<std::size_t>(row)];
+    const auto at = std::lower_bound(A.row.begin() + first, A.row.begin() + last, row);
+    keep_smallest(smallest, d / A.value[static_cast<std::size_t>(at - A.row.begin())], row);
+  }
+
+  Pivot simplicial_pivot(const SparseMatrix& A) const {
+    const auto* begin = static_cast<const int*>(factor_->p);
+    const auto* x = static_cast<const double*>(factor_->x);
+    Pivot smallest;
+    for (std::size_t k = 0; k < factor_->n; ++k) {
+      const double d = x[begin[k]];
+      lower(smallest, A, k, factor_->is_ll ? d * d : d);
+    }
+    return smallest;
+  }
+
+  Pivot supernodal_pivot(const SparseMatrix& A) const {
+    const auto* first = static_cast<const int*>(factor_->super);
+    const auto* rows = static_cast<const int*>(factor_->pi);
+    const auto* values = static_cast<const int*>(factor_->px);
+    const auto* x = static_cast<const double*>(factor_->x);
+    Pivot smallest;
+    for (std::size_t s = 0; s < factor_->nsuper; ++s) {
+      const int stride = rows[s + 1] - rows[s];
+      for (int k = first[s]; k < first[s + 1]; ++k) {
+        const double d = x[values[s] + (k - first[s]) * (stride + 1)];
+        lower(smallest, A, static_cast<std::size_t>(k), d * d);
+      }
+    }
+    return smallest;
+  }
+
+  void release() {
+    cholmod_free_factor(&factor_, &common_);
+    cholmod_free_dense(&solution_, &common_);
+    cholmod_free_dense(&work_y_, &common_);
+    cholmod_free_dense(&work_e_, &common_);
+  }
+
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_cholmod(CholmodMode mode) { return std::make_unique<Cholmod>(mode); }
+
+}  // namespace linkwork

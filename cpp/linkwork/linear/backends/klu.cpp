@@ -1,0 +1,73 @@
+#include <klu.h>
+
+#include <new>
+
+#include "linkwork/linear/linear_solver.hpp"
+
+namespace linkwork {
+namespace {
+
+class Klu final : public LinearSolver {
+ public:
+  Klu() { klu_defaults(&common_); }
+  Klu(const Klu&) = delete;
+  Klu& operator=(const Klu&) = delete;
+  ~Klu() override { release(); }
+
+  void analyze(const SparseMatrix& pattern) override {
+    release();
+    symbolic_ = klu_analyze(pattern.size, begin(pattern), rows(pattern), &common_);
+    if (!symbolic_ && common_.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
+    structurally_singular_ = !symbolic_;
+  }
+
+  Pivot factorize(const SparseMatrix& A) override {
+    if (structurally_singular_) return {0.0, -1};
+    if (numeric_ && refactorize(A)) return {common_.rcond, -1};
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(begin(A), rows(A), values(A), symbolic_, &common_);
+    if (!numeric_) {
+      if (common_.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
+      return {0.0, common_.singular_col < A.size ? common_.singular_col : -1};
+    }
+    klu_rcond(symbolic_, numeric_, &common_);
+    pivoted_condition_ = common_.rcond;
+    return {common_.rcond, -1};
+  }
+
+  void solve(Eigen::Ref<MatrixXd> x) override {
+    klu_solve(symbolic_, numeric_, static_cast<int>(x.outerStride()), static_cast<int>(x.cols()), x.data(), &common_);
+  }
+
+  std::int64_t factor_nonzeros() const override { return numeric_ ? std::int64_t{numeric_->lnz} + numeric_->unz : 0; }
+
+ private:
+  /// With the pivots of the last full factorization; false where they have become poor ones.
+  bool refactorize(const SparseMatrix& A) {
+    const bool done = klu_refactor(begin(A), rows(A), values(A), symbolic_, numeric_, &common_) &&
+                      klu_rcond(symbolic_, numeric_, &common_);
+    return done && common_.rcond > 0.01 * pivoted_condition_;
+  }
+  static int* begin(const SparseMatrix& A) { return const_cast<int*>(A.column_begin.data()); }
+  static int* rows(const SparseMatrix& A) { return const_cast<int*>(A.row.data()); }
+  static double* values(const SparseMatrix& A) { return const_cast<double*>(A.value.data()); }
+  void release() {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+  }
+
+  klu_common common_{};
+  klu_symbolic* symbolic_ = nullptr;
+  klu_numeric* numeric_ = nullptr;
+  double pivoted_condition_ = 0.0;
+  bool structurally_singular_ = false;
+};
+
+}  // namespace
+
+LinearSolverInfo klu_solver() {
+  return {"klu", "KLU's sparse LU, refactorized with the pivots kept while they serve", false,
+          [](Storage) -> std::unique_ptr<LinearSolver> { return std::make_unique<Klu>(); }};
+}
+
+}  // namespace linkwork

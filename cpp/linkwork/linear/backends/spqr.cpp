@@ -1,0 +1,93 @@
+#include "linkwork/linear/linear_solver.hpp"
+
+#if LINKWORK_WITH_GPL
+#include <SuiteSparseQR.hpp>
+#include <new>
+
+namespace linkwork {
+namespace {
+
+class Spqr final : public LinearSolver {
+ public:
+  Spqr() {
+    cholmod_l_start(&common_);
+    common_.print = 0;
+  }
+  Spqr(const Spqr&) = delete;
+  Spqr& operator=(const Spqr&) = delete;
+  ~Spqr() override {
+    SuiteSparseQR_free<double>(&qr_, &common_);
+    cholmod_l_finish(&common_);
+  }
+
+  void analyze(const SparseMatrix& pattern) override {
+    begin_.assign(pattern.column_begin.begin(), pattern.column_begin.end());
+    row_.assign(pattern.row.begin(), pattern.row.end());
+    SuiteSparseQR_free<double>(&qr_, &common_);
+    cholmod_sparse A = view(pattern);
+    qr_ = SuiteSparseQR_symbolic<double>(SPQR_ORDERING_DEFAULT, true, &A, &common_);
+    if (!qr_) throw std::bad_alloc();
+  }
+
+  Pivot factorize(const SparseMatrix& matrix) override {
+    cholmod_sparse A = view(matrix);
+    if (!SuiteSparseQR_numeric<double>(SPQR_DEFAULT_TOL, &A, qr_, &common_)) throw std::bad_alloc();
+    return {qr_->rank < matrix.size ? 0.0 : 1.0, -1};
+  }
+
+  void solve(Eigen::Ref<MatrixXd> x) override {
+    cholmod_dense B{};
+    B.nrow = static_cast<std::size_t>(x.rows());
+    B.ncol = static_cast<std::size_t>(x.cols());
+    B.d = static_cast<std::size_t>(x.outerStride());
+    B.nzmax = B.d * B.ncol;
+    B.x = x.data();
+    B.xtype = CHOLMOD_REAL;
+    B.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense* y = SuiteSparseQR_qmult<double>(SPQR_QTX, qr_, &B, &common_);
+    cholmod_dense* z = y ? SuiteSparseQR_solve<double>(SPQR_RETX_EQUALS_B, qr_, y, &common_) : nullptr;
+    cholmod_l_free_dense(&y, &common_);
+    if (!z) throw std::bad_alloc();
+    x = Eigen::Map<const MatrixXd>(static_cast<const double*>(z->x), x.rows(), x.cols());
+    cholmod_l_free_dense(&z, &common_);
+  }
+
+  std::int64_t factor_nonzeros() const override { return static_cast<std::int64_t>(common_.SPQR_istat[0]); }
+
+ private:
+  cholmod_sparse view(const SparseMatrix& matrix) {
+    cholmod_sparse A{};
+    A.nrow = A.ncol = static_cast<std::size_t>(matrix.size);
+    A.nzmax = matrix.value.size();
+    A.p = begin_.data();
+    A.i = row_.data();
+    A.x = const_cast<double*>(matrix.value.data());
+    A.itype = CHOLMOD_LONG;
+    A.xtype = CHOLMOD_REAL;
+    A.dtype = CHOLMOD_DOUBLE;
+    A.sorted = A.packed = 1;
+    return A;
+  }
+
+  cholmod_common common_{};
+  SuiteSparseQR_factorization<double>* qr_ = nullptr;
+  std::vector<SuiteSparse_long> begin_, row_;
+};
+
+std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Spqr>(); }
+
+}  // namespace
+}  // namespace linkwork
+#endif
+
+namespace linkwork {
+
+LinearSolverInfo spqr_solver() {
+  LinearSolverInfo info{"spqr", "SuiteSparseQR's rank-revealing sparse QR", false, nullptr};
+#if LINKWORK_WITH_GPL
+  info.make = make;
+#endif
+  return info;
+}
+
+}  // namespace linkwork

@@ -1,0 +1,104 @@
+#include "linkwork/linear/saddle_solver.hpp"
+
+namespace linkwork::detail {
+namespace {
+
+constexpr double singular_pivot = 1e-12;
+
+/// [M D^T; D 0], scaled on both sides by W = diag(M_ii^-1/2, (D M^-1 D^T)_ii^-1/2) so that its pivots measure the
+/// geometry and not the units.
+class KktSolver final : public SaddleSolver {
+ public:
+  explicit KktSolver(std::unique_ptr<LinearSolver> solver) : solver_(std::move(solver)) {}
+
+  void analyze(const System& system, const Evaluation& typical) override {
+    system_ = &system;
+    build_pattern();
+    build_scaling(typical);
+    solver_->analyze(matrix_->matrix());
+    work_.resize(matrix_->matrix().size, 1);
+  }
+
+  void factorize(const Evaluation& at, const VectorXd&) override {
+    const int n = system_->body_count();
+    for (std::size_t k = 0; k < system_->blocks().size(); ++k) {
+      const ConstraintBlock& block = system_->blocks()[k];
+      const auto rows = scale_.segment(6 * n + block.row, block.rows);
+      const auto columns = scale_.segment<6>(6 * block.body);
+      auto lower = matrix_->block(lower_[k]);
+      lower = rows.asDiagonal() * block_of(at, block) * columns.asDiagonal();
+      matrix_->block(upper_[k]) = lower.transpose();
+    }
+    smallest_pivot_ = solver_->factorize(matrix_->matrix());
+    if (!(smallest_pivot_.ratio > singular_pivot))
+      throw_singular(*system_, "kkt", smallest_pivot_, smallest_pivot_.row - 6 * n);
+  }
+
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
+    work_.col(0) << a, b;
+    work_.col(0).array() *= scale_.array();
+    solver_->solve(work_);
+    work_.col(0).array() *= scale_.array();
+    x = work_.col(0).head(system_->v_size());
+    lambda = -work_.col(0).tail(system_->row_count());
+  }
+
+  std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
+
+ private:
+  void build_pattern() {
+    const int n = system_->body_count();
+    std::vector<int> sizes(static_cast<std::size_t>(n), 6);
+    const auto& rows = system_->model().joint_rows();
+    for (std::size_t joint = 0; joint + 1 < rows.size(); ++joint) sizes.push_back(rows[joint + 1] - rows[joint]);
+    std::vector<BlockIndex> blocks;
+    for (int body = 0; body < n; ++body) blocks.push_back({body, body});
+    for (const ConstraintBlock& block : system_->blocks()) {
+      blocks.push_back({block.body, n + block.joint});
+      blocks.push_back({n + block.joint, block.body});
+    }
+    matrix_ = std::make_unique<BlockMatrix>(sizes, std::move(blocks), Storage::full);
+    upper_.clear();
+    lower_.clear();
+    for (const ConstraintBlock& block : system_->blocks()) {
+      upper_.push_back(matrix_->find(block.body, n + block.joint));
+      lower_.push_back(matrix_->find(n + block.joint, block.body));
+    }
+  }
+
+  void build_scaling(const Evaluation& typical) {
+    const int n = system_->body_count();
+    scale_.setOnes(system_->v_size() + system_->row_count());
+    for (int body = 0; body < n; ++body) {
+      auto scale = scale_.segment<6>(6 * body);
+      const double m = system_->mass(body);
+      const Mat3<double>& J = system_->inertia(body);
+      if (m > 0.0) scale.head<3>().setConstant(1.0 / std::sqrt(m));
+      for (int k = 0; k < 3; ++k)
+        if (J(k, k) > 0.0) scale[3 + k] = 1.0 / std::sqrt(J(k, k));
+      auto block = matrix_->block(matrix_->find(body, body));
+      block.setZero();
+      block.topLeftCorner<3, 3>().diagonal().setConstant(m);
+      block.bottomRightCorner<3, 3>() = J;
+      block = scale.asDiagonal() * MatrixXd(block) * scale.asDiagonal();
+    }
+    const VectorXd mobility = system_->row_mobility(typical);
+    for (Eigen::Index row = 0; row < mobility.size(); ++row)
+      if (mobility[row] > 0.0) scale_[6 * n + row] = 1.0 / std::sqrt(mobility[row]);
+  }
+
+  const System* system_ = nullptr;
+  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<BlockMatrix> matrix_;
+  std::vector<int> upper_, lower_;  ///< places of each block of D
+  VectorXd scale_;
+  MatrixXd work_;
+};
+
+}  // namespace
+
+std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver) {
+  return std::make_unique<KktSolver>(std::move(solver));
+}
+
+}  // namespace linkwork::detail

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "linkwork/linear/sparse_matrix.hpp"
+
+namespace linkwork {
+
+/// How near to singular a factorization came: the smallest pivot relative to its diagonal entry (Cholesky, LDL^T: it
+/// does not change under diagonal scaling) or to the largest pivot (LU), and the row where, or -1. Zero or negative: the
+/// factorization broke down.
+struct Pivot {
+  double ratio = 1.0;
+  int row = -1;
+};
+
+/// Keeps the smaller pivot; a NaN counts as the smallest of all.
+inline void keep_smallest(Pivot& smallest, double ratio, int row) {
+  if (std::isnan(ratio)) ratio = -std::numeric_limits<double>::infinity();
+  if (ratio < smallest.ratio) smallest = {ratio, row};
+}
+
+/// Direct solver of A x = b for a sparse symmetric A with a fixed pattern.
+///
+/// analyze once for the pattern (symbolic work, memory); factorize as often as the values change; solve as often as
+/// wanted after a factorize. A solver reads only the entries that its `storage` names.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  virtual void analyze(const SparseMatrix& pattern) = 0;
+  virtual Pivot factorize(const SparseMatrix& A) = 0;
+  /// Replaces the columns of `x` (right-hand sides) by the solutions.
+  virtual void solve(Eigen::Ref<MatrixXd> x) = 0;
+  /// Entries of the factors.
+  virtual std::int64_t factor_nonzeros() const = 0;
+};
+
+struct LinearSolverInfo {
+  std::string name;
+  std::string documentation;
+  /// True: needs a positive definite matrix and reads its upper triangle; false: any matrix, all entries.
+  bool positive_definite = false;
+  std::unique_ptr<LinearSolver> (*make)(Storage) = nullptr;  ///< null: not in this build
+};
+
+/// All registered solvers, in the order of solvers.def, those missing in this build included.
+const std::vector<LinearSolverInfo>& linear_solvers();
+/// The solver with this name; an OptionError where it is unknown or not in this build.
+const LinearSolverInfo& linear_solver_info(const std::string& name);
+
+#define LINKWORK_SOLVER(NAME) LinearSolverInfo NAME##_solver();
+#include "linkwork/linear/solvers.def"
+#undef LINKWORK_SOLVER
+
+}  // namespace linkwork

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "linkwork/assembly/system.hpp"
+#include "linkwork/linear/linear_solver.hpp"
+
+namespace linkwork {
+
+/// Solves the equations of constrained motion in the form that all formulations share,
+///   [M  D^T] {   x   }   {a}
+///   [D  -E ] {-lambda} = {b},      E = diag(e) >= 0,
+/// by assembling one of three sparse matrices:
+///   kkt     the matrix itself, E = 0                       (12.3)
+///   schur   S = D M^-1 D^T + E                             (12.5), (12.6)
+///   normal  N = M + D^T E^-1 D, E > 0; M may be singular   (12.14)
+class SaddleSolver {
+ public:
+  virtual ~SaddleSolver() = default;
+
+  /// Symbolic work, once; `typical` scales rows.
+  virtual void analyze(const System& system, const Evaluation& typical) = 0;
+  /// Assembles and factorizes at an evaluation. Throws SingularSystemError naming joints where the matrix is singular.
+  virtual void factorize(const Evaluation& at, const VectorXd& e) = 0;
+  virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) = 0;
+
+  /// Of the last factorization; see Pivot.
+  double smallest_pivot() const { return smallest_pivot_.ratio; }
+  virtual std::int64_t factor_nonzeros() const = 0;
+
+ protected:
+  Pivot smallest_pivot_;
+};
+
+/// The forms by name: "kkt", "schur", "normal".
+std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver);
+
+/// Which linear solvers can factorize a form.
+bool can_solve(const std::string& form, const LinearSolverInfo& solver);
+
+namespace detail {
+
+using ConstBlock = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>>;
+inline ConstBlock block_of(const Evaluation& at, const ConstraintBlock& block) {
+  return ConstBlock(at.D.data() + block.offset, block.rows, 6);
+}
+
+/// The error for a vanishing pivot; `row` is the constraint row, or -1 where the factorization does not tell.
+[[noreturn]] void throw_singular(const System& system, const char* form, const Pivot& pivot, int row);
+
+std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver);
+std::unique_ptr<SaddleSolver> make_schur(std::unique_ptr<LinearSolver> solver, Storage storage);
+std::unique_ptr<SaddleSolver> make_normal(std::unique_ptr<LinearSolver> solver, Storage storage);
+
+}  // namespace detail
+}  // namespace linkwork

@@ -1,0 +1,85 @@
+#include "linkwork/linear/sparse_matrix.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+
+BlockMatrix::BlockMatrix(const std::vector<int>& sizes, std::vector<BlockIndex> blocks, Storage storage) {
+  first_.assign(sizes.size() + 1, 0);
+  std::partial_sum(sizes.begin(), sizes.end(), first_.begin() + 1);
+  matrix_.size = first_.back();
+  matrix_.storage = storage;
+  const auto before = [](const BlockIndex& a, const BlockIndex& b) {
+    return a.column != b.column ? a.column < b.column : a.row < b.row;
+  };
+  const auto same = [](const BlockIndex& a, const BlockIndex& b) { return a.row == b.row && a.column == b.column; };
+  if (storage == Storage::upper) std::erase_if(blocks, [](const BlockIndex& b) { return b.row > b.column; });
+  std::sort(blocks.begin(), blocks.end(), before);
+  blocks.erase(std::unique(blocks.begin(), blocks.end(), same), blocks.end());
+  build_columns(blocks);
+  if (storage == Storage::full) build_mirror(blocks);
+}
+
+void BlockMatrix::build_columns(const std::vector<BlockIndex>& blocks) {
+  const std::size_t columns = first_.size() - 1;
+  block_column_begin_.assign(columns + 1, 0);
+  for (const BlockIndex& block : blocks) block_column_begin_[static_cast<std::size_t>(block.column) + 1] += 1;
+  std::partial_sum(block_column_begin_.begin(), block_column_begin_.end(), block_column_begin_.begin());
+
+  std::size_t nonzeros = 0;
+  matrix_.column_begin = {0};
+  for (std::size_t column = 0; column < columns; ++column) {
+    const auto begin = static_cast<std::size_t>(block_column_begin_[column]);
+    const auto end = static_cast<std::size_t>(block_column_begin_[column + 1]);
+    std::vector<int> rows;
+    for (std::size_t b = begin; b < end; ++b)
+      for (int r = first_[static_cast<std::size_t>(blocks[b].row)]; r < first_[static_cast<std::size_t>(blocks[b].row) + 1]; ++r)
+        rows.push_back(r);
+    const int stride = static_cast<int>(rows.size()), width = first_[column + 1] - first_[column];
+    int above = 0;
+    for (std::size_t b = begin; b < end; ++b) {
+      const auto row = static_cast<std::size_t>(blocks[b].row);
+      const int height = first_[row + 1] - first_[row];
+      block_row_.push_back(blocks[b].row);
+      places_.push_back({nonzeros + static_cast<std::size_t>(above), height, width, stride});
+      above += height;
+    }
+    for (int c = 0; c < width; ++c) {
+      matrix_.row.insert(matrix_.row.end(), rows.begin(), rows.end());
+      nonzeros += rows.size();
+      if (nonzeros > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+        throw ModelError("too_large", "a sparse matrix of this model has more than 2^31 - 1 entries");
+      matrix_.column_begin.push_back(static_cast<int>(nonzeros));
+    }
+  }
+  matrix_.value.assign(nonzeros, 0.0);
+}
+
+void BlockMatrix::build_mirror(const std::vector<BlockIndex>& blocks) {
+  for (const BlockIndex& block : blocks)
+    if (block.row < block.column)
+      mirror_.emplace_back(find(block.row, block.column), find(block.column, block.row));
+}
+
+int BlockMatrix::find(int row, int column) const {
+  const auto c = static_cast<std::size_t>(column);
+  const auto begin = block_row_.begin() + block_column_begin_[c], end = block_row_.begin() + block_column_begin_[c + 1];
+  return static_cast<int>(std::lower_bound(begin, end, row) - block_row_.begin());
+}
+
+BlockMatrix::Block BlockMatrix::block(int place) {
+  const Place& at = places_[static_cast<std::size_t>(place)];
+  return Block(matrix_.value.data() + at.offset, at.rows, at.columns, Eigen::OuterStride<>(at.stride));
+}
+
+void BlockMatrix::set_zero() { std::fill(matrix_.value.begin(), matrix_.value.end(), 0.0); }
+
+void BlockMatrix::mirror() {
+  for (const auto& [upper, lower] : mirror_) block(lower) = block(upper).transpose();
+}
+
+}  // namespace linkwork

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+
+#include "linkwork/math/types.hpp"
+
+/// Rotations by Euler parameters p = (e0, e1, e2, e3) = (e0, e), scalar first; A(p) turns body axes to inertial.
+namespace linkwork {
+
+/// a~ with a~ b = a x b.
+template <class Real>
+Mat3<Real> skew(const Vec3<Real>& a) {
+  Mat3<Real> m;
+  m << Real(0), -a[2], a[1], a[2], Real(0), -a[0], -a[1], a[0], Real(0);
+  return m;
+}
+
+/// A(p) = ((e0^2 - e.e) I + 2 e e^T + 2 e0 e~) / |p|^2.
+///
+/// Division by |p|^2 makes A a rotation for every p /= 0: the stages of a Runge-Kutta step leave the unit sphere
+/// by O(h^2), and A_dot = A omega~ holds there as well.
+template <class Real>
+Mat3<Real> rotation_matrix(const Vec4<Real>& p) {
+  const Real scale = Real(2) / p.squaredNorm();
+  const Real x = p[1] * scale, y = p[2] * scale, z = p[3] * scale;
+  const Real wx = p[0] * x, wy = p[0] * y, wz = p[0] * z;
+  const Real xx = p[1] * x, xy = p[1] * y, xz = p[1] * z;
+  const Real yy = p[2] * y, yz = p[2] * z, zz = p[3] * z;
+  Mat3<Real> A;
+  A << Real(1) - (yy + zz), xy - wz, xz + wy, xy + wz, Real(1) - (xx + zz), yz - wx, xz - wy, yz + wx,
+      Real(1) - (xx + yy);
+  return A;
+}
+
+/// The product a b: first turn by b, then by a; A(a b) = A(a) A(b).
+template <class Real>
+Vec4<Real> quaternion_product(const Vec4<Real>& a, const Vec4<Real>& b) {
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+          a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+          a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+}
+
+/// p_dot = 1/2 p (0, omega), omega body-fixed: the rotational part of q_dot = N(q) v.
+template <class Real>
+Vec4<Real> euler_parameter_rates(const Vec4<Real>& p, const Vec3<Real>& omega) {
+  return Real(0.5) * quaternion_product<Real>(p, Vec4<Real>(Real(0), omega[0], omega[1], omega[2]));
+}
+
+/// Euler parameters of the rotation by |phi| about phi [rad].
+inline Vec4<double> exponential(const Vec3<double>& phi) {
+  const double angle = phi.norm();
+  const double factor = angle < 1e-4 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
+  return {std::cos(0.5 * angle), factor * phi[0], factor * phi[1], factor * phi[2]};
+}
+
+/// The rotation vector phi [rad], |phi| <= pi, of unit p: the inverse of `exponential` up to the sign of p.
+inline Vec3<double> logarithm(const Vec4<double>& p) {
+  const Vec3<double> e = p[0] < 0 ? Vec3<double>(-p.tail<3>()) : Vec3<double>(p.tail<3>());
+  const double sine = e.norm();
+  const double factor = sine < 1e-8 ? 2.0 : 2.0 * std::atan2(sine, std::abs(p[0])) / sine;
+  return factor * e;
+}
+
+}  // namespace linkwork

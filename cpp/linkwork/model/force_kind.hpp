@@ -1,0 +1,79 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwork/model/batch.hpp"
+#include "linkwork/model/kind_info.hpp"
+
+/// A force element is a struct (one file in forces/, one line in forces.def) with
+///   static constexpr int memory;               numbers it remembers between evaluations (an unwrapped angle)
+///   static KindInfo info();
+///   template <class Real>
+///   static void evaluate(const Attachment<Real>&, const Signal<Real>* parameters, const BodyState<Real>& i,
+///                        const BodyState<Real>& j, Real* memory, Wrenches<Real>& out);
+/// Power balance, checked for every registered force: g . v = -d(potential)/dt + power.
+namespace linkwork {
+
+/// What an element applies to bodies i and j: generalized forces (force inertial, torque body-fixed).
+template <class Real>
+struct Wrenches {
+  Vec3<Real> force_i = Vec3<Real>::Zero(), torque_i = Vec3<Real>::Zero();
+  Vec3<Real> force_j = Vec3<Real>::Zero(), torque_j = Vec3<Real>::Zero();
+  Real potential = Real(0);  ///< stored energy [J]
+  Real power = Real(0);      ///< power of the part without a potential [W]
+};
+
+/// Where the forces go: g (6 per body, ground included as the last), the sums of potential and power.
+struct ForceArrays {
+  double* g;
+  double* memory;
+  double* potential;
+  double* power;
+};
+
+struct ForceKind {
+  KindInfo info;
+  int memory = 0;
+  void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals, ForceArrays);
+};
+
+template <class Force>
+void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
+                     ForceArrays out) {
+  const std::size_t count = batch.parameters.size() / (batch.size() ? batch.size() : 1);
+  constexpr std::size_t max_parameters = 8;
+  Signal<double> parameters[max_parameters];
+  for (std::size_t k = 0; k < batch.size(); ++k) {
+    for (std::size_t p = 0; p < count; ++p) parameters[p] = current(batch.parameters[k * count + p], signals);
+    const int i = batch.body_i[k], j = batch.body_j[k];
+    Wrenches<double> wrenches;
+    Force::template evaluate<double>(batch.attachment[k], parameters, bodies[i], bodies[j],
+                                     out.memory + batch.memory[k], wrenches);
+    Eigen::Map<Vec3<double>>(out.g + 6 * i) += wrenches.force_i;
+    Eigen::Map<Vec3<double>>(out.g + 6 * i + 3) += wrenches.torque_i;
+    Eigen::Map<Vec3<double>>(out.g + 6 * j) += wrenches.force_j;
+    Eigen::Map<Vec3<double>>(out.g + 6 * j + 3) += wrenches.torque_j;
+    *out.potential += wrenches.potential;
+    *out.power += wrenches.power;
+  }
+}
+
+template <class Force>
+ForceKind make_force_kind() {
+  return {Force::info(), Force::memory, &evaluate_forces<Force>};
+}
+
+/// All registered forces, in the order of forces.def.
+const std::vector<ForceKind>& force_kinds();
+
+/// The kind with this name, or an OptionError that names the nearest.
+int force_kind_index(const std::string& name);
+
+#define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
+  ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
+
+#define LINKWORK_FORCE(NAME) ForceKind NAME##_force();
+#include "linkwork/model/forces.def"
+#undef LINKWORK_FORCE
+
+}  // namespace linkwork

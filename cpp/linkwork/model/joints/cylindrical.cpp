@@ -1,0 +1,31 @@
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+
+/// A sleeve on a shaft: the bodies share an axis (4 equations).
+struct Cylindrical {
+  static constexpr int rows = 4;
+
+  static KindInfo info() {
+    return {.name = "cylindrical",
+            .placement = "axis",
+            .equations = {"translation along joint x", "translation along joint y", "rotation about joint y",
+                          "rotation about joint x"},
+            .documentation =
+                "Sleeve on a shaft: bodies a and b share an axis; sliding along it and rotation about it are free."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    in_plane<Real>(i, j, at.x_i(), at.s_i, at.s_j, out.template slice<0, 1>());
+    in_plane<Real>(i, j, at.y_i(), at.s_i, at.s_j, out.template slice<1, 1>());
+    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<2, 1>());
+    perpendicular<Real>(i, j, at.z_i(), at.y_j(), out.template slice<3, 1>());
+  }
+};
+
+LINKWORK_DEFINE_JOINT(cylindrical, Cylindrical)
+
+}  // namespace linkwork

@@ -1,0 +1,30 @@
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+
+/// A weld: no relative motion (6 equations).
+struct Fixed {
+  static constexpr int rows = 6;
+
+  static KindInfo info() {
+    return {.name = "fixed",
+            .placement = "frame",
+            .equations = {"translation x", "translation y", "translation z", "rotation about joint z",
+                          "rotation about joint x", "rotation about joint y"},
+            .documentation = "Weld: bodies a and b keep their relative position and orientation."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    coincident<Real>(i, j, at.s_i, at.s_j, out.template slice<0, 3>());
+    perpendicular<Real>(i, j, at.x_i(), at.y_j(), out.template slice<3, 1>());
+    perpendicular<Real>(i, j, at.y_i(), at.z_j(), out.template slice<4, 1>());
+    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<5, 1>());
+  }
+};
+
+LINKWORK_DEFINE_JOINT(fixed, Fixed)
+
+}  // namespace linkwork

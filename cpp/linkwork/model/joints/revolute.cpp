@@ -1,0 +1,29 @@
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+
+/// A hinge: the bodies share a point and the axis through it (5 equations).
+struct Revolute {
+  static constexpr int rows = 5;
+
+  static KindInfo info() {
+    return {.name = "revolute",
+            .placement = "axis",
+            .equations = {"translation x", "translation y", "translation z", "rotation about joint y",
+                          "rotation about joint x"},
+            .documentation = "Hinge: bodies a and b share a point and an axis; rotation about the axis is free."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    coincident<Real>(i, j, at.s_i, at.s_j, out.template slice<0, 3>());
+    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<3, 1>());
+    perpendicular<Real>(i, j, at.z_i(), at.y_j(), out.template slice<4, 1>());
+  }
+};
+
+LINKWORK_DEFINE_JOINT(revolute, Revolute)
+
+}  // namespace linkwork

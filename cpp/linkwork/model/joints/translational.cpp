@@ -1,0 +1,31 @@
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+
+/// A slider: the bodies share an axis and do not turn against each other (5 equations).
+struct Translational {
+  static constexpr int rows = 5;
+
+  static KindInfo info() {
+    return {.name = "translational",
+            .placement = "axis",
+            .equations = {"translation along joint x", "translation along joint y", "rotation about joint y",
+                          "rotation about joint x", "rotation about joint z"},
+            .documentation = "Slider: body b slides on body a along an axis; no rotation is free."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    in_plane<Real>(i, j, at.x_i(), at.s_i, at.s_j, out.template slice<0, 1>());
+    in_plane<Real>(i, j, at.y_i(), at.s_i, at.s_j, out.template slice<1, 1>());
+    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<2, 1>());
+    perpendicular<Real>(i, j, at.z_i(), at.y_j(), out.template slice<3, 1>());
+    perpendicular<Real>(i, j, at.x_i(), at.y_j(), out.template slice<4, 1>());
+  }
+};
+
+LINKWORK_DEFINE_JOINT(translational, Translational)
+
+}  // namespace linkwork

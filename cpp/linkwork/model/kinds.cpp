@@ -1,0 +1,45 @@
+#include <algorithm>
+#include <numeric>
+
+#include "linkwork/math/error.hpp"
+#include "linkwork/model/force_kind.hpp"
+#include "linkwork/model/joint_kind.hpp"
+
+namespace linkwork {
+namespace {
+
+/// Index of the kind with this name; the error lists those there are.
+template <class Kind>
+int find_kind(const std::vector<Kind>& kinds, const std::string& name, const char* what) {
+  const auto same = [&](const Kind& kind) { return kind.info.name == name; };
+  const auto found = std::find_if(kinds.begin(), kinds.end(), same);
+  if (found != kinds.end()) return static_cast<int>(found - kinds.begin());
+  std::string known;
+  for (const Kind& kind : kinds) known += (known.empty() ? "" : ", ") + kind.info.name;
+  throw OptionError("unknown_kind", std::string(what) + " '" + name + "' does not exist; there are: " + known);
+}
+
+}  // namespace
+
+const std::vector<JointKind>& joint_kinds() {
+  static const std::vector<JointKind> kinds = {
+#define LINKWORK_JOINT(NAME) NAME##_joint(),
+#include "linkwork/model/joints.def"
+#undef LINKWORK_JOINT
+  };
+  return kinds;
+}
+
+const std::vector<ForceKind>& force_kinds() {
+  static const std::vector<ForceKind> kinds = {
+#define LINKWORK_FORCE(NAME) NAME##_force(),
+#include "linkwork/model/forces.def"
+#undef LINKWORK_FORCE
+  };
+  return kinds;
+}
+
+int joint_kind_index(const std::string& name) { return find_kind(joint_kinds(), name, "joint kind"); }
+int force_kind_index(const std::string& name) { return find_kind(force_kinds(), name, "force kind"); }
+
+}  // namespace linkwork

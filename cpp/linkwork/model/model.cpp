@@ -1,0 +1,222 @@
+#include "linkwork/model/model.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double tolerance = 1e-9;       // relative, of inertia and of joint frames
+constexpr double unit_tolerance = 1e-6;  // of |p| - 1
+
+std::string text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+template <class Derived>
+std::string text(const Eigen::MatrixBase<Derived>& values) {
+  std::string out = "(";
+  for (int k = 0; k < values.size(); ++k) out += (k ? ", " : "") + text(values.derived().coeff(k));
+  return out + ")";
+}
+
+[[noreturn]] void refuse(const char* code, const std::string& message, const std::string& body) {
+  ErrorDetails details;
+  details.bodies = {body};
+  throw ModelError(code, message, details);
+}
+
+template <class Derived>
+void check_finite(const Eigen::MatrixBase<Derived>& values, const char* quantity, const std::string& name) {
+  if (!values.allFinite())
+    refuse("not_finite", "body '" + name + "': " + quantity + " " + text(values) + " is not finite", name);
+}
+
+/// Principal moments of a real body satisfy J_1 + J_2 >= J_3 for every order, and none is negative.
+void check_inertia(const Mat3<double>& J, const std::string& name) {
+  const double scale = J.cwiseAbs().maxCoeff();
+  if ((J - J.transpose()).cwiseAbs().maxCoeff() > tolerance * scale)
+    refuse("inertia_not_symmetric", "body '" + name + "': the inertia is not symmetric", name);
+  Vec3<double> moments = J.diagonal();
+  if (!J.isDiagonal(0.0)) moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(J, Eigen::EigenvaluesOnly).eigenvalues();
+  std::sort(moments.data(), moments.data() + 3);
+  if (moments[0] < -tolerance * scale)
+    refuse("inertia_negative", "body '" + name + "': principal moment of inertia " + text(moments[0]) +
+                                   " kg m^2 is negative",
+           name);
+  if (moments[2] > (moments[0] + moments[1]) * (1.0 + tolerance) + tolerance * scale)
+    refuse("inertia_triangle", "body '" + name + "': principal moments of inertia " + text(moments) +
+                                   " violate the triangle inequality: the largest must not exceed the sum of the others",
+           name);
+}
+
+void check_body(const Body& body, const std::string& name) {
+  if (!std::isfinite(body.mass) || body.mass < 0)
+    refuse("mass", "body '" + name + "': mass " + text(body.mass) + " kg must be finite and not negative", name);
+  check_finite(body.inertia, "inertia", name);
+  check_finite(body.position, "position", name);
+  check_finite(body.orientation, "orientation", name);
+  check_finite(body.velocity, "velocity", name);
+  check_finite(body.omega, "omega", name);
+  check_inertia(body.inertia, name);
+  const double norm = body.orientation.norm();
+  if (std::abs(norm - 1.0) > unit_tolerance)
+    refuse("orientation", "body '" + name + "': orientation " + text(body.orientation) + " has norm " + text(norm) +
+                              " and must be unit Euler parameters (e0, e1, e2, e3)",
+           name);
+}
+
+bool orthonormal(const Mat3<double>& C) {
+  return (C.transpose() * C - Mat3<double>::Identity()).cwiseAbs().maxCoeff() < tolerance && C.determinant() > 0;
+}
+
+}  // namespace
+
+Model::Model(const Vec3<double>& gravity) : gravity_(gravity) {
+  if (!gravity.allFinite()) throw ModelError("not_finite", "gravity " + text(gravity) + " is not finite");
+}
+
+int Model::add_body(const std::string& name, const Body& body) {
+  check_body(body, name);
+  if (name == "ground") throw ModelError("duplicate_name", "body 'ground': the name belongs to the ground; choose another");
+  body_names_.add(name);
+  bodies_.push_back(body);
+  bodies_.back().orientation.normalize();
+  return static_cast<int>(bodies_.size()) - 1;
+}
+
+int Model::add_bodies(const std::string& prefix, const std::vector<Body>& bodies) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) check_body(bodies[k], prefix + "[" + std::to_string(k) + "]");
+  body_names_.add_group(prefix, static_cast<int>(bodies.size()));
+  const int first = static_cast<int>(bodies_.size());
+  bodies_.insert(bodies_.end(), bodies.begin(), bodies.end());
+  for (std::size_t k = static_cast<std::size_t>(first); k < bodies_.size(); ++k) bodies_[k].orientation.normalize();
+  return first;
+}
+
+void Model::check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
+                          const Parameter* parameters) const {
+  const std::string who = info.name + " '" + name + "'";
+  ErrorDetails details;
+  details.joints = {name};
+  const auto refuse_element = [&](const char* code, const std::string& why) {
+    throw ModelError(code, who + ": " + why, details);
+  };
+  const int count = static_cast<int>(bodies_.size());
+  for (const int body : {element.i, element.j})
+    if (body < ground || body >= count)
+      refuse_element("unknown_body", "body index " + std::to_string(body) + " does not exist; there are " +
+                                         std::to_string(count) + " bodies and the ground (-1)");
+  if (role == Role::joint && element.i == element.j)
+    refuse_element("self_joint", "joins body '" + body_name(element.i) + "' to itself");
+  const Attachment<double>& at = element.at;
+  if (!at.s_i.allFinite() || !at.s_j.allFinite() || !at.C_i.allFinite() || !at.C_j.allFinite())
+    refuse_element("not_finite", "its place on the bodies is not finite");
+  if (!orthonormal(at.C_i) || !orthonormal(at.C_j))
+    refuse_element("frame", "its axes are not orthonormal and right-handed");
+  for (std::size_t p = 0; p < info.parameters.size(); ++p) {
+    const std::string& parameter = info.parameters[p];
+    const int signal = parameters[p].signal;
+    if (signal < 0 && !std::isfinite(parameters[p].constant))
+      refuse_element("not_finite", parameter + " = " + text(parameters[p].constant) + " is not finite");
+    if (signal >= static_cast<int>(signals_.size()))
+      refuse_element("unknown_signal", parameter + ": function of time " + std::to_string(signal) + " does not exist");
+    const bool differentiated =
+        std::find(info.differentiated.begin(), info.differentiated.end(), parameter) != info.differentiated.end();
+    if (signal >= 0 && differentiated && !signals_[static_cast<std::size_t>(signal)]->has_derivatives())
+      refuse_element("derivatives", parameter + " is a function of time without derivatives; give the first and second "
+                                               "derivative too");
+  }
+}
+
+int Model::add_elements(Role role, const std::string& kind, const std::string& name, bool group,
+                        const std::vector<Element>& elements, const std::vector<Parameter>& parameters) {
+  const bool joint = role == Role::joint;
+  const int index = joint ? joint_kind_index(kind) : force_kind_index(kind);
+  const KindInfo& info = joint ? joint_kinds()[static_cast<std::size_t>(index)].info
+                               : force_kinds()[static_cast<std::size_t>(index)].info;
+  const std::size_t count = info.parameters.size();
+  if (parameters.size() != count * elements.size())
+    throw ModelError("parameters", kind + " '" + name + "': takes " + std::to_string(count) + " parameters, not " +
+                                       std::to_string(parameters.size() / std::max<std::size_t>(1, elements.size())));
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    check_element(role, info, group ? name + "[" + std::to_string(k) + "]" : name, elements[k],
+                  parameters.data() + k * count);
+  if (static_cast<double>(row_count()) + static_cast<double>(info.rows) * static_cast<double>(elements.size()) >
+      std::numeric_limits<int>::max())
+    throw ModelError("too_large", "the model would have more constraint rows than 2^31 - 1");
+
+  NameTable& names = joint ? joint_names_ : force_names_;
+  if (group) names.add_group(name, static_cast<int>(elements.size()));
+  else names.add(name);
+  std::vector<Element>& list = joint ? joints_ : forces_;
+  std::vector<Parameter>& all_parameters = joint ? joint_parameters_ : force_parameters_;
+  const int first = static_cast<int>(list.size());
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    list.push_back(elements[k]);
+    list.back().kind = index;
+    list.back().first_parameter = all_parameters.size() + k * count;
+    if (joint) joint_rows_.push_back(joint_rows_.back() + info.rows);
+  }
+  all_parameters.insert(all_parameters.end(), parameters.begin(), parameters.end());
+  return first;
+}
+
+int Model::add_joint(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
+                     const std::vector<Parameter>& parameters) {
+  return add_elements(Role::joint, kind, name, false, {Element{0, i, j, at, 0}}, parameters);
+}
+
+int Model::add_force(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
+                     const std::vector<Parameter>& parameters) {
+  return add_elements(Role::force, kind, name, false, {Element{0, i, j, at, 0}}, parameters);
+}
+
+int Model::add_joints(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+                      const std::vector<Parameter>& parameters) {
+  return add_elements(Role::joint, kind, prefix, true, elements, parameters);
+}
+
+int Model::add_forces(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+                      const std::vector<Parameter>& parameters) {
+  return add_elements(Role::force, kind, prefix, true, elements, parameters);
+}
+
+int Model::add_signal(TimeFunctionPtr function) {
+  signals_.push_back(std::move(function));
+  return static_cast<int>(signals_.size()) - 1;
+}
+
+int Model::joint_of_row(int row) const {
+  return static_cast<int>(std::upper_bound(joint_rows_.begin(), joint_rows_.end(), row) - joint_rows_.begin()) - 1;
+}
+
+std::string Model::describe_row(int row) const {
+  const int joint = joint_of_row(row);
+  const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joints_[static_cast<std::size_t>(joint)].kind)].info;
+  const int equation = row - joint_rows_[static_cast<std::size_t>(joint)];
+  return info.name + " '" + joint_name(joint) + "', " + info.equations[static_cast<std::size_t>(equation)];
+}
+
+VectorXd Model::initial_q() const {
+  VectorXd q(position_size * static_cast<int>(bodies_.size()));
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    q.segment<position_size>(position_size * static_cast<Eigen::Index>(b)) << bodies_[b].position, bodies_[b].orientation;
+  return q;
+}
+
+VectorXd Model::initial_v() const {
+  VectorXd v(velocity_size * static_cast<int>(bodies_.size()));
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    v.segment<velocity_size>(velocity_size * static_cast<Eigen::Index>(b)) << bodies_[b].velocity, bodies_[b].omega;
+  return v;
+}
+
+}  // namespace linkwork

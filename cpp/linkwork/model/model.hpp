@@ -1,0 +1,93 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "linkwork/model/batch.hpp"
+#include "linkwork/model/force_kind.hpp"
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/name_table.hpp"
+#include "linkwork/model/time_function.hpp"
+
+namespace linkwork {
+
+constexpr int ground = -1;  ///< index of the ground, at rest
+
+/// A rigid body at the initial time.
+struct Body {
+  double mass = 1.0;                                  ///< [kg], >= 0
+  Mat3<double> inertia = Mat3<double>::Identity();    ///< about the centre of mass, body axes [kg m^2]
+  Vec3<double> position = Vec3<double>::Zero();       ///< centre of mass, inertial [m]
+  Vec4<double> orientation = {1.0, 0.0, 0.0, 0.0};    ///< Euler parameters, scalar first, unit
+  Vec3<double> velocity = Vec3<double>::Zero();       ///< inertial [m/s]
+  Vec3<double> omega = Vec3<double>::Zero();          ///< body-fixed [rad/s]
+};
+
+/// A joint or force element between bodies i and j (ground = -1).
+struct Element {
+  int kind = 0;  ///< index into joint_kinds() or force_kinds()
+  int i = ground, j = ground;
+  Attachment<double> at;
+  std::size_t first_parameter = 0;  ///< place in the model's list of parameters
+};
+
+/// The constant description of a mechanism. Everything is checked when it is added: bad input is a ModelError that
+/// names the object and the value, and leaves the model as it was.
+class Model {
+ public:
+  explicit Model(const Vec3<double>& gravity = {0.0, 0.0, -9.81});
+
+  /// Each returns the index of what was added.
+  int add_body(const std::string& name, const Body& body);
+  int add_joint(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
+                const std::vector<Parameter>& parameters = {});
+  int add_force(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
+                const std::vector<Parameter>& parameters);
+  int add_signal(TimeFunctionPtr function);
+
+  /// Many at once under one prefix; linear in time and memory. `parameters` holds the kind's number for each element.
+  int add_bodies(const std::string& prefix, const std::vector<Body>& bodies);
+  int add_joints(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+                 const std::vector<Parameter>& parameters);
+  int add_forces(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+                 const std::vector<Parameter>& parameters);
+
+  const Vec3<double>& gravity() const { return gravity_; }
+  const std::vector<Body>& bodies() const { return bodies_; }
+  const std::vector<Element>& joints() const { return joints_; }
+  const std::vector<Element>& forces() const { return forces_; }
+  const std::vector<Parameter>& joint_parameters() const { return joint_parameters_; }
+  const std::vector<Parameter>& force_parameters() const { return force_parameters_; }
+  const std::vector<TimeFunctionPtr>& signals() const { return signals_; }
+  const std::vector<int>& joint_rows() const { return joint_rows_; }  ///< first row of each joint, and the total
+  int row_count() const { return joint_rows_.back(); }
+
+  const NameTable& body_names() const { return body_names_; }
+  const NameTable& joint_names() const { return joint_names_; }
+  const NameTable& force_names() const { return force_names_; }
+  std::string body_name(int body) const { return body == ground ? "ground" : body_names_.name(body); }
+  std::string joint_name(int joint) const { return joint_names_.name(joint); }
+  int joint_of_row(int row) const;
+  /// Such as "revolute 'pin', rotation about joint x".
+  std::string describe_row(int row) const;
+
+  VectorXd initial_q() const;  ///< 7 per body
+  VectorXd initial_v() const;  ///< 6 per body
+
+ private:
+  enum class Role { joint, force };
+  int add_elements(Role role, const std::string& kind, const std::string& name, bool group,
+                   const std::vector<Element>& elements, const std::vector<Parameter>& parameters);
+  void check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
+                     const Parameter* parameters) const;
+
+  Vec3<double> gravity_;
+  std::vector<Body> bodies_;
+  std::vector<Element> joints_, forces_;
+  std::vector<Parameter> joint_parameters_, force_parameters_;
+  std::vector<TimeFunctionPtr> signals_;
+  std::vector<int> joint_rows_ = {0};
+  NameTable body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"};
+};
+
+}  // namespace linkwork

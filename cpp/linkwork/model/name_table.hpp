@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace linkwork {
+
+/// Names of bodies, joints or forces: given one by one, or as a prefix for a group ("link" -> "link[0]", "link[1]", ...)
+/// so that a million names take no memory.
+class NameTable {
+ public:
+  explicit NameTable(const char* what) : what_(what) {}
+
+  /// Throws a ModelError where the name is taken or empty.
+  void add(const std::string& name);
+  void add_group(const std::string& prefix, int count);
+
+  int size() const { return size_; }
+  std::string name(int index) const;
+  /// Index of a name, or -1.
+  int find(const std::string& name) const;
+
+ private:
+  struct Group {
+    std::string prefix;
+    int first, count;  ///< count 0: a single name
+  };
+  void check_free(const std::string& name) const;
+
+  const char* what_;
+  int size_ = 0;
+  std::vector<Group> groups_;
+  std::unordered_map<std::string, int> index_;  ///< name or prefix -> place in groups_
+};
+
+}  // namespace linkwork

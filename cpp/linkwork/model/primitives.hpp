@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cmath>
+
+#include "linkwork/model/body_state.hpp"
+#include "linkwork/model/rows.hpp"
+
+/// The equations that joints are composed of. Each writes Phi, Phi_t, D and gamma with
+///   Phi_dot = D v + Phi_t,    Phi_ddot = D v_dot - gamma,
+/// v = (r_dot inertial, omega body-fixed). References: Nikravesh (1988), chapter 7; Flores (2015), chapter 7.
+namespace linkwork {
+
+/// omega x (omega x s): the centripetal acceleration of a body-fixed vector, in body axes.
+template <class Real>
+Vec3<Real> centripetal(const Vec3<Real>& omega, const Vec3<Real>& s) {
+  return omega.cross(omega.cross(s));
+}
+
+// Phi = r_i + A_i s_i - r_j - A_j s_j = 0: the points coincide (3 equations, inertial axes).
+// D_i = [I, -A_i s_i~],   D_j = -[I, -A_j s_j~]
+// gamma = A_j w_j x (w_j x s_j) - A_i w_i x (w_i x s_i)
+template <class Real>
+void coincident(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i, const Vec3<Real>& s_j,
+                Rows<Real, 3> out) {
+  const Vec3<Real> Phi = i.r + i.A * s_i - j.r - j.A * s_j;
+  const Vec3<Real> gamma = j.A * centripetal(j.omega, s_j) - i.A * centripetal(i.omega, s_i);
+  for (int k = 0; k < 3; ++k) {
+    Vec3<Real> unit = Vec3<Real>::Zero();
+    unit[k] = Real(1);
+    const Vec3<Real> a_i = i.A.row(k), a_j = j.A.row(k);  // -a . (s~ w) = (s x a) . w
+    set_row<Real>(out.D_i, k, unit, s_i.cross(a_i));
+    set_row<Real>(out.D_j, k, -unit, -s_j.cross(a_j));
+    out.Phi[k] = Phi[k];
+    out.Phi_t[k] = Real(0);
+    out.gamma[k] = gamma[k];
+  }
+}
+
+// Phi = a . b = 0 with a = A_i a_i, b = A_j b_j: body-fixed directions stay perpendicular.
+// D_i = [0, (a_i x A_i^T b)^T],   D_j = [0, (b_j x A_j^T a)^T]
+// gamma = -(A_i w_i x (w_i x a_i)) . b - a . (A_j w_j x (w_j x b_j)) - 2 a_dot . b_dot
+template <class Real>
+void perpendicular(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i, const Vec3<Real>& b_j,
+                   Rows<Real, 1> out) {
+  const Vec3<Real> a = i.A * a_i, b = j.A * b_j;
+  const Vec3<Real> b_in_i = i.A.transpose() * b, a_in_j = j.A.transpose() * a;
+  const Vec3<Real> a_dot = i.A * i.omega.cross(a_i), b_dot = j.A * j.omega.cross(b_j);
+  set_row<Real>(out.D_i, 0, Vec3<Real>::Zero(), a_i.cross(b_in_i));
+  set_row<Real>(out.D_j, 0, Vec3<Real>::Zero(), b_j.cross(a_in_j));
+  out.Phi[0] = a.dot(b);
+  out.Phi_t[0] = Real(0);
+  out.gamma[0] = -centripetal(i.omega, a_i).dot(b_in_i) - centripetal(j.omega, b_j).dot(a_in_j) -
+                 Real(2) * a_dot.dot(b_dot);
+}
+
+// Phi = a . d = 0 with a = A_i a_i, d = r_j + A_j s_j - r_i - A_i s_i: the point of j stays in a plane of i.
+// D_i = [-a^T, (a_i x A_i^T d - s_i x a_i)^T],   D_j = [a^T, (s_j x A_j^T a)^T]
+// gamma = -(A_i w_i x (w_i x a_i)) . d - 2 a_dot . d_dot - a . (A_j w_j x (w_j x s_j) - A_i w_i x (w_i x s_i))
+template <class Real>
+void in_plane(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i, const Vec3<Real>& s_i,
+              const Vec3<Real>& s_j, Rows<Real, 1> out) {
+  const Vec3<Real> a = i.A * a_i;
+  const Vec3<Real> d = j.r + j.A * s_j - i.r - i.A * s_i;
+  const Vec3<Real> d_in_i = i.A.transpose() * d, a_in_j = j.A.transpose() * a;
+  const Vec3<Real> a_dot = i.A * i.omega.cross(a_i);
+  const Vec3<Real> d_dot = j.r_dot + j.A * j.omega.cross(s_j) - i.r_dot - i.A * i.omega.cross(s_i);
+  set_row<Real>(out.D_i, 0, -a, a_i.cross(d_in_i) - s_i.cross(a_i));
+  set_row<Real>(out.D_j, 0, a, s_j.cross(a_in_j));
+  out.Phi[0] = a.dot(d);
+  out.Phi_t[0] = Real(0);
+  out.gamma[0] = -centripetal(i.omega, a_i).dot(d_in_i) - Real(2) * a_dot.dot(d_dot) -
+                 a_in_j.dot(centripetal(j.omega, s_j)) + a_i.dot(centripetal(i.omega, s_i));
+}
+
+// Phi = |d| - l(t) = 0 with d = r_j + A_j s_j - r_i - A_i s_i, u = d / |d|: two points keep a distance; the
+// multiplier is a force [N], which (d.d - l^2)/2 would scale by l.
+// D_i = [-u^T, -(s_i x A_i^T u)^T],   D_j = [u^T, (s_j x A_j^T u)^T],   Phi_t = -l_dot
+// gamma = l_ddot - (d_dot . d_dot - (u . d_dot)^2) / |d| - u . (A_j w_j x (w_j x s_j) - A_i w_i x (w_i x s_i))
+template <class Real>
+void separation(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i, const Vec3<Real>& s_j,
+                const Signal<Real>& length, Rows<Real, 1> out) {
+  using std::sqrt;
+  const Vec3<Real> d = j.r + j.A * s_j - i.r - i.A * s_i;
+  const Vec3<Real> d_dot = j.r_dot + j.A * j.omega.cross(s_j) - i.r_dot - i.A * i.omega.cross(s_i);
+  const Real distance = sqrt(d.squaredNorm());
+  const Vec3<Real> u = d / distance;
+  const Vec3<Real> u_in_i = i.A.transpose() * u, u_in_j = j.A.transpose() * u;
+  const Real along = u.dot(d_dot);
+  set_row<Real>(out.D_i, 0, -u, -s_i.cross(u_in_i));
+  set_row<Real>(out.D_j, 0, u, s_j.cross(u_in_j));
+  out.Phi[0] = distance - length.value;
+  out.Phi_t[0] = -length.rate;
+  out.gamma[0] = length.acceleration - (d_dot.squaredNorm() - along * along) / distance -
+                 u_in_j.dot(centripetal(j.omega, s_j)) + u_in_i.dot(centripetal(i.omega, s_i));
+}
+
+}  // namespace linkwork
