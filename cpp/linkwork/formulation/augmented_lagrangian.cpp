@@ -7,7 +7,12 @@
 namespace linkwork {
 namespace {
 
-constexpr double roundoff_change = 1e-8;  // above it, a change that no longer shrinks is slow convergence, not roundoff
+constexpr double roundoff_change = 1e-7;  // above it, a change that no longer shrinks is slow convergence, not roundoff
+
+// Off the constraints, redundant rows contradict each other a little, and a penalty resolves that noise in proportion to
+// its size: so begin small, and raise it only while the iteration is slow on this model.
+constexpr double first_scale = 1e4, last_scale = 1e8, scale_factor = 10.0;
+constexpr int slow_iterations = 15;
 
 /// The iteration (12.16)-(12.18),
 ///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b),   lambda_{k+1} = lambda_k + alpha (b - D v_dot_{k+1}),
@@ -22,11 +27,11 @@ class AugmentedLagrangian final : public Formulation {
   void analyze(const System& system, const Evaluation& typical) override {
     system_ = &system;
     saddle_->analyze(system, typical);
-    compliance_ = row_penalties(system, typical, options_).cwiseInverse();
     r_1_.resize(system.v_size());
     dv_.resize(system.v_size());
     r_2_.resize(system.row_count());
     dlambda_.resize(system.row_count());
+    choose_penalties(typical);
   }
 
   void factorize(const Evaluation& at) override {
@@ -35,24 +40,44 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
+    if (!iterate(a, b, v_dot, lambda, options_.max_iterations)) throw_not_converged();
+  }
+
+  const SaddleSolver& saddle() const override { return *saddle_; }
+
+ private:
+  /// Tries scales on the initial state until the iteration is quick.
+  void choose_penalties(const Evaluation& typical) {
+    const bool given = options_.penalty || options_.penalty_scale;
+    VectorXd v_dot(system_->v_size()), lambda(system_->row_count());
+    for (double scale = options_.penalty_scale.value_or(first_scale);; scale *= scale_factor) {
+      compliance_ = row_penalties(*system_, typical, options_.penalty, scale).cwiseInverse();
+      if (given || scale >= last_scale) break;
+      factorize(typical);
+      if (iterate(typical.g.head(system_->v_size()), typical.gamma, v_dot, lambda, slow_iterations)) break;
+    }
+    iterations_ = {};
+  }
+
+  /// False where `most` iterations were not enough.
+  bool iterate(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda, int most) {
     saddle_->solve(a, b, v_dot, lambda);
     double last_change = INFINITY;
-    for (int iteration = 2; iteration <= options_.max_iterations; ++iteration) {
+    for (int iteration = 2; iteration <= most; ++iteration) {
       residuals(a, b, v_dot, lambda);
       saddle_->solve(r_1_, r_2_, dv_, dlambda_);
       v_dot += dv_;
       lambda += dlambda_;
       const double change = dv_.norm() / (1.0 + v_dot.norm());
       const bool stagnated = change > 0.5 * last_change && change < roundoff_change;
-      last_change = change;
-      if (change <= options_.tolerance || stagnated) return finish(iteration, change, stagnated);
+      last_change = iterations_.last_change = change;
+      if (change > options_.tolerance && !stagnated) continue;
+      count(iteration, change > options_.tolerance);
+      return true;
     }
-    throw_not_converged(last_change);
+    return false;
   }
 
-  const SaddleSolver& saddle() const override { return *saddle_; }
-
- private:
   void residuals(const ConstVector& a, const ConstVector& b, const ConstVector& v_dot, const ConstVector& lambda) {
     system_->multiply_mass(v_dot, dv_);
     r_1_ = a - dv_;
@@ -61,16 +86,15 @@ class AugmentedLagrangian final : public Formulation {
     r_2_ = b - r_2_;
   }
 
-  void finish(int iteration, double change, bool stagnated) {
+  void count(int iteration, bool stagnated) {
     iterations_.iterations += iteration;
     iterations_.most = std::max(iterations_.most, iteration);
-    iterations_.stagnations += change > options_.tolerance && stagnated ? 1 : 0;
-    iterations_.last_change = change;
+    iterations_.stagnations += stagnated ? 1 : 0;
     iterations_.last_residual = r_2_.size() > 0 ? r_2_.cwiseAbs().maxCoeff() : 0.0;
     iterations_.worst_residual = std::max(iterations_.worst_residual, iterations_.last_residual);
   }
 
-  [[noreturn]] void throw_not_converged(double change) const {
+  [[noreturn]] void throw_not_converged() const {
     Eigen::Index row = -1;
     ErrorDetails details;
     std::string where;
@@ -81,7 +105,7 @@ class AugmentedLagrangian final : public Formulation {
       where = "; the largest residual is at " + system_->model().describe_row(static_cast<int>(row));
     }
     char number[32];
-    std::snprintf(number, sizeof number, "%.1e", change);
+    std::snprintf(number, sizeof number, "%.1e", iterations_.last_change);
     throw NotConvergedError("augmented_lagrangian",
                             "augmented Lagrangian: relative change " + std::string(number) + " after " +
                                 std::to_string(options_.max_iterations) + " iterations" + where +

@@ -24,13 +24,14 @@ const FormulationInfo& formulation_info(const std::string& name) {
   throw OptionError("unknown_formulation", "formulation '" + name + "' does not exist; there are: " + known);
 }
 
-VectorXd row_penalties(const System& system, const Evaluation& typical, const Options& options) {
-  if (options.penalty) return VectorXd::Constant(system.row_count(), *options.penalty);
+VectorXd row_penalties(const System& system, const Evaluation& typical, const std::optional<double>& penalty,
+                       double scale) {
+  if (penalty) return VectorXd::Constant(system.row_count(), *penalty);
   const VectorXd mobility = system.row_mobility(typical);
   const double least = mobility.size() > 0 && mobility.maxCoeff() > 0.0
                            ? mobility.array().cwiseEqual(0.0).select(mobility.maxCoeff(), mobility.array()).minCoeff()
                            : 1.0;
-  return options.penalty_scale * (mobility.array() > 0.0).select(mobility.array(), least).cwiseInverse();
+  return scale * (mobility.array() > 0.0).select(mobility.array(), least).cwiseInverse();
 }
 
 }  // namespace linkwork

@@ -51,9 +51,10 @@ struct FormulationInfo {
 const std::vector<FormulationInfo>& formulations();
 const FormulationInfo& formulation_info(const std::string& name);
 
-/// penalty for every row, or penalty_scale / (D M^-1 D^T)_ii: then every row is as stiff against its own inertia, and
-/// results do not depend on units. Rows between massless bodies get the largest of the others.
-VectorXd row_penalties(const System& system, const Evaluation& typical, const Options& options);
+/// The same penalty for every row where the user gave one, else scale / (D M^-1 D^T)_ii: then every row is as stiff against
+/// its own inertia, and results do not depend on units. Rows between massless bodies get the largest of the others.
+VectorXd row_penalties(const System& system, const Evaluation& typical, const std::optional<double>& penalty,
+                       double scale);
 
 #define LINKWORK_FORMULATION(NAME) FormulationInfo NAME##_formulation();
 #include "linkwork/formulation/formulations.def"

@@ -12,8 +12,8 @@ struct Options {
   std::string linear_solver = "auto";  ///< a name in solvers.def or "auto"
   std::string stabilization = "sampled_baumgarte";
   std::optional<double> baumgarte_alpha, baumgarte_beta;  ///< [1/s]
-  std::optional<double> penalty;       ///< the same for all rows; without it penalty_scale / (D M^-1 D^T)_ii
-  double penalty_scale = 1e4;
+  std::optional<double> penalty;        ///< the same for all rows; without it penalty_scale / (D M^-1 D^T)_ii
+  std::optional<double> penalty_scale;  ///< without it the formulation chooses
   double tolerance = 1e-12;            ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
   int max_iterations = 100;
 };
