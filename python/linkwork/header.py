@@ -1,4 +1,4 @@
-"""What a result knows beside its frames: the model's constant arrays, its names, and the manifest of the run."""
+"""What a result knows beside its frames: the constant arrays and names of the model, and the manifest."""
 
 from __future__ import annotations
 
@@ -9,14 +9,12 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import rotation
-
 if TYPE_CHECKING:
     from linkwork import _core
 
 Floats = NDArray[np.float64]
 
-#: reactions(t, q (7n,), multipliers (m,)) -> force (joints, 3) [N], torque (joints, 3) [N m]: see Result.reaction.
+#: reactions(t, q (7n,), multipliers (m,)) -> force [N], torque [N m] (joints, 3): see Result.reaction.
 Reactions = Callable[[float, Floats, Floats], tuple[Floats, Floats]]
 
 
@@ -35,7 +33,7 @@ class Header:
     v0: Floats  # (6n,) initial velocity
     joint_rows: NDArray[np.int32]  # (J + 1,) offsets of each joint's constraint rows
     joint_bodies: NDArray[np.int32]  # (J, 2)
-    joint_frame: Floats  # (J, 3, 3) axes of the joint as columns, in the first body's frame
+    joint_frame: Floats  # (J, 2, 3, 3) the joint's axes as columns, in the axes of its two bodies
     joint_origin: Floats  # (J, 2, 3) the joint's points in its two bodies
     expected_frames: int | None = None
     reactions: Reactions | None = field(default=None, compare=False)
@@ -49,6 +47,7 @@ class Header:
         expected_frames: int | None = None,
     ) -> Header:
         """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
+        joints = model.joint_arrays()
         return cls(
             manifest=dict(manifest),
             body_names=_Listing(model.body_name, model.body_count),
@@ -60,9 +59,9 @@ class Header:
             q0=model.q0,
             v0=model.v0,
             joint_rows=model.joint_rows,
-            joint_bodies=model.joint_bodies,
-            joint_frame=_joint_frame_in_first_body(model, dynamics),
-            joint_origin=model.joint_origin,
+            joint_bodies=joints["bodies"],
+            joint_frame=joints["frame"],
+            joint_origin=joints["origin"],
             expected_frames=expected_frames,
             reactions=dynamics.reactions,
         )
@@ -98,7 +97,7 @@ class Header:
 
 
 def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[str, Floats]:
-    """The fields of `frames`, with reaction_force and reaction_torque (k, joints, 3) computed where they are missing."""
+    """`frames` as arrays, with reaction_force and reaction_torque (k, joints, 3) computed where missing."""
     values = {name: np.asarray(field, dtype=float) for name, field in frames.items()}
     if "reaction_force" in values:
         return values
@@ -128,14 +127,3 @@ class _Listing(Sequence[str]):
     def __getitem__(self, index: int | slice) -> str | list[str]:
         places = range(self._count)[index]
         return self._name(places) if isinstance(places, int) else [self._name(i) for i in places]
-
-
-def _joint_frame_in_first_body(model: _core.Model, dynamics: _core.Dynamics) -> Floats:
-    """The joints' axes at the initial pose, turned back into their first bodies."""
-    axes = dynamics.joint_frames(model.q0)
-    first = model.joint_bodies[:, 0]
-    p = model.q0.reshape(-1, 7)[:, 3:]
-    moving = first >= 0
-    axes = axes.copy()
-    axes[moving] = np.swapaxes(rotation.matrix(p[first[moving]]), -1, -2) @ axes[moving]
-    return axes

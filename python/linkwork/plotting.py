@@ -15,6 +15,8 @@ from linkwork.errors import FileError
 from linkwork.header import Floats
 
 if TYPE_CHECKING:
+    from mpl_toolkits.mplot3d import Axes3D
+
     from linkwork.result import Result
 
 #: The most lines of one kind in one picture.
@@ -32,8 +34,8 @@ LEVELS = ("position", "velocity", "acceleration")
 def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
     """Energies, energy error, violation, positions and reactions of one run.
 
-    Of many bodies the three that move the most are shown, of many joints the four with the largest forces (torques):
-    the legends say so. FileError: `path` cannot be written.
+    Of many bodies the three that move the most are shown, of many joints the four with the largest forces or
+    torques: the legends say so. FileError: `path` cannot be written.
     """
     figure = _figure(10.5, 9.0)
     axes = figure.subplots(3, 2, sharex=True)
@@ -49,20 +51,46 @@ def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
     return _written(figure, path)
 
 
-def plot_methods(results: Mapping[str, Result], path: str | os.PathLike[str] | None = None, title: str = "") -> Figure:
-    """The violation of the constraints and the energy error of several runs of one model, over time."""
-    figure = _figure(10.5, 4.4)
-    left, right = figure.subplots(1, 2)
+def plot_methods(
+    results: Mapping[str, Result], path: str | os.PathLike[str] | None = None, title: str = ""
+) -> Figure:
+    """Several runs of one model: its motion, and each method's violation and energy error over time."""
+    figure = _figure(12.0, 4.3)
+    grid = figure.add_gridspec(1, 3, width_ratios=(0.85, 1, 1))
+    _draw_motion(figure.add_subplot(grid[0], projection="3d"), next(iter(results.values())))
+    left, right = figure.add_subplot(grid[1]), figure.add_subplot(grid[2])
     for color, (label, result) in zip(_cycle(len(results)), results.items(), strict=True):
         left.plot(result.t, _positive(result.violation[:, 0]), color=color, lw=1.2, label=label)
         right.plot(result.t, _positive(result.energy_error), color=color, lw=1.2)
-    for ax, quantity in ((left, "largest violation of the constraints [m or 1]"), (right, "energy error [J]")):
+    for ax, quantity in (
+        (left, "largest violation of the constraints [m or 1]"),
+        (right, "energy error [J]"),
+    ):
         _style(ax, quantity)
         _log(ax)
         ax.set_xlabel("time [s]")
     figure.legend(loc="outside lower center", ncols=min(len(results), 5), frameon=False, fontsize=9)
     figure.suptitle(title, fontsize=11)
     return _written(figure, path)
+
+
+def _draw_motion(ax: Axes3D, result: Result, poses: int = 8) -> None:
+    """The mechanism as lines between the joints of each body: dark at the start, fainter at later times."""
+    points = np.stack([result.joint_points(j) for j in range(len(result.joint_names))], axis=1)
+    shown = np.linspace(0, len(result) - 1, poses + 1).astype(int)[:-1]
+    for order, k in enumerate(shown[::-1]):
+        alpha = 1.0 if k == 0 else 0.15 + 0.25 * order / poses
+        for body, color in enumerate(_cycle(len(result.body_names))):
+            own = np.concatenate(
+                [points[k, result.header.joint_bodies[:, side] == body, side] for side in (0, 1)]
+            )
+            ax.plot(*own.T, color=color, alpha=alpha, lw=2.5 if k == 0 else 1.2, solid_capstyle="round")
+    for j in range(points.shape[1]):
+        ax.plot(*points[:, j, 1].T, color="0.75", lw=0.6, zorder=0)
+        ax.plot(*points[:1, j, 1].T, color="black", marker="o", ms=3)
+    ax.set_aspect("equal")
+    ax.tick_params(labelsize=6, pad=-3)
+    ax.locator_params(nbins=4)
 
 
 def _plot_energies(ax: Axes, result: Result) -> None:
@@ -118,10 +146,12 @@ def _plot_reactions(ax: Axes, result: Result, part: str, unit: str) -> None:
 
 
 def _travel(result: Result) -> Floats:
-    """The longest side of the box that each body's center of mass moves in (n,) [m], from a sample of the frames."""
+    """Longest side of the box that each body's center of mass moves in (n,) [m], from a sample of frames."""
     every = max(1, len(result) // SAMPLED_FRAMES)
     positions = result.sampled_positions(every)
-    travel: Floats = np.ptp(positions, axis=0).max(axis=-1) if len(positions) else np.zeros(positions.shape[1])
+    travel: Floats = (
+        np.ptp(positions, axis=0).max(axis=-1) if len(positions) else np.zeros(positions.shape[1])
+    )
     return travel
 
 
@@ -137,7 +167,10 @@ def _share(shown: int, total: int, which: str) -> str:
 def _title(result: Result) -> str:
     manifest = result.manifest
     options = manifest.get("options", {})
-    words = (manifest.get("model"), *(options.get(key) for key in ("formulation", "stabilization", "integrator")))
+    words = (
+        manifest.get("model"),
+        *(options.get(key) for key in ("formulation", "stabilization", "integrator")),
+    )
     step = f"step {options['step']:g} s" if options.get("step") else None
     return ", ".join(str(word) for word in (*words, step) if word)
 
@@ -194,6 +227,8 @@ def _written(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
         try:
             figure.savefig(path, dpi=110)
         except (OSError, ValueError) as error:
-            reason = os.strerror(error.errno).lower() if isinstance(error, OSError) and error.errno else str(error)
+            reason = (
+                os.strerror(error.errno).lower() if isinstance(error, OSError) and error.errno else str(error)
+            )
             raise FileError(f"picture '{path}': cannot be written: {reason}", code="not_writable") from error
     return figure

@@ -127,7 +127,7 @@ def _is_terminal() -> bool:
 
 def _duration(seconds: float) -> str:
     """Seconds as people say them: 8 s, 3 min 20 s, 2 h 5 min."""
-    whole = int(round(seconds))
+    whole = round(seconds)
     if whole < 60:
         return f"{whole} s"
     if whole < 3600:

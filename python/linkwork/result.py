@@ -21,7 +21,7 @@ Frame = Literal["inertial", "joint"]
 
 
 class Reaction(NamedTuple):
-    """What a joint does to its second body, at the joint's point: force (k, 3) [N] and torque (k, 3) [N m]."""
+    """What a joint does to its second body at the joint's point: force [N] and torque [N m] (k, 3)."""
 
     force: Floats
     torque: Floats
@@ -48,13 +48,13 @@ class BodyResult:
 class Result:
     """k frames of n bodies, J joints and m constraint rows. SI units; inertial axes unless said otherwise.
 
-    A fresh result holds its frames in memory; a loaded one leaves them in the file and reads what is asked for.
+    A fresh result holds its frames in memory; a loaded one leaves them in the file until they are asked for.
     `manifest` says what was run (versions, options, hash of the model), `statistics` what it took.
     """
 
     def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
                  run: str | None = None) -> None:  # fmt: skip
-        """`frames`: arrays as `Simulation.advance` gives them, joined over time, or fields of a result file."""
+        """`frames`: the arrays of `Simulation.advance` joined over time, or the fields of a result file."""
         shapes = header.frame_shapes()
         count = len(frames["t"])
         self._frames = {
@@ -67,7 +67,7 @@ class Result:
         self.statistics = dict(statistics)
         self.t: Floats = self._frames["t"][:]
 
-    # --- what was run -------------------------------------------------------------------------------------------
+    # --- what was run ---
 
     @property
     def manifest(self) -> dict[str, Any]:
@@ -100,7 +100,7 @@ class Result:
         bodies, joints = self._header.body_count, self._header.joint_count
         return f"<Result: {bodies} bodies, {joints} joints, {len(self)} frames{end}>"
 
-    # --- motion -------------------------------------------------------------------------------------------------
+    # --- motion ---
 
     @property
     def q(self) -> Floats:
@@ -151,9 +151,11 @@ class Result:
         """The motion of one body, by name or index. ModelError: no such body."""
         i = self._place("body", name)
         q, v, vdot = (self._field(field, np.s_[:, i]) for field in ("q", "v", "vdot"))
-        return BodyResult(self.body_names[i], q[:, :3], q[:, 3:], v[:, :3], v[:, 3:], vdot[:, :3], vdot[:, 3:])
+        return BodyResult(
+            self.body_names[i], q[:, :3], q[:, 3:], v[:, :3], v[:, 3:], vdot[:, :3], vdot[:, 3:]
+        )
 
-    # --- joints -------------------------------------------------------------------------------------------------
+    # --- joints ---
 
     @property
     def multipliers(self) -> Floats:
@@ -175,7 +177,9 @@ class Result:
             raise OptionError(f"frame {frame!r} is neither 'inertial' nor 'joint'", code="unknown_option")
         joint = self._place("joint", name)
         self._need_reactions()
-        force, torque = (self._field(field, np.s_[:, joint]) for field in ("reaction_force", "reaction_torque"))
+        force, torque = (
+            self._field(field, np.s_[:, joint]) for field in ("reaction_force", "reaction_torque")
+        )
         if frame == "inertial":
             return Reaction(force, torque)
         axes = self.joint_axes(joint)
@@ -184,13 +188,13 @@ class Result:
     def joint_axes(self, name: str | int) -> Floats:
         """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""
         joint = self._place("joint", name)
-        first, in_body = self._header.joint_bodies[joint, 0], self._header.joint_frame[joint]
+        first, in_body = self._header.joint_bodies[joint, 0], self._header.joint_frame[joint, 0]
         if first < 0:
             return np.broadcast_to(in_body, (len(self), 3, 3))
         axes: Floats = rotation.matrix(self._field("q", np.s_[:, int(first), 3:])) @ in_body
         return axes
 
-    # --- samples, for what must stay quick on large results -----------------------------------------------------
+    # --- samples, for what must stay quick on large results ---
 
     def sampled_positions(self, every: int) -> Floats:
         """Centers of mass (., n, 3) of every so manyth frame [m]."""
@@ -199,10 +203,23 @@ class Result:
     def sampled_reactions(self, every: int) -> Reaction:
         """Reactions (., J, 3) of every so manyth frame."""
         self._need_reactions()
-        force, torque = (self._field(field, np.s_[::every]) for field in ("reaction_force", "reaction_torque"))
+        force, torque = (
+            self._field(field, np.s_[::every]) for field in ("reaction_force", "reaction_torque")
+        )
         return Reaction(force, torque)
 
-    # --- energy and violation -----------------------------------------------------------------------------------
+    def joint_points(self, name: str | int) -> Floats:
+        """The joint's point on its first and on its second body (k, 2, 3), inertial [m]."""
+        joint = self._place("joint", name)
+        points = np.empty((len(self), 2, 3))
+        for side, (body, s) in enumerate(
+            zip(self._header.joint_bodies[joint], self._header.joint_origin[joint], strict=True)
+        ):
+            q = self._field("q", np.s_[:, int(body)]) if body >= 0 else None
+            points[:, side] = s if q is None else q[:, :3] + rotate(q[:, 3:], s)
+        return points
+
+    # --- energy and violation ---
 
     @property
     def kinetic_energy(self) -> Floats:
@@ -221,7 +238,7 @@ class Result:
 
     @property
     def work(self) -> Floats:
-        """Done since the start by all forces without a potential (k,) [J]: applied forces, dampers, driven joints."""
+        """Done since the start by what has no potential: applied forces, dampers, driven joints (k,) [J]."""
         return self._field("work")
 
     @property
@@ -235,7 +252,7 @@ class Result:
         """Largest violation of the constraints (k, 3): max abs of Phi, Phi_dot and Phi_ddot."""
         return self._field("violation")
 
-    # --- files, pictures, text ----------------------------------------------------------------------------------
+    # --- files, pictures, text ---
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write everything to an HDF5 file (replaced only when the new one is complete). FileError."""
@@ -246,7 +263,7 @@ class Result:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
-        """A result file, also of a run that was interrupted. FileError: missing, damaged, or of another kind."""
+        """A result file, also of an interrupted run. FileError: missing, damaged, or of another kind."""
         from linkwork import result_file
 
         stored = result_file.read(path)
@@ -264,7 +281,7 @@ class Result:
 
         return summary.text(self)
 
-    # --- how it works -------------------------------------------------------------------------------------------
+    # --- how it works ---
 
     def _field(self, name: str, part: Any = np.s_[:]) -> Floats:
         values: Floats = self._frames[name][part]

@@ -1,14 +1,15 @@
 """Results on disk: HDF5, written while the run goes on, readable however it ends.
 
-    /            attributes `format`, `version`, `run` (an identity), `manifest` and, after the end, `statistics` (JSON)
-    /frames/     q (k, n, 7), v (k, n, 6), vdot (k, n, 6), lambda (k, m), kinetic, potential, work (k,), violation (k, 3),
-                 reaction_force and reaction_torque (k, joints, 3), t (k,)
-    /model/      the arrays of `Header`, and the names
+    /          attributes `format`, `version`, `run` (an identity), `manifest` (JSON), and after the end
+               `statistics` (JSON)
+    /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
+               violation (k, 3), reaction_force and reaction_torque (k, joints, 3), t (k,)
+    /model/    the arrays of `Header`, and the names
 
-The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so a run that
-is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when there is none the
-file is closed with what it has. The reactions are stored, not recomputed: what was recorded needs no model to be read,
-so a mechanism driven by a Python function (which no file can hold) is loaded like any other.
+The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so a
+run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when there is
+none the file is closed with what it has. The reactions are stored, not recomputed: what was recorded needs no
+model to be read, so a mechanism driven by a Python function (which no file can hold) is loaded like any other.
 A field of no width (the multipliers of a free body) is not stored.
 """
 
@@ -40,22 +41,32 @@ FORMAT, VERSION = "linkwork result", 1
 #: Together with the driver's chunk of frames, a kill loses at most the last second.
 FLUSH_SECONDS = 0.5
 
-#: HDF5's index of chunks splits (and for an instant is inconsistent) beyond 64 chunks; a known run stays below.
+#: HDF5's index of chunks splits beyond 64 chunks, and is inconsistent for an instant.
 CHUNKS = 48
 CHUNK_BYTES = (4096, 32 * 2**20)
 
 #: Room kept for HDF5's own records and the closing attributes [bytes].
 MARGIN_BYTES = 256 * 1024
 
-_MODEL_ARRAYS = ("gravity", "mass", "inertia", "q0", "v0", "joint_rows", "joint_bodies", "joint_frame", "joint_origin")
+_MODEL_ARRAYS = (
+    "gravity",
+    "mass",
+    "inertia",
+    "q0",
+    "v0",
+    "joint_rows",
+    "joint_bodies",
+    "joint_frame",
+    "joint_origin",
+)
 _MODEL_NAMES = ("body_names", "joint_names", "joint_kinds")
 
 
 class ResultWriter:
     """Appends frames to a result file.
 
-    FileError: the path cannot be written or the disk has no room for the expected frames (before the run), or the
-    disk is full (during it; the frames so far stay readable).
+    FileError: before the run, where the path cannot be written or the disk has no room for the expected
+    frames; during it, where the disk is full (the frames so far stay readable).
     """
 
     def __init__(self, path: str | os.PathLike[str], header: Header, *, run: str | None = None) -> None:
@@ -120,7 +131,9 @@ class ResultWriter:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None
+    ) -> None:
         try:
             self.close()
         except FileError:
@@ -145,13 +158,17 @@ class ResultWriter:
                 )
 
     def _reserve(self, start: int, end: int) -> None:
-        """Make sure of the room for the frames start..end before HDF5 is touched: its own failure to write would
-        leave the file half changed, and comes late, because HDF5 holds chunks back."""
+        """Make sure of the room for the frames start..end before HDF5 is touched.
+
+        Its own failure to write would leave the file half changed, and comes late: HDF5 holds chunks back.
+        """
         chunks = [dataset.chunks for dataset in self._fields.values()]
         new = [(-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8 for chunk in chunks]
         with self._failures():
             self._size = max(self._size, self._file.id.get_filesize()) + sum(new)
-            needed = self._size + self._size // 50 + MARGIN_BYTES  # a chunk's entry in the index takes less than 2 %
+            needed = (
+                self._size + self._size // 50 + MARGIN_BYTES
+            )  # a chunk's entry in the index takes less than 2 %
             if needed > self._reserved:
                 self._check_room(needed - os.stat(self.path).st_blocks * 512)
                 _allocate(self.path, self._reserved, needed)
@@ -173,7 +190,8 @@ class ResultWriter:
             yield
         except (OSError, RuntimeError) as error:
             raise FileError(
-                f"output '{self.path}': cannot be written: {_reason(error)}{self._kept()}", code="not_writable"
+                f"output '{self.path}': cannot be written: {_reason(error)}{self._kept()}",
+                code="not_writable",
             ) from error
 
     def _kept(self) -> str:
@@ -182,7 +200,7 @@ class ResultWriter:
 
 @dataclass(frozen=True)
 class StoredField:
-    """One field of /frames on disk. The file is opened for each reading only: it may be moved or written again."""
+    """One field of /frames on disk. The file is open only while it is read: it may be written again."""
 
     path: Path
     run: str
@@ -201,9 +219,11 @@ class StoredField:
             rows = slice(*rows.indices(len(self)))
         with _opened(self.path) as file:
             if file.attrs["run"] != self.run:
-                raise FileError(f"result '{self.path}': was replaced by another run since it was loaded", code="changed")
-            values: Floats = file["frames"][self.name][(rows, *rest)]
-        return values
+                raise FileError(
+                    f"result '{self.path}': was replaced by another run since it was loaded", code="changed"
+                )
+            values: Floats = np.asarray(file["frames"][self.name][(rows, *rest)], dtype=float)
+            return values
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         return np.asarray(self[:], dtype=dtype)
@@ -239,8 +259,13 @@ def read(path: str | os.PathLike[str]) -> StoredRun:
     return StoredRun(run, header, statistics, fields)
 
 
-def save(path: str | os.PathLike[str], header: Header, frames: Mapping[str, Any], statistics: Mapping[str, Any],
-         run: str) -> None:  # fmt: skip
+def save(
+    path: str | os.PathLike[str],
+    header: Header,
+    frames: Mapping[str, Any],
+    statistics: Mapping[str, Any],
+    run: str,
+) -> None:
     """Write a whole result: to a file beside, then renamed, so that `path` is never half written."""
     path = Path(path)
     beside = path.with_name(f".{path.name}.{os.getpid()}.part")
@@ -255,7 +280,9 @@ def save(path: str | os.PathLike[str], header: Header, frames: Mapping[str, Any]
     except FileError as error:
         raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
     except OSError as error:
-        raise FileError(f"output '{path}': cannot be written: {_reason(error)}", code="not_writable") from error
+        raise FileError(
+            f"output '{path}': cannot be written: {_reason(error)}", code="not_writable"
+        ) from error
     finally:
         beside.unlink(missing_ok=True)
 
@@ -275,9 +302,9 @@ def _opened(path: Path) -> Iterator[h5py.File]:
 
 def _read_header(file: h5py.File) -> Header:
     model = file["model"]
-    arrays = {name: model[name][()] for name in _MODEL_ARRAYS}
-    names = {name: [text.decode() for text in model[name][()]] for name in _MODEL_NAMES}
-    return Header(manifest=json.loads(file.attrs["manifest"]), **arrays, **names)
+    values: dict[str, Any] = {name: model[name][()] for name in _MODEL_ARRAYS}
+    values.update({name: [text.decode() for text in model[name][()]] for name in _MODEL_NAMES})
+    return Header(manifest=json.loads(file.attrs["manifest"]), **values)
 
 
 def _valid_frames(frames: h5py.Group) -> int:
@@ -309,7 +336,7 @@ def _frame_bytes(header: Header) -> int:
 
 
 def _allocate(path: Path, start: int, end: int) -> None:
-    """Give the file its blocks from start to end, so that writing them cannot fail (quotas and limits included)."""
+    """Give the file its blocks from start to end: writing them cannot fail then, for a quota or a limit."""
     if not hasattr(os, "posix_fallocate"):
         return
     descriptor = os.open(path, os.O_RDWR)

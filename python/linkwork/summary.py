@@ -20,7 +20,9 @@ def numbers(result: Result) -> dict[str, Any]:
         "constraints": result.header.row_count,
         "frames": len(result),
         "t_end": float(result.t[-1]) if len(result) else None,
-        "max_violation": dict(zip(("position", "velocity", "acceleration"), map(_number, violation), strict=True)),
+        "max_violation": dict(
+            zip(("position", "velocity", "acceleration"), map(_number, violation), strict=True)
+        ),
         "energy_start": _number(energy[0]) if len(result) else None,
         "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
         "finished": result.finished,

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import numpy as np
-
 from linkwork.header import Floats, Header
 
 
-def header(bodies: int = 3, joints: int = 4, rows_per_joint: int = 5, expected_frames: int | None = None) -> Header:
+def header(
+    bodies: int = 3, joints: int = 4, rows_per_joint: int = 5, expected_frames: int | None = None
+) -> Header:
     """A chain of `joints` from ground through `bodies`, all numbers different."""
     chain = np.stack([np.arange(joints) - 1, np.arange(joints)], axis=1).astype(np.int32)
     rng = np.random.default_rng(0)
     return Header(
-        manifest={"model": "synthetic", "options": {"formulation": "standard", "integrator": "rk4", "step": 1e-3}},
+        manifest={
+            "model": "synthetic",
+            "options": {"formulation": "standard", "integrator": "rk4", "step": 1e-3},
+        },
         body_names=[f"link {i} µ" for i in range(bodies)],
         joint_names=[f"pin {j}" for j in range(joints)],
         joint_kinds=["revolute"] * joints,
@@ -23,7 +27,7 @@ def header(bodies: int = 3, joints: int = 4, rows_per_joint: int = 5, expected_f
         v0=rng.random(6 * bodies),
         joint_rows=rows_per_joint * np.arange(joints + 1, dtype=np.int32),
         joint_bodies=np.where(chain < bodies, chain, -1),
-        joint_frame=np.broadcast_to(np.eye(3), (joints, 3, 3)),
+        joint_frame=np.broadcast_to(np.eye(3), (joints, 2, 3, 3)),
         joint_origin=rng.random((joints, 2, 3)),
         expected_frames=expected_frames,
         reactions=_reactions,

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import linkwork as lw
 import numpy as np
 import pytest
 import synthetic
-from matplotlib import image
-
-import linkwork as lw
 from linkwork import Result, rotation
 from linkwork.errors import FileError, LinkworkError
-from linkwork.header import Floats
 from linkwork.result import rotate
+from matplotlib import image
 
 X, Y, Z = np.eye(3)
+BELOW = np.array([0.1, 0.2, -0.3])
 
 
 def make_result(bodies: int = 3, joints: int = 4, count: int = 100) -> Result:
@@ -23,7 +22,7 @@ def make_result(bodies: int = 3, joints: int = 4, count: int = 100) -> Result:
     return Result(synthetic.frames(header, 0, count), header, {"steps": 7})
 
 
-# --- rotation -------------------------------------------------------------------------------------------------------
+# --- rotation ---
 
 
 def test_a_quarter_turn_about_z_takes_x_to_y() -> None:
@@ -37,17 +36,30 @@ def test_rotate_is_the_rotation_matrix_times_the_vector() -> None:
     np.testing.assert_allclose(rotate(p, u), np.einsum("kij,kj->ki", rotation.matrix(p), u), atol=1e-14)
 
 
-# --- definitions ----------------------------------------------------------------------------------------------------
+# --- definitions ---
 
 
 def test_shapes_are_frames_by_bodies_by_components() -> None:
     result = make_result(bodies=3, joints=4, count=10)
     shapes = {
-        "t": (10,), "q": (10, 3, 7), "v": (10, 3, 6), "position": (10, 3, 3), "orientation": (10, 3, 4),
-        "velocity": (10, 3, 3), "omega": (10, 3, 3), "omega_inertial": (10, 3, 3), "acceleration": (10, 3, 3),
-        "angular_acceleration": (10, 3, 3), "multipliers": (10, 20), "kinetic_energy": (10,), "potential_energy": (10,),
-        "energy": (10,), "work": (10,), "energy_error": (10,), "violation": (10, 3),
-    }  # fmt: skip
+        "t": (10,),
+        "q": (10, 3, 7),
+        "v": (10, 3, 6),
+        "position": (10, 3, 3),
+        "orientation": (10, 3, 4),
+        "velocity": (10, 3, 3),
+        "omega": (10, 3, 3),
+        "omega_inertial": (10, 3, 3),
+        "acceleration": (10, 3, 3),
+        "angular_acceleration": (10, 3, 3),
+        "multipliers": (10, 20),
+        "kinetic_energy": (10,),
+        "potential_energy": (10,),
+        "energy": (10,),
+        "work": (10,),
+        "energy_error": (10,),
+        "violation": (10, 3),
+    }
     assert {name: getattr(result, name).shape for name in shapes} == shapes
     assert result.reactions().force.shape == result.reactions().torque.shape == (10, 4, 3)
     assert result.reaction("pin 2").force.shape == (10, 3)
@@ -55,7 +67,12 @@ def test_shapes_are_frames_by_bodies_by_components() -> None:
 
 def test_energy_error_is_energy_gained_beyond_work() -> None:
     result = make_result()
-    gained = result.kinetic_energy + result.potential_energy - result.kinetic_energy[0] - result.potential_energy[0]
+    gained = (
+        result.kinetic_energy
+        + result.potential_energy
+        - result.kinetic_energy[0]
+        - result.potential_energy[0]
+    )
     np.testing.assert_array_equal(result.energy_error, gained - result.work)
 
 
@@ -63,8 +80,15 @@ def test_body_by_name_and_by_index_are_columns_of_the_whole() -> None:
     result = make_result()
     for body in (result.body("link 1 µ"), result.body(1), result.body(-2)):
         assert body.name == "link 1 µ"
-        for name in ("position", "orientation", "velocity", "omega", "omega_inertial", "acceleration",
-                     "angular_acceleration"):  # fmt: skip
+        for name in (
+            "position",
+            "orientation",
+            "velocity",
+            "omega",
+            "omega_inertial",
+            "acceleration",
+            "angular_acceleration",
+        ):
             np.testing.assert_array_equal(getattr(body, name), getattr(result, name)[:, 1], err_msg=name)
 
 
@@ -74,7 +98,10 @@ def test_body_by_name_and_by_index_are_columns_of_the_whole() -> None:
         (lambda result: result.body("link 1"), "no body named 'link 1'; the nearest is 'link 1 µ'"),
         (lambda result: result.body(3), "no body 3: there are 3"),
         (lambda result: result.reaction("pni 2"), "no joint named 'pni 2'; the nearest is 'pin 2'"),
-        (lambda result: result.reaction("pin 2", frame="body"), "frame 'body' is neither 'inertial' nor 'joint'"),
+        (
+            lambda result: result.reaction("pin 2", frame="body"),
+            "frame 'body' is neither 'inertial' nor 'joint'",
+        ),
     ],
 )
 def test_unknown_name_is_answered_with_the_nearest(ask: object, message: str) -> None:
@@ -91,14 +118,16 @@ def test_summary_names_method_violation_and_effort() -> None:
     assert "\x1b" not in text
 
 
-# --- reactions of a real mechanism ----------------------------------------------------------------------------------
+# --- reactions of a real mechanism ---
 
 
 def hanging_rod(angle: float = 0.0) -> lw.Model:
     """A 2 kg rod of 1 m on a pin about y, at rest, turned by `angle` from hanging straight down."""
     model = lw.Model(gravity=(0, 0, -9.81))
     center = 0.5 * np.array([np.sin(angle), 0, -np.cos(angle)])
-    rod = model.body("rod", mass=2.0, inertia=(1 / 6, 1 / 6, 1e-3), position=center, orientation=rotation.about(Y, -angle))
+    rod = model.body(
+        "rod", mass=2.0, inertia=(1 / 6, 1 / 6, 1e-3), position=center, orientation=rotation.about(Y, -angle)
+    )
     model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
     return model
 
@@ -117,21 +146,25 @@ def test_pin_force_accelerates_the_center_of_a_swinging_rod() -> None:
 
 
 def rod_with_ball(angle: float) -> lw.Model:
-    """The rod, and a ball that hangs by a winch from a point beside it and by a ball joint from the rod's end."""
+    """The rod, and a ball on a cross joint at its end, pulled by a winch that a Python function drives."""
     model = hanging_rod(angle)
     rod_end = np.array([np.sin(angle), 0, -np.cos(angle)])
-    ball = model.body("ball", mass=0.5, inertia=(0.01, 0.02, 0.03), position=rod_end + [0.1, 0.2, -0.3])
-    model.universal(model.find_body("rod"), ball, at=rod_end, axes=((0, 1, 0), (0, 0, 1)), name="cross")
-    start = float(np.linalg.norm(rod_end + [0.1, 0.2, -0.3] - [2, 0, 0]))
+    ball = model.body("ball", mass=0.5, inertia=(0.01, 0.02, 0.03), position=rod_end + BELOW)
+    model.universal(model.find("rod"), ball, at=rod_end, axes=((0, 1, 0), (0, 0, 1)), name="cross")
+    start = float(np.linalg.norm(rod_end + BELOW - [2, 0, 0]))
     length = (lambda t: start + 0.1 * t**2, lambda t: 0.2 * t, lambda t: 0.2)
-    model.distance(model.ground, ball, at=((2, 0, 0), rod_end + [0.1, 0.2, -0.3]), length=length, name="winch")
+    model.distance(model.ground, ball, at=((2, 0, 0), rod_end + BELOW), length=length, name="winch")
     return model
 
 
 def test_joint_frame_turns_reactions_without_changing_their_size() -> None:
     result = lw.simulate(rod_with_ball(1.0), t_end=0.2, step=1e-3)
     for name in ("pin", "cross", "winch"):
-        inertial, joint, axes = result.reaction(name), result.reaction(name, frame="joint"), result.joint_axes(name)
+        inertial, joint, axes = (
+            result.reaction(name),
+            result.reaction(name, frame="joint"),
+            result.joint_axes(name),
+        )
         for part in ("force", "torque"):
             turned_back = np.einsum("kij,kj->ki", axes, getattr(joint, part))
             np.testing.assert_allclose(turned_back, getattr(inertial, part), atol=1e-11)
@@ -161,11 +194,13 @@ def test_result_written_during_the_run_equals_the_one_in_memory(tmp_path: Path) 
     assert stored.manifest["model_hash"] == memory.manifest["model_hash"]
 
 
-# --- pictures -------------------------------------------------------------------------------------------------------
+# --- pictures ---
 
 
 @pytest.mark.parametrize("bodies, joints", [(1, 0), (3, 4), (1000, 1000)])
-def test_plot_shows_few_telling_lines_for_any_number_of_bodies(tmp_path: Path, bodies: int, joints: int) -> None:
+def test_plot_shows_few_telling_lines_for_any_number_of_bodies(
+    tmp_path: Path, bodies: int, joints: int
+) -> None:
     figure = make_result(bodies, joints).plot(tmp_path / "run.png")
     assert max(len(ax.lines) for ax in figure.axes) <= 9
     legends = [legend.get_title().get_text() for ax in figure.axes if (legend := ax.get_legend())]
@@ -182,7 +217,7 @@ def test_plot_leaves_pyplot_alone() -> None:
 
 
 def test_picture_that_cannot_be_written_is_a_file_error(tmp_path: Path) -> None:
-    with pytest.raises(FileError, match="run.png': cannot be written: no such file or directory"):
+    with pytest.raises(FileError, match=r"run.png': cannot be written: no such file or directory"):
         make_result().plot(tmp_path / "nowhere" / "run.png")
     with pytest.raises(FileError, match=r"run.xyz': cannot be written: Format 'xyz' is not supported"):
         make_result().plot(tmp_path / "run.xyz")

@@ -18,14 +18,23 @@ from pathlib import Path
 import numpy as np
 import pytest
 import synthetic
-
 from linkwork import Result
 from linkwork.errors import FileError
 from linkwork.header import Header
 from linkwork.result_file import ResultWriter
 
-FIELDS = ("t", "q", "v", "acceleration", "angular_acceleration", "multipliers", "kinetic_energy", "potential_energy",
-          "work", "violation")  # fmt: skip
+FIELDS = (
+    "t",
+    "q",
+    "v",
+    "acceleration",
+    "angular_acceleration",
+    "multipliers",
+    "kinetic_energy",
+    "potential_energy",
+    "work",
+    "violation",
+)
 
 
 def make_result(header: Header, count: int = 100) -> Result:
@@ -39,8 +48,20 @@ def test_round_trip_is_exact(tmp_path: Path, bodies: int, joints: int) -> None:
     loaded = Result.load(tmp_path / "run.h5")
     for name in FIELDS:
         np.testing.assert_array_equal(getattr(loaded, name), getattr(result, name), err_msg=name)
-    for name in ("gravity", "mass", "inertia", "q0", "v0", "joint_rows", "joint_bodies", "joint_frame", "joint_origin"):
-        np.testing.assert_array_equal(getattr(loaded.header, name), getattr(result.header, name), err_msg=name)
+    for name in (
+        "gravity",
+        "mass",
+        "inertia",
+        "q0",
+        "v0",
+        "joint_rows",
+        "joint_bodies",
+        "joint_frame",
+        "joint_origin",
+    ):
+        np.testing.assert_array_equal(
+            getattr(loaded.header, name), getattr(result.header, name), err_msg=name
+        )
     for part in (0, 1):
         np.testing.assert_array_equal(loaded.reactions()[part], result.reactions()[part])
     assert list(loaded.body_names) == list(result.body_names)
@@ -56,7 +77,9 @@ def test_file_written_in_chunks_equals_file_saved_at_once(tmp_path: Path) -> Non
         for count in (1, 0, 9, 40, 50):
             if count:
                 part = slice(start, start + count)
-                writer.write({name: values[part] for name, values in synthetic.frames(header, 0, 100).items()})
+                writer.write(
+                    {name: values[part] for name, values in synthetic.frames(header, 0, 100).items()}
+                )
             start += count
         writer.close(result.statistics)
     loaded = Result.load(tmp_path / "run.h5")
@@ -93,7 +116,7 @@ def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (2**20, limits[1]))
     try:
-        with pytest.raises(FileError, match="run.h5': cannot be written: file too large"):
+        with pytest.raises(FileError, match=r"run.h5': cannot be written: file too large"):
             new.save(tmp_path / "run.h5")
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
@@ -101,13 +124,13 @@ def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["run.h5"]
 
 
-# --- ends that nobody wished for ------------------------------------------------------------------------------------
+# --- ends that nobody wished for ---
 
 WRITE_UNTIL_KILLED = """
     import sys, synthetic
     from linkwork import result_file
-    bodies, expected, result_file.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]) or None, float(sys.argv[4])
-    header = synthetic.header(bodies, bodies, expected_frames=expected)
+    bodies, expected, result_file.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]), float(sys.argv[4])
+    header = synthetic.header(bodies, bodies, expected_frames=expected or None)
     with result_file.ResultWriter(sys.argv[1], header) as writer:
         print("started", flush=True)
         for first in range(0, 10**9, 5):
@@ -129,7 +152,9 @@ def start(
 def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -> None:
     pick = random.Random(seed)
     path = tmp_path / "run.h5"
-    writer = start(WRITE_UNTIL_KILLED, path, pick.choice([1, 3, 50, 400]), pick.choice([0, 1000, 100000]), 0.0)
+    writer = start(
+        WRITE_UNTIL_KILLED, path, pick.choice([1, 3, 50, 400]), pick.choice([0, 1000, 100000]), 0.0
+    )
     assert writer.stdout is not None
     writer.stdout.readline()
     time.sleep(pick.uniform(0.0, 0.5))
@@ -176,7 +201,10 @@ def test_file_size_limit_ends_with_one_line_and_a_readable_file(tmp_path: Path) 
     error = writer.communicate(timeout=60)[1].splitlines()[-1]
     result = Result.load(tmp_path / "run.h5")
     assert len(result) > 100
-    assert "run.h5': cannot be written: file too large; the" in error and f"{len(result)} frames so far are kept" in error
+    assert (
+        "run.h5': cannot be written: file too large; the" in error
+        and f"{len(result)} frames so far are kept" in error
+    )
     np.testing.assert_array_equal(result.q[:, -1, -1], result.t)
 
 
@@ -195,9 +223,13 @@ ON_A_SMALL_DISK = """
 """
 
 
-@pytest.mark.skipif(os.geteuid() != 0 or shutil.which("unshare") is None, reason="mounting a small disk needs root")
+@pytest.mark.skipif(
+    os.geteuid() != 0 or shutil.which("unshare") is None, reason="mounting a small disk needs root"
+)
 def test_full_disk_ends_with_one_line_and_a_readable_file(tmp_path: Path) -> None:
-    if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", tmp_path], capture_output=True).returncode:
+    if subprocess.run(
+        ["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", tmp_path], capture_output=True
+    ).returncode:
         pytest.skip("mounting is not allowed here")
     run = start(ON_A_SMALL_DISK, tmp_path, before=["unshare", "-m"])
     output, errors = run.communicate(timeout=60)
@@ -213,18 +245,18 @@ def test_run_that_cannot_fit_is_refused_before_it_starts(tmp_path: Path) -> None
     assert not list(tmp_path.iterdir())
 
 
-# --- files that are something else ----------------------------------------------------------------------------------
+# --- files that are something else ---
 
 
 def test_missing_directory_is_told_before_the_run(tmp_path: Path) -> None:
-    with pytest.raises(FileError, match="nowhere/run.h5': cannot be written: no such file or directory"):
+    with pytest.raises(FileError, match=r"nowhere/run.h5': cannot be written: no such file or directory"):
         ResultWriter(tmp_path / "nowhere" / "run.h5", synthetic.header())
 
 
 @pytest.mark.parametrize("content", [b"", b"text, not HDF5", os.urandom(5000)])
 def test_file_of_another_kind_is_refused_in_one_line(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "run.h5").write_bytes(content)
-    with pytest.raises(FileError, match="run.h5'") as caught:
+    with pytest.raises(FileError, match=r"run.h5'") as caught:
         Result.load(tmp_path / "run.h5")
     assert "\n" not in str(caught.value)
 
@@ -234,7 +266,7 @@ def test_file_cut_short_in_copying_is_refused_in_one_line(tmp_path: Path, share:
     make_result(synthetic.header()).save(tmp_path / "run.h5")
     content = (tmp_path / "run.h5").read_bytes()
     (tmp_path / "run.h5").write_bytes(content[: int(share * len(content))])
-    with pytest.raises(FileError, match="run.h5': cannot be read") as caught:
+    with pytest.raises(FileError, match=r"run.h5': cannot be read") as caught:
         Result.load(tmp_path / "run.h5")
     assert "\n" not in str(caught.value)
 
@@ -243,7 +275,7 @@ def test_frames_of_a_file_that_was_replaced_are_not_mixed_up(tmp_path: Path) -> 
     make_result(synthetic.header()).save(tmp_path / "run.h5")
     loaded = Result.load(tmp_path / "run.h5")
     make_result(synthetic.header()).save(tmp_path / "run.h5")
-    with pytest.raises(FileError, match="run.h5': was replaced by another run since it was loaded"):
+    with pytest.raises(FileError, match=r"run.h5': was replaced by another run since it was loaded"):
         _ = loaded.q
 
 

@@ -10,7 +10,7 @@ from linkwork.errors import nearest
 
 
 class Group(click.Group):
-    """A group whose unknown subcommand is answered with the nearest, and a missing one with what is needed."""
+    """A group that answers an unknown subcommand with the nearest, a missing one with what is needed."""
 
     def __init__(self, *args: Any, what: str = "command", **kwargs: Any) -> None:
         kwargs.setdefault("no_args_is_help", False)
@@ -29,7 +29,9 @@ class Group(click.Group):
 
     def parse_args(self, context: click.Context, words: list[str]) -> list[str]:
         if not words and not self.invoke_without_command:
-            raise click.UsageError(f"{context.info_name} needs a {self.what}: {', '.join(self.list_commands(context))}")
+            raise click.UsageError(
+                f"{context.info_name} needs a {self.what}: {', '.join(self.list_commands(context))}"
+            )
         return with_nearest_option(self, context, words, super().parse_args)
 
 
@@ -40,7 +42,9 @@ class Command(click.Command):
         return with_nearest_option(self, context, words, super().parse_args)
 
 
-def with_nearest_option(command: click.Command, context: click.Context, words: list[str], parse: Any) -> list[str]:
+def with_nearest_option(
+    command: click.Command, context: click.Context, words: list[str], parse: Any
+) -> list[str]:
     try:
         rest: list[str] = parse(context, words)
         return rest

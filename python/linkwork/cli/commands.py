@@ -49,7 +49,9 @@ class MechanismGroup(base.Group):
         from linkwork.cli import mechanism_commands
         from linkwork.mechanisms import MECHANISMS
 
-        make = {"run": mechanism_commands.run_command, "check": mechanism_commands.check_command}[self.name or ""]
+        make = {"run": mechanism_commands.run_command, "check": mechanism_commands.check_command}[
+            self.name or ""
+        ]
         return make(name, MECHANISMS[name]) if name in MECHANISMS else None
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
@@ -101,4 +103,4 @@ def demo(output_dir: str, as_json: bool) -> None:
 
 
 def _short(mechanism: Mechanism) -> str:
-    return mechanism.description.split(". ")[0].rstrip(".")
+    return str(mechanism.description).split(". ")[0].rstrip(".")

@@ -23,7 +23,7 @@ FINER = 4
 
 @dataclass(frozen=True)
 class Method:
-    """One column of the table: its name on up to two lines, its equations in the book, the options that select it."""
+    """One column of the table: a name on up to two lines, the equations in the book, the options."""
 
     name: str
     equations: str
@@ -38,7 +38,11 @@ METHODS = (
     Method("Lagrange\nmultipliers", "12.3", {"formulation": "standard", "stabilization": "none"}),
     Method("\nBaumgarte", "12.8", {"formulation": "standard", "stabilization": "baumgarte"}),
     Method("\npenalty", "12.14", {"formulation": "penalty", "stabilization": "baumgarte"}),
-    Method("augmented\nLagrangian", "12.16-18", {"formulation": "augmented_lagrangian", "stabilization": "baumgarte"}),
+    Method(
+        "augmented\nLagrangian",
+        "12.16-18",
+        {"formulation": "augmented_lagrangian", "stabilization": "baumgarte"},
+    ),
     Method("sampled\nBaumgarte", "default", {}),
 )
 
@@ -84,7 +88,10 @@ def show(output_dir: str, as_json: bool) -> None:
     from linkwork import plotting
     from linkwork.mechanisms import MECHANISMS
 
-    files = {"result": Path(output_dir) / "linkwork-demo.h5", "picture": Path(output_dir) / "linkwork-demo.png"}
+    files = {
+        "result": Path(output_dir) / "linkwork-demo.h5",
+        "picture": Path(output_dir) / "linkwork-demo.png",
+    }
     _make_directory(output_dir)
     for file in files.values():
         out.check_writable(file)
@@ -109,7 +116,7 @@ def run_methods(t_end: float, step: float, settings: dict[str, Any]) -> list[Out
 
     model = MECHANISMS[MECHANISM].function()
     every = max(1, round(t_end / step / 1000))
-    reference = lw.simulate(model, t_end, step / FINER, integrator="dp5", record_every=FINER * every)
+    reference = lw.simulate(model, t_end, step / FINER, integrator="dopri5", record_every=FINER * every)
     outcomes = []
     for method in METHODS:
         start = time.perf_counter()
@@ -130,23 +137,28 @@ def _document(t_end: float, step: float, outcomes: list[Outcome], files: dict[st
         {"name": o.method.label, "equations": o.method.equations, "options": o.method.options, **o.numbers()}
         for o in outcomes
     ]
-    reference = {"integrator": "dp5", "step": step / FINER}
+    reference = {"integrator": "dopri5", "step": step / FINER}
     return {"mechanism": MECHANISM, "t_end": t_end, "step": step, "reference": reference, "methods": methods,
             "files": files}  # fmt: skip
 
 
 def _print(t_end: float, step: float, outcomes: list[Outcome], files: dict[str, Path]) -> None:
     result = outcomes[-1].result
+    kinds = ", ".join(dict.fromkeys(result.header.joint_kinds))
     integrator = result.manifest["options"]["integrator"]
-    print(f"{MECHANISM}: {len(result.body_names)} bodies, {len(result.joint_names)} joints "
-          f"({', '.join(dict.fromkeys(result.header.joint_kinds))}), {t_end:g} s, {integrator}, step {step:g} s\n")  # fmt: skip
+    print(f"{MECHANISM}: {len(result.body_names)} bodies, {len(result.joint_names)} joints ({kinds})")
+    print(f"{t_end:g} s by {integrator} with steps of {step:g} s\n")
     columns = ("", *(f"{o.method.name}\n({o.method.equations})" for o in outcomes))
     table = [o.numbers() for o in outcomes]
-    out.print_table(columns, [(label, *(form.format(numbers[key]) for numbers in table)) for key, label, form in ROWS])
-    print(f"Equation numbers: Flores (2015), chapter 12. Violations and energy errors are the largest over time.\n"
-          f"Reaction difference: the largest error of any joint force, relative to the largest force, against a\n"
-          f"reference run (dp5, step {step / FINER:g} s, the default method).\n\n"
-          f"result   {files['result']}\npicture  {files['picture']}")  # fmt: skip
+    rows = [(label, *(form.format(numbers[key]) for numbers in table)) for key, label, form in ROWS]
+    out.print_table(columns, rows)
+    print(
+        "Equation numbers: Flores (2015), chapter 12. Violations and energy errors are the\n"
+        "largest over time. Reaction difference: the largest error of any joint's force,\n"
+        "relative to the largest force, against a reference run (default method, dopri5,\n"
+        f"steps of {step / FINER:g} s).\n"
+    )
+    out.print_pairs([(label, str(path)) for label, path in files.items()])
 
 
 def _make_directory(path: str) -> None:

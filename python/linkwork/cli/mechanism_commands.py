@@ -21,7 +21,12 @@ def run_command(name: str, mechanism: Mechanism) -> click.Command:
 
         simulate_and_show(name, mechanism, parameters=_taken(values, mechanism), **_grouped(values))
 
-    options = [*_parameter_options(mechanism), *run_options.options(mechanism.settings), *run_options.outputs(), JSON]
+    options = [
+        *_parameter_options(mechanism),
+        *run_options.options(mechanism.settings),
+        *run_options.outputs(),
+        JSON,
+    ]
     return _command(name, mechanism, options, run)
 
 
@@ -34,7 +39,9 @@ def check_command(name: str, mechanism: Mechanism) -> click.Command:
     return _command(name, mechanism, [*_parameter_options(mechanism), JSON], check)
 
 
-def _command(name: str, mechanism: Mechanism, options: Sequence[click.Parameter], callback: Any) -> click.Command:
+def _command(
+    name: str, mechanism: Mechanism, options: Sequence[click.Parameter], callback: Any
+) -> click.Command:
     return base.Command(name, params=list(options), callback=callback, help=mechanism.description)
 
 

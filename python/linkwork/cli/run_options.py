@@ -11,7 +11,7 @@ import click
 _OPTIONS: tuple[tuple[str, type, str], ...] = (
     ("t_end", float, "End of the simulated time [s]."),
     ("step", float, "Step of the integrator [s]."),
-    ("integrator", str, "rk4, dp5, ab4, ...: any of `linkwork.integrators.METHODS`."),
+    ("integrator", str, "rk4, dopri5, ab4, ...: any of `linkwork.integrators.METHODS`."),
     ("formulation", str, "standard, penalty or augmented_lagrangian."),
     ("system", str, "Linear system of the standard method: kkt, schur or auto."),
     ("stabilization", str, "none, baumgarte or sampled_baumgarte."),
@@ -44,6 +44,8 @@ def options(settings: Mapping[str, Any]) -> list[click.Option]:
 def outputs() -> list[click.Option]:
     """Where the results go."""
     return [
-        click.Option(["--output"], metavar="FILE", help="Write the result to this HDF5 file, while the run goes on."),
+        click.Option(
+            ["--output"], metavar="FILE", help="Write the result to this HDF5 file, while the run goes on."
+        ),
         click.Option(["--plot"], metavar="FILE", help="Write a picture of the result (.png, .pdf, .svg)."),
     ]

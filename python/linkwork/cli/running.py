@@ -30,10 +30,17 @@ def simulate_and_show(
     result = lw.simulate(model, **{**mechanism.settings, **options}, output=output)
     if plot is not None:
         result.plot(plot)
+    files = {"result": output, "picture": plot}
     if as_json:
-        files = {"output": output, "plot": plot}
-        out.print_json({"mechanism": name, "parameters": dict(parameters), "result": summary.numbers(result),
-                        "statistics": result.statistics, "manifest": result.manifest, "files": files})  # fmt: skip
-        return
-    files = [(label, path) for label, path in (("result", output), ("picture", plot)) if path]
-    out.print_pairs([*summary.lines(result), *files])
+        out.print_json(
+            {
+                "mechanism": name,
+                "parameters": dict(parameters),
+                "result": summary.numbers(result),
+                "statistics": result.statistics,
+                "manifest": result.manifest,
+                "files": files,
+            }
+        )
+    else:
+        out.print_pairs([*summary.lines(result), *((label, path or "") for label, path in files.items())])

@@ -1,0 +1,135 @@
+"""`linkwork check`: what can be said of a mechanism before it is simulated."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from linkwork.cli import output as out
+
+if TYPE_CHECKING:
+    from linkwork import Model
+    from linkwork.mechanisms import Mechanism
+
+#: The most joints and bodies listed for people; JSON has all.
+SHOWN = 12
+
+
+def check_and_show(name: str, mechanism: Mechanism, parameters: Mapping[str, Any], as_json: bool) -> None:
+    """Examine the mechanism at its initial pose."""
+    found = {"mechanism": name, "parameters": dict(parameters), **examine(mechanism.function(**parameters))}
+    if as_json:
+        out.print_json(found)
+    else:
+        _print(found)
+
+
+def examine(model: Model) -> dict[str, Any]:
+    """Counts, rank of the constraints, residuals of each joint and inertias of each body; SI units."""
+    from linkwork import _core
+
+    core = model.compiled()
+    options = _core.Options()
+    options.formulation = (
+        "augmented_lagrangian"  # the one that also takes redundant joints and massless bodies
+    )
+    dynamics = _core.Dynamics(core, options)
+    rank = dynamics.rank()
+    first = core.joint_rows
+    redundant = sorted({int(np.searchsorted(first, row, side="right")) - 1 for row in rank.dependent_rows})
+    return {
+        "bodies": core.body_count,
+        "joints": core.joint_count,
+        "rows": rank.rows,
+        "rank": rank.rank,
+        "degrees_of_freedom": rank.degrees_of_freedom,
+        "redundant_joints": [core.joint_name(joint) for joint in redundant],
+        "redundant_equations": [core.describe_row(row) for row in rank.dependent_rows],
+        "residuals": _residuals(core, dynamics),
+        "inertias": _inertias(core),
+    }
+
+
+def _residuals(core: Any, dynamics: Any) -> list[dict[str, Any]]:
+    """By how much each joint's equations are violated by the initial pose and velocities."""
+    at = dynamics.evaluate(0.0, core.q0, core.v0)
+    return [
+        {
+            "joint": core.joint_name(joint),
+            "kind": core.joint_kind(joint),
+            "position": float(np.abs(at["Phi"][first:end]).max(initial=0.0)),
+            "velocity": float(np.abs(at["Phi_dot"][first:end]).max(initial=0.0)),
+        }
+        for joint, (first, end) in enumerate(zip(core.joint_rows[:-1], core.joint_rows[1:], strict=True))
+    ]
+
+
+def _inertias(core: Any) -> list[dict[str, Any]]:
+    """Mass and principal moments; `margin` is (J1 + J2 - J3) / J3, which no real body has below zero."""
+    moments = np.linalg.eigvalsh(core.inertia)
+    largest = moments[:, 2]
+    margin = np.where(
+        largest > 0, (moments[:, 0] + moments[:, 1] - largest) / np.where(largest > 0, largest, 1), 0.0
+    )
+    return [
+        {
+            "body": core.body_name(body),
+            "mass": float(core_mass),
+            "principal_moments": moments[body].tolist(),
+            "margin": float(margin[body]),
+            "remark": _remark(core_mass, largest[body], margin[body]),
+        }
+        for body, core_mass in enumerate(core.mass)
+    ]
+
+
+def _remark(mass: float, largest: float, margin: float) -> str:
+    if mass == 0 and largest == 0:
+        return "massless"
+    if mass == 0 or largest == 0:
+        return "no mass" if mass == 0 else "a point: no inertia"
+    return "a rod: no thickness" if margin < 1e-9 else ""
+
+
+def _print(found: dict[str, Any]) -> None:
+    redundant = found["redundant_joints"]
+    out.print_pairs([
+        ("mechanism", found["mechanism"]),
+        ("bodies", str(found["bodies"])),
+        ("joints", str(found["joints"])),
+        ("constraints", f"{found['rows']} equations of rank {found['rank']}"),
+        ("degrees of freedom", str(found["degrees_of_freedom"])),
+        ("redundant", _listed(found["redundant_equations"]) if redundant else "none"),
+    ])  # fmt: skip
+    if redundant:
+        print(
+            "\nThe standard method needs independent equations; --formulation augmented_lagrangian does not."
+        )
+    worst = sorted(found["residuals"], key=lambda joint: -max(joint["position"], joint["velocity"]))[:SHOWN]
+    if worst:
+        out.print_table(
+            ("joint", "kind", "position", "velocity"),
+            [(j["joint"], j["kind"], f"{j['position']:.1e}", f"{j['velocity']:.1e}") for j in worst],
+            title=_share("Initial residuals", len(worst), len(found["residuals"]), "joints"),
+            left=2,
+        )
+    bodies = found["inertias"][:SHOWN]
+    out.print_table(
+        ("body", "mass [kg]", "principal moments [kg m2]", ""),
+        [
+            (b["body"], f"{b['mass']:g}", "  ".join(f"{m:.4g}" for m in b["principal_moments"]), b["remark"])
+            for b in bodies
+        ],
+        title=_share("Inertias", len(bodies), len(found["inertias"]), "bodies"),
+    )
+
+
+def _share(title: str, shown: int, total: int, what: str) -> str:
+    return title if shown == total else f"{title} ({shown} of {total} {what})"
+
+
+def _listed(items: list[str]) -> str:
+    rest = len(items) - SHOWN
+    return "; ".join(items[:SHOWN]) + (f"; and {rest} more" if rest > 0 else "")

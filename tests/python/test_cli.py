@@ -1,0 +1,321 @@
+"""The command `linkwork` as a user meets it: what it prints, where, and its exit codes."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import h5py
+import pytest
+from linkwork import Result
+from linkwork.cli import run
+
+COMMAND = [sys.executable, "-c", "from linkwork.cli import main; main()"]
+QUICK = ["--t-end", "0.05", "--step", "1e-3"]
+
+
+def linkwork(*words: object, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
+    """One command in a process of its own."""
+    return subprocess.run([*COMMAND, *map(str, words)], capture_output=True, text=True, cwd=cwd, timeout=120)
+
+
+class Screen:
+    """One command in this process: its exit code, standard output and standard error."""
+
+    def __init__(self, capture: pytest.CaptureFixture[str]) -> None:
+        self.capture = capture
+
+    def __call__(self, *words: object) -> tuple[int, str, str]:
+        code = run([str(word) for word in words], debug=False)
+        output = self.capture.readouterr()
+        return code, output.out, output.err
+
+
+@pytest.fixture
+def screen(capsys: pytest.CaptureFixture[str]) -> Screen:
+    return Screen(capsys)
+
+
+def document(screen: Screen, *words: object) -> Any:
+    """The JSON that a command prints, and nothing else."""
+    code, out, err = screen(*words)
+    assert (code, err) == (0, "")
+    return json.loads(out, parse_constant=lambda word: pytest.fail(f"{word} is not JSON"))
+
+
+# --- what the commands do ---
+
+
+def test_version_is_that_of_the_package() -> None:
+    import linkwork as lw
+
+    assert linkwork("--version").stdout == f"linkwork {lw.__version__}\n"
+
+
+def test_help_appears_quickly_and_without_the_slow_imports() -> None:
+    program = (
+        "import sys; sys.argv = ['linkwork', '--help']; from linkwork.cli import main\ntry: main()\n"
+        "finally: print(sorted({'matplotlib', 'h5py', 'scipy', 'rich'} & set(sys.modules)))"
+    )
+    start = time.perf_counter()
+    output = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    ).stdout
+    assert output.splitlines()[-1] == "[]"
+    assert time.perf_counter() - start < 1.0
+
+
+def test_every_command_explains_itself(screen: Screen) -> None:
+    for words in ([], ["run"], ["check"], ["list"], ["demo"], ["run", "chain"], ["check", "chain"]):
+        code, out, err = screen(*words, "--help")
+        assert (code, err) == (0, ""), words
+        assert "Usage: linkwork" in out, words
+
+
+def test_list_names_every_mechanism_with_its_parameters(screen: Screen) -> None:
+    from linkwork.mechanisms import MECHANISMS
+
+    listed = document(screen, "list", "--json")
+    assert [entry["name"] for entry in listed] == list(MECHANISMS)
+    table = screen("list")[1]
+    for entry in listed:
+        assert entry["name"] in table and entry["description"]
+        for parameter in entry["parameters"]:
+            assert f"--{parameter['name'].replace('_', '-')}" in table
+
+
+def test_every_mechanism_runs_and_is_checked_from_the_command_line(screen: Screen) -> None:
+    for entry in document(screen, "list", "--json"):
+        ran = document(screen, "run", entry["name"], "--json", "--t-end", "0.002", "--step", "0.001")
+        assert ran["result"]["t_end"] == pytest.approx(0.002), entry["name"]
+        checked = document(screen, "check", entry["name"], "--json")
+        assert checked["degrees_of_freedom"] == 6 * checked["bodies"] - checked["rank"], entry["name"]
+
+
+def test_options_reach_the_run_and_the_manifest(screen: Screen) -> None:
+    options = {
+        "integrator": "dopri5",
+        "formulation": "augmented_lagrangian",
+        "stabilization": "baumgarte",
+        "baumgarte_alpha": 7.0,
+        "baumgarte_beta": 8.0,
+        "tolerance": 1e-9,
+        "max_iterations": 17,
+    }
+    words = [word for name, value in options.items() for word in ("--" + name.replace("_", "-"), value)]
+    said = document(screen, "run", "chain", "--bodies", 3, "--json", *QUICK, *words)["manifest"]["options"]
+    assert {name: said[name] for name in options} == options
+    assert (said["t_end"], said["step"]) == (0.05, 1e-3)
+
+
+def test_run_writes_the_result_and_the_picture_that_it_names(screen: Screen, tmp_path: Path) -> None:
+    result, picture = tmp_path / "run.h5", tmp_path / "run.png"
+    code, out, err = screen("run", "pendulum", *QUICK, "--output", result, "--plot", picture)
+    assert (code, err) == (0, "")
+    assert str(result) in out and str(picture) in out
+    assert Result.load(result).t[-1] == pytest.approx(0.05)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_parameters_of_a_mechanism_are_options(screen: Screen) -> None:
+    assert document(screen, "run", "chain", "--bodies", 7, "--json", *QUICK)["result"]["bodies"] == 7
+
+
+def test_check_counts_the_freedom_of_the_slider_crank(screen: Screen) -> None:
+    found = document(screen, "check", "spatial_slider_crank", "--json")
+    assert (found["degrees_of_freedom"], found["rank"], found["redundant_joints"]) == (1, found["rows"], [])
+    assert max(joint["position"] for joint in found["residuals"]) < 1e-12
+
+
+def test_check_names_the_redundant_joints_of_bricard(screen: Screen) -> None:
+    found = document(screen, "check", "bricard", "--json")
+    assert (found["rows"], found["rank"], found["degrees_of_freedom"]) == (30, 29, 1)
+    code, out, _ = screen("check", "bricard")
+    assert code == 0 and found["redundant_joints"]
+    assert all(name in out for name in found["redundant_joints"])
+
+
+def test_demo_compares_the_four_methods(screen: Screen, tmp_path: Path) -> None:
+    shown = document(screen, "demo", "--output-dir", tmp_path, "--json")
+    methods = {method["equations"]: method for method in shown["methods"]}
+    assert {"12.3", "12.8", "12.14", "12.16-18"} < set(methods)
+    assert methods["12.8"]["max_position_violation"] < methods["12.3"]["max_position_violation"]
+    assert methods["12.16-18"]["iterations"] > methods["12.16-18"]["evaluations"]
+    assert all(0 < method["reaction_difference"] < 0.1 for method in shown["methods"])
+    assert Result.load(tmp_path / "linkwork-demo.h5").finished
+    assert (tmp_path / "linkwork-demo.png").stat().st_size > 10_000
+
+
+def test_demo_table_fits_a_terminal_of_80_columns(tmp_path: Path) -> None:
+    environment = {**os.environ, "COLUMNS": "80", "TERM": "xterm"}
+    shown = subprocess.run(
+        [*COMMAND, "demo"], capture_output=True, text=True, cwd=tmp_path, env=environment, check=True
+    )
+    assert max(map(len, shown.stdout.splitlines())) <= 80
+    assert "\x1b" not in shown.stdout
+    assert shown.stderr == ""
+
+
+# --- errors: one line that names the object and the value ---
+
+MISTAKES = [
+    # words, exit code, what the line says
+    (["rnu"], 2, "no command 'rnu'; the nearest is 'run'"),
+    (["run"], 2, "run needs a mechanism: "),
+    (["run", "pendulun"], 2, "no mechanism 'pendulun'; the nearest is 'pendulum'"),
+    (["check", "brickard"], 2, "no mechanism 'brickard'; the nearest is 'bricard'"),
+    (["run", "pendulum", "--stpe", "1"], 2, "no option --stpe; the nearest is '--step'"),
+    (["run", "pendulum", "--step"], 2, "'--step' requires an argument"),
+    (["run", "pendulum", "--step", "tiny"], 2, "'--step': 'tiny' is not a valid float"),
+    (["run", "pendulum", "now"], 2, "unexpected extra argument (now)"),
+    (["run", "pendulum", "--step", "0"], 1, "step"),
+    (["run", "pendulum", "--step", "-0.001"], 1, "-0.001"),
+    (["run", "pendulum", "--step", "nan"], 1, "nan"),
+    (["run", "pendulum", "--t-end", "-1"], 1, "-1"),
+    (["run", "pendulum", "--integrator", "rk44"], 1, "'rk44'; the nearest is 'rk4'"),
+    (["run", "pendulum", "--formulation", "standrad"], 1, "'standrad'; the nearest is 'standard'"),
+    (["run", "pendulum", "--stabilization", "baumgart"], 1, "'baumgart'; the nearest is 'baumgarte'"),
+    (["run", "pendulum", "--system", "shur"], 1, "'shur'; the nearest is 'schur'"),
+    (["run", "pendulum", "--linear-solver", "cholmodd"], 1, "'cholmodd'; the nearest is 'cholmod'"),
+    (
+        ["run", "pendulum", "--output", "/nowhere/run.h5"],
+        1,
+        "output '/nowhere/run.h5': cannot be written: no such",
+    ),
+    (
+        ["run", "pendulum", "--plot", "/nowhere/run.png"],
+        1,
+        "output '/nowhere/run.png': cannot be written: no directory",
+    ),
+    (["run", "pendulum", "--record-every", "0"], 1, "record_every"),
+    (["run", "chain", "--bodies", "-3"], 1, "-3"),
+    (["run", "chain", "--bodies", "many"], 2, "'--bodies': 'many' is not a valid integer"),
+    (["run", "chain", "--joint", "sferical"], 1, "'sferical'; the nearest is 'spherical'"),
+    (["run", "bricard", "--formulation", "standard"], 1, "redundant"),
+    (["demo", "--output-dir", "/proc/nowhere"], 1, "'/proc/nowhere'"),
+]
+
+
+@pytest.mark.parametrize("words, code, message", MISTAKES, ids=[" ".join(words) for words, *_ in MISTAKES])
+def test_mistake_is_answered_in_one_line(screen: Screen, words: list[str], code: int, message: str) -> None:
+    found, out, err = screen(*words)
+    assert (found, out) == (code, "")
+    assert err.startswith("error: ") and err.count("\n") == 1
+    assert message in err
+    assert "Traceback" not in err and "Usage" not in err
+
+
+def test_process_ends_with_the_exit_code_and_without_traceback() -> None:
+    done = linkwork("run", "pendulum", "--step", "-1")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("error: ") and done.stderr.count("\n") == 1
+
+
+def test_debug_shows_the_traceback() -> None:
+    done = linkwork("run", "pendulum", "--step", "-1", "--debug")
+    assert done.returncode == 1 and "Traceback" in done.stderr
+
+
+MODEL_MISTAKES = [
+    ("model.body('bob', mass=-2.0, inertia=(1, 1, 1))", "'bob'", "-2"),
+    ("model.body('bob', mass=float('nan'), inertia=(1, 1, 1))", "'bob'", "nan"),
+    ("model.body('bob', mass=1.0, inertia=(1, 1, 3))", "'bob'", "3"),
+    ("model.body('bob', mass=1.0, inertia=(1, 1, 1), orientation=(2, 0, 0, 0))", "'bob'", "2"),
+    ("model.body('bob', mass=1.0, inertia=(1, 1, 1), orientation=(0, 0, 0, 0))", "'bob'", "0"),
+    ("model.revolute(model.ground, a, at=(0, 0, 0), axis=(0, 0, 0), name='pin')", "'pin'", "0"),
+    ("model.spherical(a, a, at=(0, 0, 0), name='ball')", "'ball'", "'a'"),
+    ("model.body('a', mass=1.0, inertia=(1, 1, 1))", "'a'", "name"),
+]
+
+
+@pytest.mark.parametrize("line, name, value", MODEL_MISTAKES)
+def test_mistake_in_a_model_reaches_the_terminal_in_one_line(
+    screen: Screen, monkeypatch: pytest.MonkeyPatch, line: str, name: str, value: str
+) -> None:
+    """A mechanism with the mistake stands in for the registered one."""
+    import dataclasses
+
+    import linkwork as lw
+    from linkwork.mechanisms import MECHANISMS
+
+    def broken() -> lw.Model:
+        model = lw.Model()
+        a = model.body("a", mass=1.0, inertia=(1, 1, 1))
+        exec(line, {"model": model, "a": a})
+        return model
+
+    record = dataclasses.replace(MECHANISMS["pendulum"], function=broken, parameters=())
+    monkeypatch.setitem(MECHANISMS, "pendulum", record)
+    code, out, err = screen("run", "pendulum")
+    assert (code, out, err.count("\n")) == (1, "", 1)
+    assert err.startswith("error: ") and name in err and value in err
+
+
+def test_warning_is_one_line_on_standard_error_and_the_run_goes_on() -> None:
+    program = """
+import dataclasses, sys, linkwork as lw
+from linkwork.mechanisms import MECHANISMS
+def inconsistent():
+    model = lw.Model()
+    rod = model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0), velocity=(0.25, 0, 0))
+    model.spherical(model.ground, rod, at=(0, 0, 0), name="shoulder")
+    return model
+MECHANISMS["pendulum"] = dataclasses.replace(MECHANISMS["pendulum"], function=inconsistent, parameters=())
+sys.argv = ["linkwork", "run", "pendulum", "--t-end", "0.01", "--step", "1e-3", "--json"]
+from linkwork.cli import main
+main()
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode == 0 and json.loads(done.stdout)
+    assert done.stderr.startswith("warning: ") and done.stderr.count("\n") == 1
+    assert "shoulder" in done.stderr and "0.25" in done.stderr
+
+
+def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(tmp_path: Path) -> None:
+    words = [
+        *COMMAND,
+        "run",
+        "spatial_slider_crank",
+        "--t-end",
+        "1e5",
+        "--output",
+        str(tmp_path / "run.h5"),
+        "--record-every",
+        "100",
+    ]
+    command = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    wait_for_frames(tmp_path / "run.h5")
+    asked = time.monotonic()
+    command.send_signal(signal.SIGINT)
+    out, err = command.communicate(timeout=10)
+    assert time.monotonic() - asked < 1.0
+    assert (command.returncode, out, err.count("\n")) == (130, "", 1)
+    assert err.startswith("error: interrupted")
+    result = Result.load(tmp_path / "run.h5")
+    assert len(result) > 1 and not result.finished
+
+
+def wait_for_frames(path: Path) -> None:
+    """Until the file of a run that goes on has frames."""
+    for _ in range(200):
+        time.sleep(0.05)
+        try:
+            with h5py.File(path, "r", locking=False) as file:
+                if len(file["frames/t"]):
+                    return
+        except (OSError, KeyError):
+            continue
+    pytest.fail("no frame after 10 s")
+
+
+def test_progress_is_silent_when_standard_error_is_not_a_terminal() -> None:
+    done = linkwork(
+        "run", "spatial_slider_crank", "--t-end", "1e4", "--step", "1e-3", "--record-every", "100000"
+    )
+    assert (done.returncode, done.stderr) == (0, "")
