@@ -75,31 +75,31 @@ std::string choose_solver(const std::string& form, const Options& options, const
 Dynamics::Dynamics(const Model& model, const Options& options)
     : options_(options), system_(model), kind_(stabilization_kind(options.stabilization)), at_(system_.make_evaluation()) {
   const FormulationInfo& info = formulation_info(options.formulation);
-  check_masses(info);
   options_.system = choose_form(info, options, system_);
   options_.linear_solver = choose_solver(options_.system, options, system_);
   for (VectorXd* rows : {&held_u_, &b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
+  check_masses(info);
+  check_rank(info);
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
-  if (!info.needs_mass) {
-    for (const int body : free_massless_bodies(system_, at_)) {
-      ErrorDetails details;
-      details.bodies = {model.body_name(body)};
-      throw SingularSystemError("free_massless_body",
-                                "body '" + details.bodies.front() +
-                                    "' has a motion without inertia that no joint resists; give it mass and inertia, or "
-                                    "hold it by joints",
-                                details);
-    }
-  }
   formulation_->analyze(system_, at_);
 }
 
 void Dynamics::check_masses(const FormulationInfo& info) const {
-  if (!info.needs_mass || system_.massless_bodies().empty()) return;
+  if (system_.massless_bodies().empty()) return;
   ErrorDetails details;
+  if (!info.needs_mass) {
+    const std::vector<int> free = free_massless_bodies(system_, at_);
+    if (free.empty()) return;
+    details.bodies = {system_.model().body_name(free.front())};
+    throw SingularSystemError("free_massless_body",
+                              "body '" + details.bodies.front() +
+                                  "' has a motion without inertia that no joint resists; give it mass and inertia, or "
+                                  "hold it by joints",
+                              details);
+  }
   for (const int body : system_.massless_bodies()) details.bodies.push_back(system_.model().body_name(body));
   const int body = system_.massless_bodies().front();
   const bool mass = system_.mass(body) == 0.0;
@@ -108,6 +108,29 @@ void Dynamics::check_masses(const FormulationInfo& info) const {
                         ": formulation '" + info.name + "' needs a regular mass matrix; use formulation 'penalty' or "
                                                         "'augmented_lagrangian'",
                     details);
+}
+
+void Dynamics::check_rank(const FormulationInfo& info) const {
+  if (!info.needs_full_rank) return;
+  const RankReport report = rank_of_constraints(system_, at_);
+  if (report.dependent_rows.empty()) return;
+  const Model& model = system_.model();
+  constexpr std::size_t listed = 5;
+  ErrorDetails details;
+  std::string equations;
+  for (std::size_t k = 0; k < report.dependent_rows.size(); ++k) {
+    const int row = report.dependent_rows[k];
+    const std::string joint = model.joint_name(model.joint_of_row(row));
+    if (details.joints.empty() || details.joints.back() != joint) details.joints.push_back(joint);
+    if (k < listed) equations += (k ? "; " : "") + model.describe_row(row);
+  }
+  if (report.dependent_rows.size() > listed)
+    equations += "; and " + std::to_string(report.dependent_rows.size() - listed) + " more";
+  throw SingularSystemError("dependent_constraints",
+                            std::to_string(report.dependent_rows.size()) + " of " + std::to_string(report.rows) +
+                                " constraint equations depend on the others: " + equations + "; formulation '" +
+                                info.name + "' needs independent ones, use 'augmented_lagrangian' or 'penalty'",
+                            details);
 }
 
 VectorXd Dynamics::initial_y() const {

@@ -61,6 +61,7 @@ class Dynamics {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void factorize();
   void check_masses(const FormulationInfo& info) const;
+  void check_rank(const FormulationInfo& info) const;
   Gains gains_or(Gains defaults) const;
   void poll();
 

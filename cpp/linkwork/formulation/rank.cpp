@@ -1,5 +1,6 @@
 #include "linkwork/formulation/rank.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -28,23 +29,90 @@ VectorXd velocity_scale(const System& system) {
   return mass.cwiseSqrt().cwiseInverse();
 }
 
+/// The blocks of D M^-1/2 with every row of D scaled to unit length.
+std::vector<double> scaled_D(const System& system, const Evaluation& at) {
+  const VectorXd scale = velocity_scale(system);
+  VectorXd norms = VectorXd::Zero(system.row_count());
+  std::vector<double> D = at.D;
+  const auto for_each_entry = [&](auto visit) {
+    for (const ConstraintBlock& block : system.blocks())
+      for (int k = 0; k < block.rows; ++k)
+        for (int c = 0; c < 6; ++c)
+          visit(D[static_cast<std::size_t>(block.offset + 6 * k + c)], block.row + k, 6 * block.body + c);
+  };
+  for_each_entry([&](double& value, int row, int velocity) {
+    value *= scale[velocity];
+    norms[row] += value * value;
+  });
+  for_each_entry([&](double& value, int row, int) {
+    if (norms[row] > 0.0) value /= std::sqrt(norms[row]);
+  });
+  return D;
+}
+
+/// True where the rows of a block are independent on its body alone.
+bool independent(const std::vector<double>& D, const ConstraintBlock& block, double tolerance) {
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, Eigen::Dynamic>> qr(
+      Eigen::Map<const Block>(D.data() + block.offset, block.rows, 6).transpose());
+  qr.setThreshold(tolerance);
+  return block.rows <= 6 && qr.rank() == block.rows;
+}
+
+/// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of all
+/// that remain, because only they touch that body.
+std::vector<char> peel_open_branches(const System& system, const std::vector<double>& D, double tolerance) {
+  std::vector<char> removed(static_cast<std::size_t>(system.joint_count()), 0);
+  std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
+  for (int body = 0; body < system.body_count(); ++body) {
+    const BlockRange blocks = system.body_blocks(body);
+    joints_left[static_cast<std::size_t>(body)] = static_cast<int>(blocks.end() - blocks.begin());
+    if (joints_left[static_cast<std::size_t>(body)] == 1) leaves.push_back(body);
+  }
+  while (!leaves.empty()) {
+    const int body = leaves.back();
+    leaves.pop_back();
+    for (const int index : system.body_blocks(body)) {
+      const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+      if (removed[static_cast<std::size_t>(block.joint)] || !independent(D, block, tolerance)) continue;
+      removed[static_cast<std::size_t>(block.joint)] = 1;
+      for (const int other : system.joint_blocks(block.joint)) {
+        const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
+        if (--joints_left[static_cast<std::size_t>(neighbor)] == 1 && neighbor != body) leaves.push_back(neighbor);
+      }
+    }
+  }
+  return removed;
+}
+
 }  // namespace
 
 RankReport rank_of_constraints(const System& system, const Evaluation& at, double tolerance) {
-  const VectorXd scale = velocity_scale(system);
-  std::vector<Entry> entries;  // of D^T
-  VectorXd norms = VectorXd::Zero(system.row_count());
-  for (const ConstraintBlock& block : system.blocks())
-    for (int k = 0; k < block.rows; ++k)
-      for (int c = 0; c < 6; ++c) {
-        const double value = at.D[static_cast<std::size_t>(block.offset + 6 * k + c)] * scale[6 * block.body + c];
-        if (value != 0.0) entries.push_back({6 * block.body + c, block.row + k, value});
-        norms[block.row + k] += value * value;
+  const std::vector<double> D = scaled_D(system, at);
+  std::vector<int> column(static_cast<std::size_t>(system.row_count()), -1);  // of the core, for each row
+  std::vector<int> rows_of_core;
+  const std::vector<char> removed = peel_open_branches(system, D, tolerance);
+  std::vector<Entry> entries;  // of D^T, restricted to the core
+  for (const ConstraintBlock& block : system.blocks()) {
+    if (removed[static_cast<std::size_t>(block.joint)]) continue;
+    for (int k = 0; k < block.rows; ++k) {
+      int& place = column[static_cast<std::size_t>(block.row + k)];
+      if (place < 0) {
+        place = static_cast<int>(rows_of_core.size());
+        rows_of_core.push_back(block.row + k);
       }
-  for (Entry& entry : entries) entry.value /= std::sqrt(norms[entry.column]);
+      for (int c = 0; c < 6; ++c) {
+        const double value = D[static_cast<std::size_t>(block.offset + 6 * k + c)];
+        if (value != 0.0) entries.push_back({6 * block.body + c, place, value});
+      }
+    }
+  }
   RankReport report;
   report.rows = system.row_count();
-  report.dependent_rows = dependent_columns(system.v_size(), system.row_count(), std::move(entries), tolerance);
+  for (const int dependent :
+       dependent_columns(system.v_size(), static_cast<int>(rows_of_core.size()), std::move(entries), tolerance))
+    report.dependent_rows.push_back(rows_of_core[static_cast<std::size_t>(dependent)]);
+  std::sort(report.dependent_rows.begin(), report.dependent_rows.end());
   report.rank = report.rows - static_cast<int>(report.dependent_rows.size());
   report.degrees_of_freedom = system.v_size() - report.rank;
   return report;

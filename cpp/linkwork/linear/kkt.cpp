@@ -3,7 +3,7 @@
 namespace linkwork::detail {
 namespace {
 
-constexpr double singular_pivot = 1e-12;
+constexpr double singular_pivot = 1e-14;  // a breakdown; permanent redundancy is found by the rank service
 
 /// [M D^T; D 0], scaled on both sides by W = diag(M_ii^-1/2, (D M^-1 D^T)_ii^-1/2) so that its pivots measure the
 /// geometry and not the units.
