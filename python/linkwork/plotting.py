@@ -27,6 +27,7 @@ SAMPLED_FRAMES = 50
 
 #: Okabe and Ito's colors: distinguishable with any color vision.
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+LINES = ("-", "-", "-", (0, (5, 3)), "-")
 COORDINATES = (("x", "-"), ("y", "--"), ("z", ":"))
 LEVELS = ("position", "velocity", "acceleration")
 
@@ -59,9 +60,15 @@ def plot_methods(
     grid = figure.add_gridspec(1, 3, width_ratios=(0.85, 1, 1))
     _draw_motion(figure.add_subplot(grid[0], projection="3d"), next(iter(results.values())))
     left, right = figure.add_subplot(grid[1]), figure.add_subplot(grid[2])
-    for color, (label, result) in zip(_cycle(len(results)), results.items(), strict=True):
-        left.plot(result.t, _positive(result.violation[:, 0]), color=color, lw=1.2, label=label)
-        right.plot(result.t, _positive(result.energy_error), color=color, lw=1.2)
+    for order, (label, result) in enumerate(results.items()):
+        line = {
+            "color": COLORS[order % len(COLORS)],
+            "ls": LINES[order % len(LINES)],
+            "lw": 1.4,
+            "label": label,
+        }
+        left.plot(result.t, _positive(result.violation[:, 0]), **line)
+        right.plot(result.t, _positive(result.energy_error), **line)
     for ax, quantity in (
         (left, "largest violation of the constraints [m or 1]"),
         (right, "energy error [J]"),
@@ -69,7 +76,10 @@ def plot_methods(
         _style(ax, quantity)
         _log(ax)
         ax.set_xlabel("time [s]")
-    figure.legend(loc="outside lower center", ncols=min(len(results), 5), frameon=False, fontsize=9)
+    handles, labels = left.get_legend_handles_labels()
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=min(len(results), 5), frameon=False, fontsize=9
+    )
     figure.suptitle(title, fontsize=11)
     return _written(figure, path)
 
@@ -88,9 +98,14 @@ def _draw_motion(ax: Axes3D, result: Result, poses: int = 8) -> None:
     for j in range(points.shape[1]):
         ax.plot(*points[:, j, 1].T, color="0.75", lw=0.6, zorder=0)
         ax.plot(*points[:1, j, 1].T, color="black", marker="o", ms=3)
-    ax.set_aspect("equal")
-    ax.tick_params(labelsize=6, pad=-3)
-    ax.locator_params(nbins=4)
+    middle, half = (
+        (points.max((0, 1, 2)) + points.min((0, 1, 2))) / 2,
+        np.ptp(points, axis=(0, 1, 2)).max() / 2,
+    )
+    for axis, center in zip("xyz", middle, strict=True):
+        ax.set(**{f"{axis}lim": (center - half, center + half)})
+    ax.set_box_aspect((1, 1, 1), zoom=1.2)
+    ax.set_axis_off()
 
 
 def _plot_energies(ax: Axes, result: Result) -> None:
@@ -135,7 +150,7 @@ def _plot_reactions(ax: Axes, result: Result, part: str, unit: str) -> None:
     _style(ax, f"reaction {part} [{unit}]")
     every = max(1, len(result) // SAMPLED_FRAMES)
     largest = np.linalg.norm(getattr(result.sampled_reactions(every), part), axis=-1).max(axis=0, initial=0.0)
-    chosen = [j for j in _largest(largest, JOINTS) if largest[j] > 1e-9 * largest.max(initial=0.0)]
+    chosen = [j for j in _largest(largest, JOINTS) if largest[j] > 1e-6 * largest.max(initial=0.0)]
     for color, j in zip(COLORS, chosen, strict=False):
         magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
         ax.plot(result.t, magnitude, color=color, label=result.joint_names[j])

@@ -295,7 +295,7 @@ class Result:
     def _place(self, what: Literal["body", "joint"], name: str | int) -> int:
         """Index of a body or joint given by name or index."""
         names = self.body_names if what == "body" else self.joint_names
-        if isinstance(name, (int, np.integer)):
+        if isinstance(name, int | np.integer):
             if not -len(names) <= name < len(names):
                 raise ModelError(f"no {what} {name}: there are {len(names)}", code="unknown_name")
             return int(name) % len(names)

@@ -6,11 +6,11 @@
                violation (k, 3), reaction_force and reaction_torque (k, joints, 3), t (k,)
     /model/    the arrays of `Header`, and the names
 
-The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so a
-run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when there is
-none the file is closed with what it has. The reactions are stored, not recomputed: what was recorded needs no
-model to be read, so a mechanism driven by a Python function (which no file can hold) is loaded like any other.
-A field of no width (the multipliers of a free body) is not stored.
+The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
+a run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when
+there is none the file is closed with what it has. The reactions are stored, not recomputed: what was recorded
+needs no model to be read, so a mechanism driven by a Python function (which no file can hold) loads like any
+other. A field of no width (the multipliers of a free body) is not stored.
 """
 
 from __future__ import annotations
@@ -74,6 +74,7 @@ class ResultWriter:
         self._header = header
         self._frames = 0
         self._pending: list[Floats] = []
+        self._failure: FileError | None = None
         self._flushed_at = time.monotonic()
         self._size = self._reserved = 0  # of the file [bytes]: with all chunks begun so far; made sure of
         self._fields: dict[str, h5py.Dataset] = {}
@@ -88,9 +89,16 @@ class ResultWriter:
         t = np.asarray(chunk["t"], dtype=float)
         if not len(t):
             return
+        if self._failure is not None:
+            raise self._failure
         values = record_reactions(self._header, chunk)
         start, end = self._frames, self._frames + len(t)
-        self._reserve(start, end)
+        try:
+            self._reserve(start, end)
+        except FileError as error:
+            self._failure = error
+            self.close()
+            raise
         with self._failures():
             for name, dataset in self._fields.items():
                 if name != "t":
@@ -356,7 +364,7 @@ def _encoded(names: Any) -> NDArray[np.bytes_]:
 
 def _plain(value: Any) -> Any:
     """JSON for numpy's numbers and arrays, and text for the rest."""
-    return value.tolist() if isinstance(value, (np.generic, np.ndarray)) else str(value)
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else str(value)
 
 
 def _reason(error: Exception) -> str:

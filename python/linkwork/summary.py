@@ -65,7 +65,7 @@ def _effort(statistics: dict[str, Any]) -> str:
     counts = [f"{statistics[key]:,} {key}" for key in ("steps", "evaluations", "factorizations", "iterations")
               if statistics.get(key)]  # fmt: skip
     seconds = statistics.get("seconds")
-    return ", ".join(counts) + (f" in {seconds:.3g} s" if isinstance(seconds, (int, float)) else "")
+    return ", ".join(counts) + (f" in {seconds:.3g} s" if isinstance(seconds, int | float) else "")
 
 
 def _number(value: Any) -> float | None:

@@ -173,6 +173,16 @@ def test_joint_frame_turns_reactions_without_changing_their_size() -> None:
     np.testing.assert_allclose(result.reaction("pin", frame="joint").torque[:, 2], 0, atol=1e-10)
 
 
+def test_points_of_a_joint_are_where_the_bodies_meet() -> None:
+    result = lw.simulate(rod_with_ball(1.0), t_end=0.2, step=1e-3)
+    cross = result.joint_points("cross")
+    np.testing.assert_allclose(cross[:, 0], cross[:, 1], atol=1e-7)
+    np.testing.assert_allclose(cross[:, 0], 2 * result.body("rod").position, atol=1e-7)
+    on_ground, on_ball = result.joint_points("winch").swapaxes(0, 1)
+    length = np.linalg.norm(on_ball - on_ground, axis=1)
+    np.testing.assert_allclose(length, length[0] + 0.1 * result.t**2, atol=1e-7)
+
+
 def test_loaded_result_has_the_reactions_of_a_winch_driven_by_a_python_function(tmp_path: Path) -> None:
     result = lw.simulate(rod_with_ball(1.0), t_end=0.2, step=1e-3)
     result.save(tmp_path / "run.h5")

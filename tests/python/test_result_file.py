@@ -172,9 +172,10 @@ def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -
 
 
 SIMULATE_FOR_AN_HOUR = """
-    import sys, time, linkwork as lw
-    from linkwork.mechanisms import MECHANISMS
-    model = MECHANISMS["spatial_slider_crank"].function()
+    import sys, linkwork as lw
+    model = lw.Model()
+    rod = model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0))
+    model.spherical(model.ground, rod, at=(0, 0, 0))
     said = lambda info: print(info.t, flush=True)
     lw.simulate(model, 1e5, 1e-3, record_every=10, output=sys.argv[1], progress=said)
 """

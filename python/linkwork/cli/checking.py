@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from linkwork import _core, checks
 from linkwork.cli import output as out
 
 if TYPE_CHECKING:
@@ -28,13 +29,9 @@ def check_and_show(name: str, mechanism: Mechanism, parameters: Mapping[str, Any
 
 def examine(model: Model) -> dict[str, Any]:
     """Counts, rank of the constraints, residuals of each joint and inertias of each body; SI units."""
-    from linkwork import _core
-
     core = model.compiled()
     options = _core.Options()
-    options.formulation = (
-        "augmented_lagrangian"  # the one that also takes redundant joints and massless bodies
-    )
+    options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too
     dynamics = _core.Dynamics(core, options)
     rank = dynamics.rank()
     first = core.joint_rows
@@ -47,26 +44,27 @@ def examine(model: Model) -> dict[str, Any]:
         "degrees_of_freedom": rank.degrees_of_freedom,
         "redundant_joints": [core.joint_name(joint) for joint in redundant],
         "redundant_equations": [core.describe_row(row) for row in rank.dependent_rows],
-        "residuals": _residuals(core, dynamics),
+        "residuals": _residuals(model, dynamics),
         "inertias": _inertias(core),
     }
 
 
-def _residuals(core: Any, dynamics: Any) -> list[dict[str, Any]]:
+def _residuals(model: Model, dynamics: _core.Dynamics) -> list[dict[str, Any]]:
     """By how much each joint's equations are violated by the initial pose and velocities."""
-    at = dynamics.evaluate(0.0, core.q0, core.v0)
+    position, velocity = checks.joint_residuals(model, dynamics)
+    core = model.compiled()
     return [
         {
             "joint": core.joint_name(joint),
             "kind": core.joint_kind(joint),
-            "position": float(np.abs(at["Phi"][first:end]).max(initial=0.0)),
-            "velocity": float(np.abs(at["Phi_dot"][first:end]).max(initial=0.0)),
+            "position": float(position[joint]),
+            "velocity": float(velocity[joint]),
         }
-        for joint, (first, end) in enumerate(zip(core.joint_rows[:-1], core.joint_rows[1:], strict=True))
+        for joint in range(core.joint_count)
     ]
 
 
-def _inertias(core: Any) -> list[dict[str, Any]]:
+def _inertias(core: _core.Model) -> list[dict[str, Any]]:
     """Mass and principal moments; `margin` is (J1 + J2 - J3) / J3, which no real body has below zero."""
     moments = np.linalg.eigvalsh(core.inertia)
     largest = moments[:, 2]
@@ -115,7 +113,7 @@ def _print(found: dict[str, Any]) -> None:
             title=_share("Initial residuals", len(worst), len(found["residuals"]), "joints"),
             left=2,
         )
-    bodies = found["inertias"][:SHOWN]
+    bodies = sorted(found["inertias"], key=lambda body: not body["remark"])[:SHOWN]
     out.print_table(
         ("body", "mass [kg]", "principal moments [kg m2]", ""),
         [

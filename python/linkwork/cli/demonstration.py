@@ -153,7 +153,7 @@ def _print(t_end: float, step: float, outcomes: list[Outcome], files: dict[str, 
     rows = [(label, *(form.format(numbers[key]) for numbers in table)) for key, label, form in ROWS]
     out.print_table(columns, rows)
     print(
-        "Equation numbers: Flores (2015), chapter 12. Violations and energy errors are the\n"
+        "\nEquation numbers: Flores (2015), chapter 12. Violations and energy errors are the\n"
         "largest over time. Reaction difference: the largest error of any joint's force,\n"
         "relative to the largest force, against a reference run (default method, dopri5,\n"
         f"steps of {step / FINER:g} s).\n"
