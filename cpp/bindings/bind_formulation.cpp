@@ -7,8 +7,8 @@ namespace {
 
 void check_size(const ConstVector& vector, Eigen::Index size, const char* name) {
   if (vector.size() != size)
-    throw OptionError("shape", std::string(name) + " has " + std::to_string(vector.size()) + " entries, not " +
-                                   std::to_string(size));
+    throw OptionError(
+        "shape", std::string(name) + " has " + std::to_string(vector.size()) + " entries, not " + std::to_string(size));
 }
 
 /// y = (q, v, 0) of the drivers from y = (q, v) of Python.
@@ -208,15 +208,17 @@ void bind_formulation(py::module_& module) {
       .def_property_readonly("system", [](const Dynamics& d) { return d.options().system; })
       .def_property_readonly("linear_solver", [](const Dynamics& d) { return d.options().linear_solver; })
       .def_property_readonly("options", &Dynamics::options)
-      .def("initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
-           "y = (q, v), 13 per body.")
+      .def(
+          "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
+          "y = (q, v), 13 per body.")
       .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"),
            "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.")
       .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"),
            "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", &derivative, py::arg("t"), py::arg("y"), "y_dot for y = (q, v).")
-      .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"),
-           "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes.")
+      .def(
+          "reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"),
+          "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes.")
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
       .def("rank", &Dynamics::rank, py::call_guard<py::gil_scoped_release>())
       .def("statistics", &statistics);

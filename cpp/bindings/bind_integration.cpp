@@ -15,7 +15,6 @@ namespace {
 /// Data that a driver runs, without a Python call in its loop.
 struct SemiImplicitEulerTag {};
 
-
 std::unique_ptr<Integrator> make_integrator(const py::object& method) {
   if (method.is_none()) return nullptr;
   if (py::isinstance<ButcherTableau>(method)) return make_runge_kutta(method.cast<ButcherTableau>());
@@ -69,7 +68,8 @@ void bind_integration(py::module_& module) {
              return MultistepCoefficients{std::move(name), order, predictor, corrector, starter};
            }),
            py::arg("name"), py::arg("order"), py::arg("predictor"), py::arg("corrector"), py::arg("starter"));
-  py::class_<SemiImplicitEulerTag>(module, "SemiImplicitEuler", "v' = v + h v_dot, q' = q + h N(q) v'.").def(py::init<>());
+  py::class_<SemiImplicitEulerTag>(module, "SemiImplicitEuler", "v' = v + h v_dot, q' = q + h N(q) v'.")
+      .def(py::init<>());
 
   py::class_<Simulation>(module, "Simulation", "A run with a fixed step, advanced in pieces.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
@@ -82,14 +82,16 @@ void bind_integration(py::module_& module) {
            py::keep_alive<1, 2>())
       .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
            "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.")
-      .def("begin_step",
-           [](Simulation& simulation) {
-             const double h = simulation.begin_step();
-             return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
-           },
-           "(t, y, h) of the step that begins; h = 0 at the end.")
+      .def(
+          "begin_step",
+          [](Simulation& simulation) {
+            const double h = simulation.begin_step();
+            return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
+          },
+          "(t, y, h) of the step that begins; h = 0 at the end.")
       .def("accept", &Simulation::accept, py::arg("y"))
-      .def("take_frames", [](Simulation& simulation) { return to_dict(simulation.take_frames(), simulation.dynamics().system()); })
+      .def("take_frames",
+           [](Simulation& simulation) { return to_dict(simulation.take_frames(), simulation.dynamics().system()); })
       .def_property_readonly("finished", &Simulation::finished)
       .def_property_readonly("t", &Simulation::t)
       .def_property_readonly("steps_done", &Simulation::steps_done)

@@ -67,8 +67,8 @@ Elements read_elements(const Integers& bodies, const Doubles& origin, const Doub
     const double* C = frame.data() + 18 * k;
     using Vector = Eigen::Map<const Vec3<double>>;
     using Matrix = Eigen::Map<const RowMajor3>;
-    out.elements.push_back({0, bodies.data()[2 * k], bodies.data()[2 * k + 1],
-                            {Vector(s), Vector(s + 3), Matrix(C), Matrix(C + 9)}, 0});
+    out.elements.push_back(
+        {0, bodies.data()[2 * k], bodies.data()[2 * k + 1], {Vector(s), Vector(s + 3), Matrix(C), Matrix(C + 9)}, 0});
     for (py::ssize_t p = 0; p < width; ++p)
       out.parameters.push_back({parameters.data()[k * width + p], signals.data()[k * width + p]});
   }
@@ -146,21 +146,23 @@ py::array_t<double> inertias(const Model& model) {
 void bind_time_functions(py::module_& module) {
   py::class_<TimeFunction, std::shared_ptr<TimeFunction>>(module, "TimeFunction",
                                                           "A quantity as a function of time [s], with two derivatives.")
-      .def("evaluate",
-           [](const TimeFunction& f, double t) {
-             const Signal<double> s = f.evaluate(t);
-             return py::make_tuple(s.value, s.rate, s.acceleration);
-           },
-           py::arg("t"), "(value, rate, acceleration) at t.")
+      .def(
+          "evaluate",
+          [](const TimeFunction& f, double t) {
+            const Signal<double> s = f.evaluate(t);
+            return py::make_tuple(s.value, s.rate, s.acceleration);
+          },
+          py::arg("t"), "(value, rate, acceleration) at t.")
       .def_property_readonly("has_derivatives", &TimeFunction::has_derivatives)
-      .def_static("constant", [](double c) { return polynomial({c}); }, py::arg("value"))
+      .def_static(
+          "constant", [](double c) { return polynomial({c}); }, py::arg("value"))
       .def_static("polynomial", &polynomial, py::arg("coefficients"), "sum c_k t^k, ascending powers.")
       .def_static("harmonic", &harmonic, py::arg("amplitude"), py::arg("frequency"), py::arg("phase") = 0.0,
                   py::arg("offset") = 0.0, "offset + amplitude sin(frequency t + phase); frequency in rad/s.")
       .def_static("piecewise_polynomial", &piecewise_polynomial, py::arg("breaks"), py::arg("coefficients"),
                   "Rows of ascending coefficients in t - breaks[i], flattened.")
-      .def_static("callback", &callback, py::arg("value"), py::arg("rate") = nullptr,
-                  py::arg("acceleration") = nullptr, "Python functions of t.");
+      .def_static("callback", &callback, py::arg("value"), py::arg("rate") = nullptr, py::arg("acceleration") = nullptr,
+                  "Python functions of t.");
 }
 
 void bind_kinds(py::module_& module) {
@@ -194,24 +196,27 @@ void bind_model(py::module_& module) {
       .def("add_bodies", &add_bodies, py::arg("names"), py::arg("mass"), py::arg("inertia"), py::arg("position"),
            py::arg("orientation"), py::arg("velocity"), py::arg("omega"),
            "Adds bodies under a prefix (str) or names (list); returns the first index.")
-      .def("add_joints",
-           [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
-              const Doubles& frame, const Doubles& parameters, const Integers& signals) {
-             return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
-                                 static_cast<int>(model.joints().size()), &Model::add_joint, &Model::add_joints);
-           },
-           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
-           py::arg("parameters"), py::arg("signals"), "Adds joints; returns the first index.")
-      .def("add_forces",
-           [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
-              const Doubles& frame, const Doubles& parameters, const Integers& signals) {
-             return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
-                                 static_cast<int>(model.forces().size()), &Model::add_force, &Model::add_forces);
-           },
-           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
-           py::arg("parameters"), py::arg("signals"), "Adds force elements; returns the first index.")
-      .def("add_signal", [](Model& model, std::shared_ptr<TimeFunction> f) { return model.add_signal(std::move(f)); },
-           py::arg("function"))
+      .def(
+          "add_joints",
+          [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
+             const Doubles& frame, const Doubles& parameters, const Integers& signals) {
+            return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
+                                static_cast<int>(model.joints().size()), &Model::add_joint, &Model::add_joints);
+          },
+          py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
+          py::arg("parameters"), py::arg("signals"), "Adds joints; returns the first index.")
+      .def(
+          "add_forces",
+          [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
+             const Doubles& frame, const Doubles& parameters, const Integers& signals) {
+            return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
+                                static_cast<int>(model.forces().size()), &Model::add_force, &Model::add_forces);
+          },
+          py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
+          py::arg("parameters"), py::arg("signals"), "Adds force elements; returns the first index.")
+      .def(
+          "add_signal", [](Model& model, std::shared_ptr<TimeFunction> f) { return model.add_signal(std::move(f)); },
+          py::arg("function"))
       .def_property_readonly("gravity", [](const Model& model) { return VectorXd(model.gravity()); })
       .def_property_readonly("body_count", [](const Model& model) { return model.bodies().size(); })
       .def_property_readonly("joint_count", [](const Model& model) { return model.joints().size(); })
@@ -219,32 +224,40 @@ void bind_model(py::module_& module) {
       .def_property_readonly("row_count", &Model::row_count)
       .def("body_name", &Model::body_name, py::arg("body"))
       .def("joint_name", &Model::joint_name, py::arg("joint"))
-      .def("force_name", [](const Model& model, int force) { return model.force_names().name(force); }, py::arg("force"))
-      .def("joint_kind",
-           [](const Model& model, int joint) {
-             return joint_kinds()[static_cast<std::size_t>(model.joints().at(static_cast<std::size_t>(joint)).kind)].info.name;
-           },
-           py::arg("joint"))
-      .def("find_body", [](const Model& model, const std::string& name) { return model.body_names().find(name); },
-           py::arg("name"), "Index of a name, -1 where there is none.")
-      .def("find_joint", [](const Model& model, const std::string& name) { return model.joint_names().find(name); },
-           py::arg("name"), "Index of a name, -1 where there is none.")
-      .def("find_force", [](const Model& model, const std::string& name) { return model.force_names().find(name); },
-           py::arg("name"), "Index of a name, -1 where there is none.")
+      .def(
+          "force_name", [](const Model& model, int force) { return model.force_names().name(force); }, py::arg("force"))
+      .def(
+          "joint_kind",
+          [](const Model& model, int joint) {
+            return joint_kinds()[static_cast<std::size_t>(model.joints().at(static_cast<std::size_t>(joint)).kind)]
+                .info.name;
+          },
+          py::arg("joint"))
+      .def(
+          "find_body", [](const Model& model, const std::string& name) { return model.body_names().find(name); },
+          py::arg("name"), "Index of a name, -1 where there is none.")
+      .def(
+          "find_joint", [](const Model& model, const std::string& name) { return model.joint_names().find(name); },
+          py::arg("name"), "Index of a name, -1 where there is none.")
+      .def(
+          "find_force", [](const Model& model, const std::string& name) { return model.force_names().find(name); },
+          py::arg("name"), "Index of a name, -1 where there is none.")
       .def("describe_row", &Model::describe_row, py::arg("row"))
-      .def_property_readonly("joint_rows", [](const Model& model) {
-        return py::array_t<int>(static_cast<py::ssize_t>(model.joint_rows().size()), model.joint_rows().data());
-      })
+      .def_property_readonly("joint_rows",
+                             [](const Model& model) {
+                               return py::array_t<int>(static_cast<py::ssize_t>(model.joint_rows().size()),
+                                                       model.joint_rows().data());
+                             })
       .def_property_readonly("mass", &masses)
       .def_property_readonly("inertia", &inertias)
       .def_property_readonly("q0", &Model::initial_q)
       .def_property_readonly("v0", &Model::initial_v)
-      .def("joint_arrays",
-           [](const Model& model) { return element_arrays(model.joints(), model.joint_parameters()); },
-           "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_joints took.")
-      .def("force_arrays",
-           [](const Model& model) { return element_arrays(model.forces(), model.force_parameters()); },
-           "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_forces took.");
+      .def(
+          "joint_arrays", [](const Model& model) { return element_arrays(model.joints(), model.joint_parameters()); },
+          "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_joints took.")
+      .def(
+          "force_arrays", [](const Model& model) { return element_arrays(model.forces(), model.force_parameters()); },
+          "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_forces took.");
 }
 
 }  // namespace linkwork::python

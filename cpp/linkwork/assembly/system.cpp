@@ -39,7 +39,8 @@ Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(J);
   const Vec3<double> moments = eigen.eigenvalues();
   singular = moments[0] <= singular_moment * moments[2] || moments[2] <= 0.0;
-  if (!singular) return J.isDiagonal(0.0) ? Mat3<double>(J.diagonal().cwiseInverse().asDiagonal()) : Mat3<double>(J.inverse());
+  if (!singular)
+    return J.isDiagonal(0.0) ? Mat3<double>(J.diagonal().cwiseInverse().asDiagonal()) : Mat3<double>(J.inverse());
   Vec3<double> inverse = Vec3<double>::Zero();
   for (int k = 0; k < 3; ++k)
     if (moments[k] > singular_moment * moments[2] && moments[2] > 0.0) inverse[k] = 1.0 / moments[k];
@@ -86,10 +87,10 @@ void System::compile_joints() {
     if (element.j != ground) blocks_.push_back({joint, element.j, row, info.rows, D_size_ + 6 * info.rows});
     D_size_ += 12 * info.rows;
   }
-  group_blocks(blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_,
-               joint_block_begin_);
-  group_blocks(blocks_, body_count(), [](const ConstraintBlock& b) { return b.body; }, body_block_list_,
-               body_block_begin_);
+  group_blocks(
+      blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);
+  group_blocks(
+      blocks_, body_count(), [](const ConstraintBlock& b) { return b.body; }, body_block_list_, body_block_begin_);
 }
 
 void System::compile_forces() {
@@ -274,8 +275,7 @@ void System::reactions(const Evaluation& at, const ConstVector& lambda, Eigen::R
     const BodyState<double>& body = state_of(block.body);
     const BodyState<double>& second = state_of(element.j);
     const Vec3<double> point = second.r + second.A * element.at.s_j;
-    const Eigen::Matrix<double, 6, 1> wrench =
-        block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
+    const Eigen::Matrix<double, 6, 1> wrench = block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
     const Vec3<double> F = wrench.head<3>(), n = wrench.tail<3>();
     force.col(joint) = sign * F;
     torque.col(joint) = sign * (body.A * n - (point - body.r).cross(F));

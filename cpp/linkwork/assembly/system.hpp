@@ -85,8 +85,8 @@ class System {
   const std::vector<ConstraintBlock>& blocks() const { return blocks_; }
   BlockRange joint_blocks(int joint) const;
   BlockRange body_blocks(int body) const;
-  void multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const;                 ///< y = D x
-  void add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const;      ///< y += D^T lambda
+  void multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const;             ///< y = D x
+  void add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const;  ///< y += D^T lambda
   /// diag(D M^-1 D^T): how strongly each row accelerates under its own multiplier.
   VectorXd row_mobility(const Evaluation& at) const;
 

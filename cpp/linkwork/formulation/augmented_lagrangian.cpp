@@ -9,13 +9,14 @@ namespace {
 
 constexpr double roundoff_change = 1e-7;  // above it, a change that no longer shrinks is slow convergence, not roundoff
 
-// Off the constraints, redundant rows contradict each other a little, and a penalty resolves that noise in proportion to
-// its size: so begin small, and raise it only while the iteration is slow on this model.
+// Off the constraints, redundant rows contradict each other a little, and a penalty resolves that noise in proportion
+// to its size: so begin small, and raise it only while the iteration is slow on this model.
 constexpr double first_scale = 1e4, last_scale = 1e8, scale_factor = 10.0;
 constexpr int slow_iterations = 15;
 
 /// The iteration (12.16)-(12.18),
-///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b),   lambda_{k+1} = lambda_k + alpha (b - D v_dot_{k+1}),
+///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b),   lambda_{k+1} = lambda_k + alpha (b - D
+///   v_dot_{k+1}),
 /// in incremental form: with the residuals r_1 = a - M v_dot + D^T lambda and r_2 = b - D v_dot,
 ///   (M + D^T alpha D) dv = r_1 + D^T alpha r_2,   dlambda = alpha (r_2 - D dv),
 /// which has the same limit and loses no digits to the size of alpha. It begins with lambda_0 = 0.

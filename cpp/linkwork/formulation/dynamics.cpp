@@ -8,9 +8,9 @@
 namespace linkwork {
 namespace {
 
-constexpr int dense_rows = 32;            // up to this size a dense factorization is faster than any sparse one
-constexpr double hub_fill = 10.0;         // S this much fuller than the kkt matrix: a body with very many joints
-constexpr int polled_bodies = 1000;       // below, an evaluation is too short to be worth interrupting
+constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
+constexpr double hub_fill = 10.0;    // S this much fuller than the kkt matrix: a body with very many joints
+constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 /// Adds the time from construction to destruction.
@@ -51,20 +51,21 @@ bool available(const std::string& solver) {
 std::string choose_form(const FormulationInfo& info, const Options& options, const System& system) {
   const bool given = options.system != "auto";
   if (given && std::find(info.forms.begin(), info.forms.end(), options.system) == info.forms.end()) {
-    const std::string choices = info.forms.size() > 1 ? "choose from: " + joined(info.forms)
-                                                      : "it has one form only; leave system at 'auto'";
-    throw OptionError("system", "system '" + options.system + "' is not one of formulation '" + info.name + "'; " + choices);
+    const std::string choices =
+        info.forms.size() > 1 ? "choose from: " + joined(info.forms) : "it has one form only; leave system at 'auto'";
+    throw OptionError("system",
+                      "system '" + options.system + "' is not one of formulation '" + info.name + "'; " + choices);
   }
   if (given) return options.system;
   if (info.name != "standard") return info.forms.front();
   if (options.linear_solver == "auto") return schur_is_too_full(system) ? "kkt" : "schur";
-  return linear_solver_info(options.linear_solver).positive_definite || options.linear_solver == "dense" ? "schur" : "kkt";
+  return linear_solver_info(options.linear_solver).positive_definite || options.linear_solver == "dense" ? "schur"
+                                                                                                         : "kkt";
 }
 
 std::string choose_solver(const std::string& form, const Options& options, const System& system) {
   if (options.linear_solver != "auto") return linear_solver_info(options.linear_solver).name;
-  const int size = form == "schur" ? system.row_count()
-                                   : system.v_size() + (form == "kkt" ? system.row_count() : 0);
+  const int size = form == "schur" ? system.row_count() : system.v_size() + (form == "kkt" ? system.row_count() : 0);
   if (size <= dense_rows) return "dense";
   if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
   return "cholmod";
@@ -73,7 +74,10 @@ std::string choose_solver(const std::string& form, const Options& options, const
 }  // namespace
 
 Dynamics::Dynamics(const Model& model, const Options& options)
-    : options_(options), system_(model), kind_(stabilization_kind(options.stabilization)), at_(system_.make_evaluation()) {
+    : options_(options),
+      system_(model),
+      kind_(stabilization_kind(options.stabilization)),
+      at_(system_.make_evaluation()) {
   const FormulationInfo& info = formulation_info(options.formulation);
   options_.system = choose_form(info, options, system_);
   options_.linear_solver = choose_solver(options_.system, options, system_);
@@ -105,8 +109,9 @@ void Dynamics::check_masses(const FormulationInfo& info) const {
   const bool mass = system_.mass(body) == 0.0;
   throw OptionError("massless_body",
                     "body '" + details.bodies.front() + "' has " + (mass ? "mass 0" : "a singular inertia") +
-                        ": formulation '" + info.name + "' needs a regular mass matrix; use formulation 'penalty' or "
-                                                        "'augmented_lagrangian'",
+                        ": formulation '" + info.name +
+                        "' needs a regular mass matrix; use formulation 'penalty' or "
+                        "'augmented_lagrangian'",
                     details);
 }
 
@@ -173,8 +178,9 @@ void Dynamics::factorize() {
     formulation_->factorize(at_);
   } catch (const SingularSystemError&) {
     if (y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
-    throw NotFiniteError("not_finite", "the state became infinite or undefined within a step: the run diverged; use a "
-                                       "smaller step");
+    throw NotFiniteError("not_finite",
+                         "the state became infinite or undefined within a step: the run diverged; use a "
+                         "smaller step");
   }
 }
 

@@ -26,7 +26,7 @@ class Dynamics {
   Dynamics(const Model& model, const Options& options);
 
   const System& system() const { return system_; }
-  const Options& options() const { return options_; }       ///< as chosen: no "auto" left
+  const Options& options() const { return options_; }  ///< as chosen: no "auto" left
   const Evaluation& evaluation() const { return at_; }
   const DynamicsStatistics& statistics() const { return statistics_; }
   const IterationStatistics& iterations() const { return formulation_->iterations(); }

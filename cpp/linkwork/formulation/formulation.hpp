@@ -13,11 +13,11 @@ namespace linkwork {
 /// How the iterations of a formulation went, over a run.
 struct IterationStatistics {
   std::int64_t iterations = 0;
-  int most = 0;                   ///< in one solve
-  std::int64_t stagnations = 0;   ///< solves that ended at roundoff above the tolerance
-  double last_change = 0.0;       ///< ||d v_dot|| / (1 + ||v_dot||) of the last solve
-  double last_residual = 0.0;     ///< max |b - D v_dot| of the last solve
-  double worst_residual = 0.0;    ///< the same over the run
+  int most = 0;                  ///< in one solve
+  std::int64_t stagnations = 0;  ///< solves that ended at roundoff above the tolerance
+  double last_change = 0.0;      ///< ||d v_dot|| / (1 + ||v_dot||) of the last solve
+  double last_residual = 0.0;    ///< max |b - D v_dot| of the last solve
+  double worst_residual = 0.0;   ///< the same over the run
 };
 
 /// How v_dot and lambda follow from M v_dot - D^T lambda = a, D v_dot = b at one evaluation.
@@ -39,9 +39,9 @@ class Formulation {
 struct FormulationInfo {
   std::string name;
   std::string documentation;
-  std::vector<std::string> forms;   ///< matrices it can use, see SaddleSolver; the first is the default
-  bool needs_full_rank = false;     ///< dependent constraint rows are an error
-  bool needs_mass = false;          ///< massless bodies are an error
+  std::vector<std::string> forms;  ///< matrices it can use, see SaddleSolver; the first is the default
+  bool needs_full_rank = false;    ///< dependent constraint rows are an error
+  bool needs_mass = false;         ///< massless bodies are an error
   bool has_penalty = false;
   bool iterative = false;
   std::unique_ptr<Formulation> (*make)(std::unique_ptr<SaddleSolver>, const Options&) = nullptr;
@@ -51,8 +51,9 @@ struct FormulationInfo {
 const std::vector<FormulationInfo>& formulations();
 const FormulationInfo& formulation_info(const std::string& name);
 
-/// The same penalty for every row where the user gave one, else scale / (D M^-1 D^T)_ii: then every row is as stiff against
-/// its own inertia, and results do not depend on units. Rows between massless bodies get the largest of the others.
+/// The same penalty for every row where the user gave one, else scale / (D M^-1 D^T)_ii: then every row is as stiff
+/// against its own inertia, and results do not depend on units. Rows between massless bodies get the largest of the
+/// others.
 VectorXd row_penalties(const System& system, const Evaluation& typical, const std::optional<double>& penalty,
                        double scale);
 

@@ -14,7 +14,7 @@ struct Options {
   std::optional<double> baumgarte_alpha, baumgarte_beta;  ///< [1/s]
   std::optional<double> penalty;        ///< the same for all rows; without it penalty_scale / (D M^-1 D^T)_ii
   std::optional<double> penalty_scale;  ///< without it the formulation chooses
-  double tolerance = 1e-12;            ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
+  double tolerance = 1e-12;             ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
   int max_iterations = 100;
 };
 

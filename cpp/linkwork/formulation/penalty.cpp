@@ -5,7 +5,8 @@ namespace {
 
 constexpr double default_scale = 1e7;  // v_dot is wrong by about 1e-7 / s_min, s_min of the scaled D M^-1 D^T
 
-/// Constraints as stiff massless elements: (M + D^T alpha D) v_dot = a + D^T alpha b, lambda = alpha (b - D v_dot) (12.14).
+/// Constraints as stiff massless elements: (M + D^T alpha D) v_dot = a + D^T alpha b, lambda = alpha (b - D v_dot)
+/// (12.14).
 class Penalty final : public Formulation {
  public:
   Penalty(std::unique_ptr<SaddleSolver> saddle, const Options& options)
@@ -13,7 +14,8 @@ class Penalty final : public Formulation {
 
   void analyze(const System& system, const Evaluation& typical) override {
     saddle_->analyze(system, typical);
-    compliance_ = row_penalties(system, typical, options_.penalty, options_.penalty_scale.value_or(default_scale)).cwiseInverse();
+    compliance_ =
+        row_penalties(system, typical, options_.penalty, options_.penalty_scale.value_or(default_scale)).cwiseInverse();
   }
   void factorize(const Evaluation& at) override { saddle_->factorize(at, compliance_); }
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {

@@ -59,8 +59,8 @@ bool independent(const std::vector<double>& D, const ConstraintBlock& block, dou
   return block.rows <= 6 && qr.rank() == block.rows;
 }
 
-/// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of all
-/// that remain, because only they touch that body.
+/// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of
+/// all that remain, because only they touch that body.
 std::vector<char> peel_open_branches(const System& system, const std::vector<double>& D, double tolerance) {
   std::vector<char> removed(static_cast<std::size_t>(system.joint_count()), 0);
   std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
@@ -118,7 +118,8 @@ RankReport rank_of_constraints(const System& system, const Evaluation& at, doubl
   return report;
 }
 
-// ker M and ker D meet iff D K has dependent columns, K a basis of ker M: per massless body the directions without inertia.
+// ker M and ker D meet iff D K has dependent columns, K a basis of ker M: per massless body the directions without
+// inertia.
 std::vector<int> free_massless_bodies(const System& system, const Evaluation& at, double tolerance) {
   std::vector<int> owner;
   std::vector<Entry> entries;
@@ -130,15 +131,16 @@ std::vector<int> free_massless_bodies(const System& system, const Evaluation& at
       for (const int index : system.body_blocks(body)) {
         const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
         for (int k = 0; k < block.rows; ++k) {
-          const double value =
-              Eigen::Map<const Eigen::Matrix<double, 1, 6>>(at.D.data() + block.offset + 6 * k).dot(kernel.col(c).transpose());
+          const double value = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(at.D.data() + block.offset + 6 * k)
+                                   .dot(kernel.col(c).transpose());
           if (value != 0.0) entries.push_back({block.row + k, column, value});
         }
       }
     }
   }
   std::vector<int> bodies;
-  for (const int column : dependent_columns(system.row_count(), static_cast<int>(owner.size()), std::move(entries), tolerance))
+  for (const int column :
+       dependent_columns(system.row_count(), static_cast<int>(owner.size()), std::move(entries), tolerance))
     bodies.push_back(owner[static_cast<std::size_t>(column)]);
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   return bodies;

@@ -14,9 +14,9 @@ struct RankReport {
   int degrees_of_freedom = 0;       ///< 6 per body less the rank
 };
 
-/// Joints at the ends of open branches are taken off one by one: their equations are independent of all others where they
-/// are independent on the outer body. What is left, the closed loops, goes through a rank-revealing sparse QR of D^T, rows
-/// of D scaled to unit length in the metric M^-1. `tolerance` is relative.
+/// Joints at the ends of open branches are taken off one by one: their equations are independent of all others where
+/// they are independent on the outer body. What is left, the closed loops, goes through a rank-revealing sparse QR of
+/// D^T, rows of D scaled to unit length in the metric M^-1. `tolerance` is relative.
 RankReport rank_of_constraints(const System& system, const Evaluation& at, double tolerance = 1e-9);
 
 /// Bodies with a motion that has no inertia and that no joint resists (ker M and ker D meet).

@@ -15,13 +15,15 @@ void check(const MultistepCoefficients& method) {
   if (std::abs(method.predictor.sum() - 1.0) > 1e-12) refuse("the predictor's coefficients must add up to 1");
   if (method.corrector.size() > 0 && std::abs(method.corrector.sum() - 1.0) > 1e-12)
     refuse("the corrector's coefficients must add up to 1");
-  if (method.corrector.size() > method.predictor.size() + 1) refuse("the corrector reaches further back than the predictor");
+  if (method.corrector.size() > method.predictor.size() + 1)
+    refuse("the corrector reaches further back than the predictor");
 }
 
 /// Adams-Bashforth, or Adams-Bashforth-Moulton in the mode PECE, at a fixed step.
 ///
 /// Sampled stabilization stays out of the memory: f is that of the mechanism itself, and each step adds the correction
-/// once (Dynamics::add_correction). The violation then has a nilpotent map, which a held u inside f would not give here.
+/// once (Dynamics::add_correction). The violation then has a nilpotent map, which a held u inside f would not give
+/// here.
 class Multistep final : public Integrator {
  public:
   explicit Multistep(const MultistepCoefficients& method)

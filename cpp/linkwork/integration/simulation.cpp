@@ -23,14 +23,16 @@ void append(std::vector<double>& list, const ConstVector& values) {
     if (!y.segment<7>(7 * body).allFinite() || !y.segment<6>(system.q_size() + 6 * body).allFinite())
       details.bodies = {system.model().body_name(body)};
   const std::string who = details.bodies.empty() ? "the work of the forces" : "body '" + details.bodies.front() + "'";
-  throw NotFiniteError("not_finite", who + " became infinite or undefined: the run diverged; use a smaller step", details);
+  throw NotFiniteError("not_finite", who + " became infinite or undefined: the run diverged; use a smaller step",
+                       details);
 }
 
 }  // namespace
 
 Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule)
     : dynamics_(dynamics), integrator_(std::move(integrator)), schedule_(schedule), y_(dynamics.initial_y()) {
-  if (!(schedule.step > 0.0) || !std::isfinite(schedule.step)) throw OptionError("step", "step must be positive and finite");
+  if (!(schedule.step > 0.0) || !std::isfinite(schedule.step))
+    throw OptionError("step", "step must be positive and finite");
   if (!(schedule.t_end >= 0.0) || !std::isfinite(schedule.t_end))
     throw OptionError("t_end", "t_end must be finite and not negative");
   if (schedule.record_every < 1) throw OptionError("record_every", "record_every must be at least 1");

@@ -9,8 +9,8 @@ struct Entry {
   double value;
 };
 
-/// Columns that depend on the others, ascending, found by rank-revealing sparse QR (SPQR, or Eigen's SparseQR in a build
-/// without GPL parts): their number is columns - rank. `tolerance` is relative to the largest column.
+/// Columns that depend on the others, ascending, found by rank-revealing sparse QR (SPQR, or Eigen's SparseQR in a
+/// build without GPL parts): their number is columns - rank. `tolerance` is relative to the largest column.
 std::vector<int> dependent_columns(int rows, int columns, std::vector<Entry> entries, double tolerance);
 
 }  // namespace linkwork

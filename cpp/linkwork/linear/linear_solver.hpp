@@ -12,8 +12,8 @@
 namespace linkwork {
 
 /// How near to singular a factorization came: the smallest pivot relative to its diagonal entry (Cholesky, LDL^T: it
-/// does not change under diagonal scaling) or to the largest pivot (LU), and the row where, or -1. Zero or negative: the
-/// factorization broke down.
+/// does not change under diagonal scaling) or to the largest pivot (LU), and the row where, or -1. Zero or negative:
+/// the factorization broke down.
 struct Pivot {
   double ratio = 1.0;
   int row = -1;

@@ -99,8 +99,9 @@ class NormalSolver final : public SaddleSolver {
       who = "body '" + details.bodies.front() + "'";
     }
     throw SingularSystemError("free_massless_body",
-                              who + " has a motion without inertia that no joint resists: M + D^T a D is singular; give "
-                                    "it mass and inertia, or hold it by joints",
+                              who +
+                                  " has a motion without inertia that no joint resists: M + D^T a D is singular; give "
+                                  "it mass and inertia, or hold it by joints",
                               details);
   }
 

@@ -37,7 +37,8 @@ void BlockMatrix::build_columns(const std::vector<BlockIndex>& blocks) {
     const auto end = static_cast<std::size_t>(block_column_begin_[column + 1]);
     std::vector<int> rows;
     for (std::size_t b = begin; b < end; ++b)
-      for (int r = first_[static_cast<std::size_t>(blocks[b].row)]; r < first_[static_cast<std::size_t>(blocks[b].row) + 1]; ++r)
+      for (int r = first_[static_cast<std::size_t>(blocks[b].row)];
+           r < first_[static_cast<std::size_t>(blocks[b].row) + 1]; ++r)
         rows.push_back(r);
     const int stride = static_cast<int>(rows.size()), width = first_[column + 1] - first_[column];
     int above = 0;
@@ -61,8 +62,7 @@ void BlockMatrix::build_columns(const std::vector<BlockIndex>& blocks) {
 
 void BlockMatrix::build_mirror(const std::vector<BlockIndex>& blocks) {
   for (const BlockIndex& block : blocks)
-    if (block.row < block.column)
-      mirror_.emplace_back(find(block.row, block.column), find(block.column, block.row));
+    if (block.row < block.column) mirror_.emplace_back(find(block.row, block.column), find(block.column, block.row));
 }
 
 int BlockMatrix::find(int row, int column) const {

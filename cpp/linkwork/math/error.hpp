@@ -32,11 +32,11 @@ class Error : public std::runtime_error {
   std::string code_;
 };
 
-#define LINKWORK_ERROR(NAME)                                                              \
-  class NAME : public Error {                                                             \
-   public:                                                                                \
-    NAME(std::string code, const std::string& message, ErrorDetails details = {})         \
-        : Error(#NAME, std::move(code), message, std::move(details)) {}                   \
+#define LINKWORK_ERROR(NAME)                                                      \
+  class NAME : public Error {                                                     \
+   public:                                                                        \
+    NAME(std::string code, const std::string& message, ErrorDetails details = {}) \
+        : Error(#NAME, std::move(code), message, std::move(details)) {}           \
   }
 
 LINKWORK_ERROR(ModelError);           ///< the description of the mechanism is wrong

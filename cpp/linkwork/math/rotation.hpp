@@ -35,10 +35,8 @@ Mat3<Real> rotation_matrix(const Vec4<Real>& p) {
 /// The product a b: first turn by b, then by a; A(a b) = A(a) A(b).
 template <class Real>
 Vec4<Real> quaternion_product(const Vec4<Real>& a, const Vec4<Real>& b) {
-  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
-          a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
-          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
-          a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3], a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1], a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
 }
 
 /// p_dot = 1/2 p (0, omega), omega body-fixed: the rotational part of q_dot = N(q) v.

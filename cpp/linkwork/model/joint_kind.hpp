@@ -41,8 +41,8 @@ void evaluate_joints(const Batch& batch, const BodyState<double>* bodies, const 
     const int row = batch.row[k];
     double* D_i = out.D + batch.D[k];
     const Rows<double, rows> place{out.Phi + row, out.Phi_t + row, out.gamma + row, D_i, D_i + 6 * rows};
-    Joint::template evaluate<double>(batch.attachment[k], parameters, bodies[batch.body_i[k]],
-                                     bodies[batch.body_j[k]], place);
+    Joint::template evaluate<double>(batch.attachment[k], parameters, bodies[batch.body_i[k]], bodies[batch.body_j[k]],
+                                     place);
   }
 }
 

@@ -13,9 +13,9 @@ struct KindInfo {
   std::string name = "";
   int rows = 0;  ///< constraint equations (0 for forces)
   std::string placement = "";
-  std::vector<std::string> parameters = {};  ///< numbers or functions of time
+  std::vector<std::string> parameters = {};      ///< numbers or functions of time
   std::vector<std::string> differentiated = {};  ///< those of the parameters whose time derivatives enter
-  std::vector<std::string> equations = {};   ///< one name per row
+  std::vector<std::string> equations = {};       ///< one name per row
   std::string documentation = "";
 };
 

@@ -45,15 +45,16 @@ void check_inertia(const Mat3<double>& J, const std::string& name) {
   if ((J - J.transpose()).cwiseAbs().maxCoeff() > tolerance * scale)
     refuse("inertia_not_symmetric", "body '" + name + "': the inertia is not symmetric", name);
   Vec3<double> moments = J.diagonal();
-  if (!J.isDiagonal(0.0)) moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(J, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!J.isDiagonal(0.0))
+    moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(J, Eigen::EigenvaluesOnly).eigenvalues();
   std::sort(moments.data(), moments.data() + 3);
   if (moments[0] < -tolerance * scale)
-    refuse("inertia_negative", "body '" + name + "': principal moment of inertia " + text(moments[0]) +
-                                   " kg m^2 is negative",
-           name);
+    refuse("inertia_negative",
+           "body '" + name + "': principal moment of inertia " + text(moments[0]) + " kg m^2 is negative", name);
   if (moments[2] > (moments[0] + moments[1]) * (1.0 + tolerance) + tolerance * scale)
-    refuse("inertia_triangle", "body '" + name + "': principal moments of inertia " + text(moments) +
-                                   " violate the triangle inequality: the largest must not exceed the sum of the others",
+    refuse("inertia_triangle",
+           "body '" + name + "': principal moments of inertia " + text(moments) +
+               " violate the triangle inequality: the largest must not exceed the sum of the others",
            name);
 }
 
@@ -68,8 +69,9 @@ void check_body(const Body& body, const std::string& name) {
   check_inertia(body.inertia, name);
   const double norm = body.orientation.norm();
   if (std::abs(norm - 1.0) > unit_tolerance)
-    refuse("orientation", "body '" + name + "': orientation " + text(body.orientation) + " has norm " + text(norm) +
-                              " and must be unit Euler parameters (e0, e1, e2, e3)",
+    refuse("orientation",
+           "body '" + name + "': orientation " + text(body.orientation) + " has norm " + text(norm) +
+               " and must be unit Euler parameters (e0, e1, e2, e3)",
            name);
 }
 
@@ -85,7 +87,8 @@ Model::Model(const Vec3<double>& gravity) : gravity_(gravity) {
 
 int Model::add_body(const std::string& name, const Body& body) {
   check_body(body, name);
-  if (name == "ground") throw ModelError("duplicate_name", "body 'ground': the name belongs to the ground; choose another");
+  if (name == "ground")
+    throw ModelError("duplicate_name", "body 'ground': the name belongs to the ground; choose another");
   body_names_.add(name);
   bodies_.push_back(body);
   bodies_.back().orientation.normalize();
@@ -131,8 +134,9 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
     const bool differentiated =
         std::find(info.differentiated.begin(), info.differentiated.end(), parameter) != info.differentiated.end();
     if (signal >= 0 && differentiated && !signals_[static_cast<std::size_t>(signal)]->has_derivatives())
-      refuse_element("derivatives", parameter + " is a function of time without derivatives; give the first and second "
-                                               "derivative too");
+      refuse_element("derivatives", parameter +
+                                        " is a function of time without derivatives; give the first and second "
+                                        "derivative too");
   }
 }
 
@@ -140,8 +144,8 @@ int Model::add_elements(Role role, const std::string& kind, const std::string& n
                         const std::vector<Element>& elements, const std::vector<Parameter>& parameters) {
   const bool joint = role == Role::joint;
   const int index = joint ? joint_kind_index(kind) : force_kind_index(kind);
-  const KindInfo& info = joint ? joint_kinds()[static_cast<std::size_t>(index)].info
-                               : force_kinds()[static_cast<std::size_t>(index)].info;
+  const KindInfo& info =
+      joint ? joint_kinds()[static_cast<std::size_t>(index)].info : force_kinds()[static_cast<std::size_t>(index)].info;
   const std::size_t count = info.parameters.size();
   if (parameters.size() != count * elements.size())
     throw ModelError("parameters", kind + " '" + name + "': takes " + std::to_string(count) + " parameters, not " +
@@ -208,7 +212,8 @@ std::string Model::describe_row(int row) const {
 VectorXd Model::initial_q() const {
   VectorXd q(position_size * static_cast<int>(bodies_.size()));
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    q.segment<position_size>(position_size * static_cast<Eigen::Index>(b)) << bodies_[b].position, bodies_[b].orientation;
+    q.segment<position_size>(position_size * static_cast<Eigen::Index>(b)) << bodies_[b].position,
+        bodies_[b].orientation;
   return q;
 }
 

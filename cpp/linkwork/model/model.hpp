@@ -15,12 +15,12 @@ constexpr int ground = -1;  ///< index of the ground, at rest
 
 /// A rigid body at the initial time.
 struct Body {
-  double mass = 1.0;                                  ///< [kg], >= 0
-  Mat3<double> inertia = Mat3<double>::Identity();    ///< about the centre of mass, body axes [kg m^2]
-  Vec3<double> position = Vec3<double>::Zero();       ///< centre of mass, inertial [m]
-  Vec4<double> orientation = {1.0, 0.0, 0.0, 0.0};    ///< Euler parameters, scalar first, unit
-  Vec3<double> velocity = Vec3<double>::Zero();       ///< inertial [m/s]
-  Vec3<double> omega = Vec3<double>::Zero();          ///< body-fixed [rad/s]
+  double mass = 1.0;                                ///< [kg], >= 0
+  Mat3<double> inertia = Mat3<double>::Identity();  ///< about the centre of mass, body axes [kg m^2]
+  Vec3<double> position = Vec3<double>::Zero();     ///< centre of mass, inertial [m]
+  Vec4<double> orientation = {1.0, 0.0, 0.0, 0.0};  ///< Euler parameters, scalar first, unit
+  Vec3<double> velocity = Vec3<double>::Zero();     ///< inertial [m/s]
+  Vec3<double> omega = Vec3<double>::Zero();        ///< body-fixed [rad/s]
 };
 
 /// A joint or force element between bodies i and j (ground = -1).

@@ -6,8 +6,8 @@
 
 namespace linkwork {
 
-/// Names of bodies, joints or forces: given one by one, or as a prefix for a group ("link" -> "link[0]", "link[1]", ...)
-/// so that a million names take no memory.
+/// Names of bodies, joints or forces: given one by one, or as a prefix for a group ("link" -> "link[0]", "link[1]",
+/// ...) so that a million names take no memory.
 class NameTable {
  public:
   explicit NameTable(const char* what) : what_(what) {}

@@ -49,8 +49,8 @@ void perpendicular(const BodyState<Real>& i, const BodyState<Real>& j, const Vec
   set_row<Real>(out.D_j, 0, Vec3<Real>::Zero(), b_j.cross(a_in_j));
   out.Phi[0] = a.dot(b);
   out.Phi_t[0] = Real(0);
-  out.gamma[0] = -centripetal(i.omega, a_i).dot(b_in_i) - centripetal(j.omega, b_j).dot(a_in_j) -
-                 Real(2) * a_dot.dot(b_dot);
+  out.gamma[0] =
+      -centripetal(i.omega, a_i).dot(b_in_i) - centripetal(j.omega, b_j).dot(a_in_j) - Real(2) * a_dot.dot(b_dot);
 }
 
 // Phi = a . d = 0 with a = A_i a_i, d = r_j + A_j s_j - r_i - A_i s_i: the point of j stays in a plane of i.

@@ -25,8 +25,8 @@ TimeFunctionPtr polynomial(std::vector<double> coefficients);
 /// f(t) = offset + amplitude sin(frequency t + phase); frequency in rad/s.
 TimeFunctionPtr harmonic(double amplitude, double frequency, double phase, double offset);
 
-/// f(t) = sum_k c[i][k] (t - t_i)^k on [t_i, t_{i+1}); coefficients hold `pieces` rows of equal length, ascending powers.
-/// Outside of [t_0, t_n] an evaluation throws an OptionError.
+/// f(t) = sum_k c[i][k] (t - t_i)^k on [t_i, t_{i+1}); coefficients hold `pieces` rows of equal length, ascending
+/// powers. Outside of [t_0, t_n] an evaluation throws an OptionError.
 TimeFunctionPtr piecewise_polynomial(std::vector<double> breaks, std::vector<double> coefficients);
 
 /// Any functions of time; without `rate` and `acceleration` it has no derivatives.

@@ -9,10 +9,9 @@ namespace {
 class EigenLdlt final : public LinearSolver {
  public:
   void analyze(const SparseMatrix& pattern) override {
-    copy_ = Eigen::Map<const Eigen::SparseMatrix<double>>(pattern.size, pattern.size,
-                                                          static_cast<Eigen::Index>(pattern.value.size()),
-                                                          pattern.column_begin.data(), pattern.row.data(),
-                                                          pattern.value.data());
+    copy_ = Eigen::Map<const Eigen::SparseMatrix<double>>(
+        pattern.size, pattern.size, static_cast<Eigen::Index>(pattern.value.size()), pattern.column_begin.data(),
+        pattern.row.data(), pattern.value.data());
     ldlt_.analyzePattern(copy_);
   }
 

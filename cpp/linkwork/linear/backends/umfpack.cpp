@@ -29,8 +29,8 @@ class Umfpack final : public LinearSolver {
 
   Pivot factorize(const SparseMatrix& A) override {
     umfpack_di_free_numeric(&numeric_);
-    const int status = umfpack_di_numeric(A.column_begin.data(), A.row.data(), A.value.data(), symbolic_, &numeric_,
-                                          control_, info_);
+    const int status =
+        umfpack_di_numeric(A.column_begin.data(), A.row.data(), A.value.data(), symbolic_, &numeric_, control_, info_);
     if (status == UMFPACK_WARNING_singular_matrix) return {0.0, -1};
     check(status);
     matrix_ = &A;

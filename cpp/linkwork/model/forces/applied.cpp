@@ -11,8 +11,9 @@ struct Applied {
     return {.name = "applied",
             .placement = "frame",
             .parameters = {"force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z"},
-            .documentation = "Force [N] and torque [N m] on body b at a point of b, constant or functions of time, with "
-                             "components in the frame of body a (ground: inertial; b itself: body-fixed)."};
+            .documentation =
+                "Force [N] and torque [N m] on body b at a point of b, constant or functions of time, with "
+                "components in the frame of body a (ground: inertial; b itself: body-fixed)."};
   }
 
   // force: F = A_i C_i f;   torque about the centre of mass, body axes: s_j x A_j^T F + A_j^T A_i C_i n

@@ -12,8 +12,9 @@ struct SpringDamper {
             .placement = "two_points",
             .parameters = {"stiffness", "damping", "free_length", "force"},
             .differentiated = {"stiffness", "free_length"},
-            .documentation = "Spring [N/m], damper [N s/m] and actuator [N] between a point of a and a point of b: the "
-                             "pull is f = k (l - l_0) + c l_dot + f_a, positive in tension."};
+            .documentation =
+                "Spring [N/m], damper [N s/m] and actuator [N] between a point of a and a point of b: the "
+                "pull is f = k (l - l_0) + c l_dot + f_a, positive in tension."};
   }
 
   // The element acts along the coordinate l = |d| whose row D is that of `separation`: g = -f D^T. Its power without a

@@ -13,9 +13,10 @@ struct Distance {
             .parameters = {"length"},
             .differentiated = {"length"},
             .equations = {"distance"},
-            .documentation = "Massless rod with ball ends: a point of a and a point of b keep the distance `length` "
-                             "[m], constant or a function of time. The multiplier is the rod's force [N], "
-                             "compression positive."};
+            .documentation =
+                "Massless rod with ball ends: a point of a and a point of b keep the distance `length` "
+                "[m], constant or a function of time. The multiplier is the rod's force [N], "
+                "compression positive."};
   }
 
   template <class Real>

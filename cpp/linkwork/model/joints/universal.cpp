@@ -11,8 +11,9 @@ struct Universal {
     return {.name = "universal",
             .placement = "two_axes",
             .equations = {"translation x", "translation y", "translation z", "rotation about both axes' normal"},
-            .documentation = "Cardan joint: bodies a and b share a point; the axis fixed in a stays perpendicular to "
-                             "the axis fixed in b, and rotation about each is free."};
+            .documentation =
+                "Cardan joint: bodies a and b share a point; the axis fixed in a stays perpendicular to "
+                "the axis fixed in b, and rotation about each is free."};
   }
 
   template <class Real>
