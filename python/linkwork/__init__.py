@@ -1,0 +1,91 @@
+"""linkwork: spatial mechanisms, and the methods that solve their equations of motion, side by side.
+
+    import linkwork as lw
+
+    model = lw.Model(gravity=(0, 0, -9.81))
+    rod = model.body("rod", mass=1.0, inertia=(0.001, 0.083, 0.083), position=(0.5, 0, 0))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0))
+    result = lw.simulate(model, t_end=2.0, step=1e-3)
+
+SI units; positions inertial, omega body-fixed, Euler parameters scalar first. Names load at first use.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from linkwork import functions, integrators, mechanisms, rotation
+    from linkwork.errors import (
+        FileError,
+        LinkworkError,
+        LinkworkWarning,
+        ModelError,
+        NotConvergedError,
+        NotFiniteError,
+        OptionError,
+        SingularSystemError,
+    )
+    from linkwork.handles import Body, Force, Joint
+    from linkwork.model import Model
+    from linkwork.progress import ProgressInfo
+    from linkwork.result import BodyResult, Reaction, Result
+    from linkwork.simulation import simulate
+    from linkwork.system import System
+
+__all__ = [
+    "Body",
+    "BodyResult",
+    "FileError",
+    "Force",
+    "Joint",
+    "LinkworkError",
+    "LinkworkWarning",
+    "Model",
+    "ModelError",
+    "NotConvergedError",
+    "NotFiniteError",
+    "OptionError",
+    "ProgressInfo",
+    "Reaction",
+    "Result",
+    "SingularSystemError",
+    "System",
+    "__version__",
+    "functions",
+    "integrators",
+    "mechanisms",
+    "rotation",
+    "simulate",
+]
+
+_MODULES = ("functions", "integrators", "mechanisms", "rotation")
+_PLACES = {
+    "linkwork.handles": ("Body", "Force", "Joint"),
+    "linkwork.errors": ("FileError", "LinkworkError", "LinkworkWarning", "ModelError", "NotConvergedError",
+                        "NotFiniteError", "OptionError", "SingularSystemError"),
+    "linkwork.model": ("Model",),
+    "linkwork.progress": ("ProgressInfo",),
+    "linkwork.result": ("BodyResult", "Reaction", "Result"),
+    "linkwork.simulation": ("simulate",),
+    "linkwork.system": ("System",),
+}  # fmt: skip
+_HOME = {name: module for module, names in _PLACES.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        value = getattr(import_module(_HOME[name]), name)
+    elif name in _MODULES:
+        value = import_module(f"linkwork.{name}")
+    elif name == "__version__":
+        value = import_module("importlib.metadata").version("linkwork")
+    else:
+        raise AttributeError(f"module 'linkwork' has no attribute '{name}'")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

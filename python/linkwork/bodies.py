@@ -1,0 +1,107 @@
+"""The bodies of a model in Python: how they are found again, and where they are at t = 0."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import _core, rotation
+from linkwork.errors import nearest
+from linkwork.handles import Body, Range
+from linkwork.placement import Poses, Subject
+
+if TYPE_CHECKING:
+    from linkwork.model import Model
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int32]
+
+#: Names among which the nearest is looked for.
+NAMES_SEARCHED = 10_000
+
+
+class Bodies:
+    """Handles, names, indices and initial poses of the bodies of one model; the ground has index -1."""
+
+    def __init__(self, model: Model, core: _core.Model) -> None:
+        self._model, self._core = model, core
+        self.ground = Body("ground", -1, model)
+        self._poses = _PoseList()
+
+    def add(self, names: str | list[str], mass: Floats, inertia: Floats, **state: Floats) -> Range[Body]:
+        """Hand k bodies to the compiled model, which checks them; every array has a leading k."""
+        first = self._core.add_bodies(names, mass, inertia, **state)
+        self._poses.append(state["position"], state["orientation"])
+        return Range(range(first, first + len(mass)), self.handle)
+
+    def handle(self, index: int) -> Body:
+        return self.ground if index < 0 else Body(self._core.body_name(index), index, self._model)
+
+    def poses(self, bodies: Indices) -> Poses:
+        """At t = 0."""
+        r, p = self._poses[bodies]
+        return Poses(r, rotation.matrix(p))
+
+    def index(self, body: Any, subject: Subject) -> int:
+        """Of a body given by handle or name. ModelError: of another model, unknown, or no body at all."""
+        if isinstance(body, Body):
+            if body.model is not self._model:
+                subject.refuse(0, f"body '{body.name}' belongs to another model", "unknown_body")
+            return body.index
+        if not isinstance(body, str):
+            subject.refuse(0, f"{body!r} is not a body: give its handle or its name", "unknown_body")
+        index = -1 if body == "ground" else int(self._core.find_body(body))
+        if index < 0 and body != "ground":
+            searched = range(min(self._core.body_count, NAMES_SEARCHED))
+            known = ["ground", *map(self._core.body_name, searched)]
+            subject.refuse(0, f"no body named '{body}'{nearest(body, known)}", "unknown_name")
+        return index
+
+    def pair(self, a: Any, b: Any, subject: Subject) -> Indices:
+        """The two bodies of one element (1, 2)."""
+        return np.array([[self.index(a, subject), self.index(b, subject)]], np.int32)
+
+    def pairs(self, a: Any, b: Any, subject: Subject) -> Indices:
+        """The bodies of a group of elements (k, 2); one body stands for all."""
+        first, second = self._indices(a, subject), self._indices(b, subject)
+        if len(first) != len(second) and 1 not in (len(first), len(second)):
+            subject.refuse(0, f"joins {len(first)} bodies to {len(second)}", "shape")
+        return np.stack(np.broadcast_arrays(first, second), axis=1)
+
+    def _indices(self, bodies: Any, subject: Subject) -> Indices:
+        if isinstance(bodies, np.ndarray) and bodies.dtype.kind in "iu" and bodies.ndim == 1:
+            outside = (bodies < -1) | (bodies >= self._core.body_count)
+            if outside.any():
+                subject.refuse(0, f"body index {bodies[outside][0]} does not exist", "unknown_body")
+            return bodies.astype(np.int32)
+        if isinstance(bodies, Range):
+            self.index(bodies[0], subject)
+            return bodies.indices
+        many = [bodies] if isinstance(bodies, Body | str) else bodies
+        return np.array([self.index(body, subject) for body in many], np.int32)
+
+
+class _PoseList:
+    """Poses (r, p), the ground first; grows by doubling so that adding one stays cheap."""
+
+    def __init__(self) -> None:
+        self._rows = np.zeros((16, 7))
+        self._rows[0, 3] = 1.0
+        self._used = 1
+
+    def append(self, position: Floats, orientation: Floats) -> None:
+        end = self._used + len(position)
+        if end > len(self._rows):
+            grown = np.zeros((max(end, 2 * len(self._rows)), 7))
+            grown[: self._used] = self._rows[: self._used]
+            self._rows = grown
+        self._rows[self._used : end, :3] = position
+        self._rows[self._used : end, 3:] = orientation / np.linalg.norm(orientation, axis=1, keepdims=True)
+        self._used = end
+
+    def __getitem__(self, bodies: Indices) -> tuple[Floats, Floats]:
+        """(position (k, 3), Euler parameters (k, 4)) of bodies by index."""
+        rows = self._rows[bodies + 1]
+        return rows[:, :3], rows[:, 3:]

@@ -1,0 +1,109 @@
+"""Joints and force elements on their way to the compiled model: from arguments to checked arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import _core
+from linkwork.errors import OptionError, nearest
+from linkwork.functions import TimeFunction, as_time_function
+from linkwork.placement import PLACEMENTS, Attachment, Place, Subject
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.int32]
+Role = Literal["joint", "force"]
+
+#: What a parameter can be: values (k,), or one function of time for all.
+Parameter = Floats | TimeFunction
+
+KINDS: Mapping[Role, Mapping[str, _core.KindInfo]] = {
+    "joint": {kind.name: kind for kind in _core.joint_kinds()},
+    "force": {kind.name: kind for kind in _core.force_kinds()},
+}
+
+#: Parameters that are, when not given, the distance of the two points at the initial pose.
+_LENGTHS = ("length", "free_length")
+
+
+@dataclass(frozen=True)
+class Elements:
+    """k elements of one kind between the bodies (k, 2)."""
+
+    info: _core.KindInfo
+    subject: Subject
+    bodies: Indices
+    place: Attachment
+    parameters: Mapping[str, Parameter]
+
+    def add_to(self, core: _core.Model) -> None:
+        """Hand over to the compiled model. ModelError: what that refuses, such as a body joined to itself."""
+        values = np.zeros((self.subject.count, len(self.info.parameters)))
+        signals = np.full(values.shape, -1, np.int32)
+        for column, what in enumerate(self.info.parameters):
+            parameter = self.parameters[what]
+            if isinstance(parameter, TimeFunction):
+                signals[:, column] = core.add_signal(parameter.compiled())
+            else:
+                values[:, column] = parameter
+        add = core.add_joints if self.info.name in KINDS["joint"] else core.add_forces
+        names = self.subject.name if self.subject.group else [self.subject.name]
+        add(self.info.name, names, self.bodies, self.place.origin, self.place.frame, values, signals)
+
+    def signals(self) -> list[tuple[str, TimeFunction]]:
+        """The functions of time, each with what it drives."""
+        named = ((f"{self.subject.who(0)}: {what}", parameter) for what, parameter in self.parameters.items())
+        return [(what, parameter) for what, parameter in named if isinstance(parameter, TimeFunction)]
+
+
+def kind_info(role: Role, name: str) -> _core.KindInfo:
+    """OptionError: there is no such kind."""
+    if name not in KINDS[role]:
+        raise OptionError(
+            f"{role} kind '{name}' does not exist{nearest(name, KINDS[role])}", code="unknown_kind"
+        )
+    return KINDS[role][name]
+
+
+def placed(info: _core.KindInfo, place: Place, bodies: Indices, arguments: Mapping[str, Any]) -> Elements:
+    """Elements from the arguments of their placement and their parameters."""
+    where = {what: value for what, value in arguments.items() if what not in info.parameters}
+    attachment = PLACEMENTS[info.placement](place, **where)
+    return with_parameters(info, place.subject, bodies, attachment, arguments)
+
+
+def with_parameters(
+    info: _core.KindInfo, subject: Subject, bodies: Indices, place: Attachment, given: Mapping[str, Any]
+) -> Elements:
+    """Elements at a place that is known."""
+    parameters = {what: _parameter(subject, info, what, given.get(what), place) for what in info.parameters}
+    if "length" in parameters:
+        _check_length(subject, place, parameters["length"])
+    return Elements(info, subject, bodies, place, parameters)
+
+
+def _parameter(subject: Subject, info: _core.KindInfo, what: str, given: Any, place: Attachment) -> Parameter:
+    if given is None and what in _LENGTHS:
+        return place.distance
+    if given is None:
+        subject.refuse(0, f"{what} is missing", "missing")
+    if subject.group and np.shape(given) == (subject.count,):
+        return np.asarray(given, dtype=float)
+    parameter = as_time_function(given, f"{subject.who(0)}: {what}")
+    if not isinstance(parameter, TimeFunction):
+        return np.full(subject.count, parameter)
+    if what in info.differentiated and not parameter.has_derivatives:
+        remedy = "a tuple of functions (f, df, ddf), or one of linkwork.functions such as table(t, values)"
+        subject.refuse(0, f"{what} enters with its time derivatives: give {remedy}", "derivatives")
+    return parameter
+
+
+def _check_length(subject: Subject, place: Attachment, length: Parameter) -> None:
+    """A distance of zero has no direction, so the joint would lose its equation."""
+    start = np.full(subject.count, length.evaluate(0.0)[0]) if isinstance(length, TimeFunction) else length
+    subject.check(start > 0, lambda k: f"length {start[k]:.6g} m must be positive", "length")
+    subject.check(place.distance > 0, lambda k: "its two points coincide at the initial pose", "length")

@@ -1,0 +1,80 @@
+"""What goes wrong, as data: a class, a code, one line for people, and the numbers behind it.
+
+The compiled module raises these same classes. Nothing here prints.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping, Sequence
+
+__all__ = [
+    "FileError",
+    "LinkworkError",
+    "LinkworkWarning",
+    "ModelError",
+    "NotConvergedError",
+    "NotFiniteError",
+    "OptionError",
+    "SingularSystemError",
+    "nearest",
+]
+
+
+class LinkworkError(Exception):
+    """Base of every error of linkwork. `str(error)` is one line that names the object and the value."""
+
+    def __init__(
+        self,
+        message: str,
+        *,
+        code: str = "error",
+        bodies: Sequence[str] = (),
+        joints: Sequence[str] = (),
+        time: float | None = None,
+        step: float | None = None,
+        residuals: Mapping[str, float] | None = None,
+    ) -> None:
+        """`time` and `step` [s] where a run failed; `residuals` by name, in the unit of what is measured."""
+        self.message = " ".join(message.split())
+        super().__init__(self.message)
+        self.code = code
+        self.bodies = list(bodies)
+        self.joints = list(joints)
+        self.time = time
+        self.step = step
+        self.residuals = dict(residuals or {})
+
+
+class ModelError(LinkworkError):
+    """The description of the mechanism is wrong."""
+
+
+class OptionError(LinkworkError):
+    """A choice that does not exist, or that cannot be honored."""
+
+
+class SingularSystemError(LinkworkError):
+    """Dependent constraint equations, or no unique acceleration."""
+
+
+class NotConvergedError(LinkworkError):
+    """An iteration ended at its cap."""
+
+
+class NotFiniteError(LinkworkError):
+    """A NaN or an infinity appeared during a run."""
+
+
+class FileError(LinkworkError):
+    """A file cannot be read or written."""
+
+
+class LinkworkWarning(UserWarning):
+    """Something that is probably not meant, but can be computed."""
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """The end of a message about an unknown `word`: `; the nearest is 'rk4'`."""
+    close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.0)
+    return f"; the nearest is '{close[0]}'" if close else ""

@@ -1,0 +1,245 @@
+"""Functions of time [s] for what a model lets vary: forces, free lengths, the length of a distance joint.
+
+    model.force(rod, force=(lw.functions.harmonic(amplitude=5.0, frequency=3.0), 0, 0))
+
+Each is a small record that the compiled module evaluates with its first two derivatives; no Python runs in
+the loop, except for `Callback`. A table is never held or extrapolated: a run that goes beyond it is an error
+before the first step.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.errors import ModelError
+
+__all__ = ["TimeFunction", "as_time_function", "constant", "harmonic", "polynomial", "table"]
+
+Floats = NDArray[np.float64]
+
+#: A number, a TimeFunction, a function f(t), or a tuple (f, df, ddf) of functions of t.
+TimeFunctionLike = Any
+
+
+class TimeFunction(ABC):
+    """A quantity f(t) with its first two derivatives."""
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """Times [s] between which the function is defined."""
+        return -math.inf, math.inf
+
+    @property
+    def has_derivatives(self) -> bool:
+        """False where the derivatives are not known: then the function cannot drive a constraint."""
+        return True
+
+    @abstractmethod
+    def compiled(self) -> _core.TimeFunction:
+        """The same function in the compiled module."""
+
+    def fingerprint(self) -> bytes:
+        """Equal for equal functions; a Python function counts by its name."""
+        return repr(self).encode()
+
+    def evaluate(self, t: float) -> tuple[float, float, float]:
+        """(f, df/dt, d2f/dt2) at t [s]; derivatives that are not known are NaN."""
+        value, rate, acceleration = self.compiled().evaluate(t)
+        return value, rate, acceleration
+
+
+@dataclass(frozen=True)
+class Polynomial(TimeFunction):
+    """f(t) = sum c_k t^k, ascending."""
+
+    coefficients: tuple[float, ...]
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.polynomial(list(self.coefficients))
+
+
+@dataclass(frozen=True)
+class Harmonic(TimeFunction):
+    """f(t) = offset + amplitude sin(frequency t + phase), frequency in rad/s."""
+
+    amplitude: float
+    frequency: float
+    phase: float
+    offset: float
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.harmonic(self.amplitude, self.frequency, self.phase, self.offset)
+
+
+@dataclass(frozen=True, eq=False)
+class Table(TimeFunction):
+    """A cubic spline through samples; `coefficients` (k-1, 4) in powers of t - breaks[i], ascending."""
+
+    breaks: Floats
+    coefficients: Floats
+
+    @property
+    def span(self) -> tuple[float, float]:
+        return float(self.breaks[0]), float(self.breaks[-1])
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.piecewise_polynomial(
+            self.breaks.tolist(), self.coefficients.ravel().tolist()
+        )
+
+    def fingerprint(self) -> bytes:
+        return self.breaks.tobytes() + self.coefficients.tobytes()
+
+
+@dataclass(frozen=True)
+class Callback(TimeFunction):
+    """A Python function, called in every evaluation: slow, and without derivatives unless they are given."""
+
+    value: Callable[[float], float]
+    rate: Callable[[float], float] | None = None
+    acceleration: Callable[[float], float] | None = None
+
+    @property
+    def has_derivatives(self) -> bool:
+        return self.rate is not None and self.acceleration is not None
+
+    def compiled(self) -> _core.TimeFunction:
+        if self.rate is None or self.acceleration is None:
+            return _core.TimeFunction.callback(self.value)
+        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration)
+
+    def fingerprint(self) -> bytes:
+        return " ".join(
+            getattr(f, "__qualname__", "") for f in (self.value, self.rate, self.acceleration)
+        ).encode()
+
+
+def constant(value: float) -> TimeFunction:
+    """f(t) = value. A plain number does the same."""
+    return Polynomial((_finite(value, "constant: value"),))
+
+
+def polynomial(*coefficients: float) -> TimeFunction:
+    """f(t) = c_0 + c_1 t + c_2 t^2 + ..., t in s.
+
+    ModelError: no coefficient, or one that is not finite.
+    """
+    if not coefficients:
+        raise ModelError("polynomial: needs at least one coefficient", code="time_function")
+    return Polynomial(tuple(_finite(c, f"polynomial: coefficient {k}") for k, c in enumerate(coefficients)))
+
+
+def harmonic(amplitude: float, frequency: float, phase: float = 0.0, offset: float = 0.0) -> TimeFunction:
+    """f(t) = offset + amplitude sin(frequency t + phase); frequency in rad/s, phase in rad.
+
+    ModelError: a value that is not finite.
+    """
+    values = {"amplitude": amplitude, "frequency": frequency, "phase": phase, "offset": offset}
+    return Harmonic(**{name: _finite(value, f"harmonic: {name}") for name, value in values.items()})
+
+
+def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
+    """The cubic spline through samples `values` (k,) at increasing times `t` (k,) [s].
+
+    Twice continuously differentiable, with not-a-knot ends: two samples make a line, three a parabola. It is
+    defined between the first and the last time only: a run that goes beyond is refused.
+    ModelError: fewer than two samples, unequal lengths, times not increasing, values not finite.
+    """
+    breaks, samples = np.array(t, dtype=float), np.array(values, dtype=float)
+    _check_samples(breaks, samples)
+    return Table(breaks, _spline(breaks, samples))
+
+
+def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
+    """What may be given for a quantity of time: a number stays a number, the rest becomes a TimeFunction.
+
+    `what` names the quantity in messages. ModelError: anything else, or no finite value at t = 0.
+    """
+    if isinstance(x, TimeFunction):
+        return x
+    if callable(x):
+        x = (x,)
+    if isinstance(x, tuple) and len(x) in (1, 3) and all(map(callable, x)):
+        for function, name in zip(x, ("value", "first derivative", "second derivative"), strict=False):
+            _finite(function(0.0), f"{what}: {name} at t = 0")
+        return Callback(*x)
+    return _finite(x, what)
+
+
+def _finite(x: Any, what: str) -> float:
+    try:
+        value = float(x)
+    except (TypeError, ValueError) as error:
+        choices = "a number, a function of time, or a tuple of functions (f, df, ddf)"
+        raise ModelError(f"{what}: {x!r} is not {choices}", code="not_a_number") from error
+    if not math.isfinite(value):
+        raise ModelError(f"{what}: {value} is not finite", code="not_finite")
+    return value
+
+
+def _check_samples(t: Floats, values: Floats) -> None:
+    if t.ndim != 1 or t.shape != values.shape or len(t) < 2:
+        shapes = f"t {t.shape} and values {values.shape}"
+        raise ModelError(
+            f"table: {shapes} must be two or more samples, as many values as times", code="time_function"
+        )
+    for name, samples in (("time", t), ("value", values)):
+        if not np.isfinite(samples).all():
+            k = int(np.argmin(np.isfinite(samples)))
+            raise ModelError(f"table: {name} {k} is {samples[k]}, not finite", code="not_finite")
+    if (np.diff(t) <= 0).any():
+        k = int(np.argmax(np.diff(t) <= 0))
+        raise ModelError(
+            f"table: times must increase, but {t[k + 1]:g} s follows {t[k]:g} s", code="time_function"
+        )
+
+
+# Not-a-knot cubic spline by its second derivatives M_i (de Boor, A Practical Guide to Splines, chapter IV):
+#   h_{i-1} M_{i-1} + 2 (h_{i-1} + h_i) M_i + h_i M_{i+1} = 6 (s_i - s_{i-1}),   s_i = (f_{i+1} - f_i) / h_i,
+# and equal third derivatives at both sides of the first and last inner samples:
+#   M_0 = M_1 - r (M_2 - M_1),   r = h_0 / h_1
+def _spline(t: Floats, f: Floats) -> Floats:
+    """Coefficients (k-1, 4) in powers of t - t_i."""
+    h = np.diff(t)
+    slope = np.diff(f) / h
+    M = _second_derivatives(h, slope)
+    first = slope - h * (2 * M[:-1] + M[1:]) / 6
+    return np.stack([f[:-1], first, M[:-1] / 2, np.diff(M) / (6 * h)], axis=1)
+
+
+def _second_derivatives(h: Floats, slope: Floats) -> Floats:
+    if len(h) == 1:
+        return np.zeros(2)
+    bends = np.diff(slope)
+    if len(h) == 2:
+        return np.full(3, 2 * bends[0] / (h[0] + h[1]))
+    lower, diagonal, upper = h[:-1].copy(), 2 * (h[:-1] + h[1:]), h[1:].copy()
+    left, right = h[0] / h[1], h[-1] / h[-2]
+    diagonal[0] += h[0] * (1 + left)
+    upper[0] -= h[0] * left
+    diagonal[-1] += h[-1] * (1 + right)
+    lower[-1] -= h[-1] * right
+    inner = _solve_tridiagonal(lower, diagonal, upper, 6 * bends)
+    ends = (1 + left) * inner[0] - left * inner[1], (1 + right) * inner[-1] - right * inner[-2]
+    return np.concatenate([[ends[0]], inner, [ends[1]]])
+
+
+def _solve_tridiagonal(lower: Floats, diagonal: Floats, upper: Floats, right: Floats) -> Floats:
+    """Elimination without pivoting; lower[i] stands left of diagonal[i], upper[i] right of it."""
+    d, x = diagonal.copy(), right.copy()
+    for i in range(1, len(d)):
+        factor = lower[i] / d[i - 1]
+        d[i] -= factor * upper[i - 1]
+        x[i] -= factor * x[i - 1]
+    x[-1] /= d[-1]
+    for i in range(len(d) - 2, -1, -1):
+        x[i] = (x[i] - upper[i] * x[i + 1]) / d[i]
+    return x

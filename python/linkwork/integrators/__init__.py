@@ -1,0 +1,46 @@
+"""Integrators: each is data in a file of its own, registered here by one name.
+
+The compiled driver runs them at a fixed step. A new one is a `ButcherTableau`, `AdamsBashforth` or
+`AdamsBashforthMoulton`; it can be given to `simulate` directly, or added to METHODS.
+"""
+
+from __future__ import annotations
+
+from linkwork.errors import OptionError, nearest
+from linkwork.integrators.adams import AdamsBashforth, AdamsBashforthMoulton
+from linkwork.integrators.adams_bashforth import AB2, AB3, AB4, AB5
+from linkwork.integrators.adams_bashforth_moulton import ABM4
+from linkwork.integrators.dopri5 import DOPRI5
+from linkwork.integrators.euler import EULER
+from linkwork.integrators.heun import HEUN
+from linkwork.integrators.rk3 import RK3
+from linkwork.integrators.rk4 import RK4
+from linkwork.integrators.runge_kutta import ButcherTableau
+from linkwork.integrators.semi_implicit_euler import SEMI_IMPLICIT_EULER, SemiImplicitEuler
+from linkwork.integrators.tsit5 import TSIT5
+
+__all__ = [
+    "METHODS",
+    "AdamsBashforth",
+    "AdamsBashforthMoulton",
+    "ButcherTableau",
+    "Integrator",
+    "SemiImplicitEuler",
+    "named",
+]
+
+Integrator = ButcherTableau | AdamsBashforth | AdamsBashforthMoulton | SemiImplicitEuler
+
+METHODS: dict[str, Integrator] = {
+    method.name: method
+    for method in (EULER, SEMI_IMPLICIT_EULER, HEUN, RK3, RK4, AB2, AB3, AB4, AB5, ABM4, DOPRI5, TSIT5)
+}
+
+
+def named(name: str) -> Integrator:
+    """The method with this name. OptionError: there is none."""
+    if name not in METHODS:
+        raise OptionError(
+            f"integrator '{name}' does not exist{nearest(name, METHODS)}", code="unknown_option"
+        )
+    return METHODS[name]

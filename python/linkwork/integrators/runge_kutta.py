@@ -1,0 +1,64 @@
+"""Explicit Runge-Kutta methods as data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import _core
+from linkwork.errors import OptionError
+from linkwork.integrators.growth import damped_roots
+
+
+@dataclass(frozen=True)
+class ButcherTableau:
+    """An explicit Runge-Kutta method of s stages with step h:
+
+    Y_i = y + h sum_j A_ij f(t + c_j h, Y_j),   y_next = y + h sum_i b_i f(t + c_i h, Y_i)
+
+    `A` holds the strictly lower triangle, row i with i numbers. OptionError: sizes that do not fit.
+    """
+
+    name: str
+    order: int
+    reference: str
+    A: Sequence[Sequence[float]]
+    b: Sequence[float]
+    c: Sequence[float]
+
+    def __post_init__(self) -> None:
+        stages = len(self.b)
+        if len(self.c) != stages or [len(row) for row in self.A] != list(range(stages)) or not stages:
+            raise OptionError(
+                f"integrator '{self.name}': the tableau must have as many c and rows of A as b ({stages}), "
+                "and i numbers in row i of A",
+                code="tableau",
+            )
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """A as a square matrix (s, s)."""
+        square = np.zeros((len(self.b), len(self.b)))
+        for i, row in enumerate(self.A):
+            square[i, :i] = row
+        return square
+
+    def compiled(self) -> _core.Tableau:
+        """The same method in the compiled module."""
+        return _core.Tableau(
+            self.name, self.order, self.matrix, np.array(self.b, float), np.array(self.c, float)
+        )
+
+    def growth(self, alpha_h: float, beta_h: float) -> float:
+        """By which Phi_ddot + 2 alpha Phi_dot + beta^2 Phi = 0 grows in a step (below 1: it decays).
+
+        R(z) = 1 + z b^T (1 - z A)^-1 1, the stability function, at z = h s for s^2 + 2 alpha s + beta^2 = 0.
+        """
+        A, b, one = self.matrix, np.array(self.b), np.ones(len(self.b))
+        stability = [
+            1 + z * (b @ np.linalg.solve(np.eye(len(b)) - z * A, one)) for z in damped_roots(alpha_h, beta_h)
+        ]
+        return float(np.max(np.abs(stability)))

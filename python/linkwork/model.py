@@ -1,0 +1,377 @@
+"""The description of a mechanism: bodies, joints, forces. It is checked while it is written."""
+
+from __future__ import annotations
+
+import hashlib
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.bodies import Bodies
+from linkwork.elements import Elements, Role, kind_info, placed, with_parameters
+from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.functions import TimeFunction, TimeFunctionLike
+from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
+from linkwork.joint_methods import JointMethods
+from linkwork.placement import Attachment, Frames, Place, Subject
+
+__all__ = ["Model"]
+
+Floats = NDArray[np.float64]
+
+#: A shape (size,) of an array; None stands for any length.
+Shape = tuple[int | None, ...]
+
+
+class Model(JointMethods):
+    """A mechanism under construction. SI units, angles in rad.
+
+    Every kind of joint is a method: `revolute`, `spherical`, ... (`help(linkwork.Model)` has them all).
+    Bodies are given by handle or by name. Everything is checked when it is added: bad input is a ModelError
+    that names the object and the value, and leaves the model as it was.
+    """
+
+    def __init__(self, gravity: ArrayLike = (0.0, 0.0, -9.81), name: str = "") -> None:
+        """`gravity`: acceleration (3,), inertial [m/s2]. ModelError: not three finite numbers."""
+        self.name = name
+        self._core = _core.Model(_numbers(gravity, [(3,)], "model", "gravity"))
+        self._bodies = Bodies(self, self._core)
+        self._counts: Counter[str] = Counter()
+        self._signals: list[tuple[str, TimeFunction]] = []
+
+    @property
+    def ground(self) -> Body:
+        """The inertial frame, at rest; it is joined like a body."""
+        return self._bodies.ground
+
+    # --- bodies ---------------------------------------------------------------------------------------------
+
+    def body(
+        self,
+        name: str | None = None,
+        *,
+        mass: float,
+        inertia: ArrayLike,
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+        velocity: ArrayLike = (0.0, 0.0, 0.0),
+        omega: ArrayLike = (0.0, 0.0, 0.0),
+    ) -> Body:
+        """Add a rigid body as it is at t = 0.
+
+        mass         [kg], zero for a massless body
+        inertia      about the center of mass, body axes [kg m2]: (3,) principal moments or (3, 3)
+        position     of the center of mass (3,), inertial [m]
+        orientation  unit Euler parameters (4,), scalar first, body axes to inertial: see linkwork.rotation
+        velocity     of the center of mass (3,), inertial [m/s]
+        omega        angular velocity (3,), body axes [rad/s]
+
+        ModelError: a value that no body can have, or a name that is taken.
+        """
+        name = name or self._free_name("body", self.body_count)
+        who = f"body '{name}'"
+        m = _numbers(mass, [()], who, "mass")
+        J = _numbers(inertia, [(3,), (3, 3)], who, "inertia")
+        vectors = {"position": position, "velocity": velocity, "omega": omega}
+        state = {what: _numbers(x, [(3,)], who, what)[None] for what, x in vectors.items()}
+        state["orientation"] = _numbers(orientation, [(4,)], who, "orientation")[None]
+        return self._bodies.add([name], m[None], (np.diag(J) if J.ndim == 1 else J)[None], **state)[0]
+
+    def bodies(
+        self,
+        name_prefix: str,
+        *,
+        mass: ArrayLike,
+        inertia: ArrayLike,
+        position: ArrayLike,
+        orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+        velocity: ArrayLike = (0.0, 0.0, 0.0),
+        omega: ArrayLike = (0.0, 0.0, 0.0),
+    ) -> Range[Body]:
+        """Add k bodies at once, named prefix[0], prefix[1], ...; linear in time and memory.
+
+        As `body`, with `position` (k, 3), and each other quantity the same for all or with a leading k.
+        `inertia`: (3,) or (k, 3) principal moments, or (k, 3, 3); one tensor for all is (1, 3, 3).
+        """
+        who = f"bodies '{name_prefix}'"
+        r = _numbers(position, [(None, 3)], who, "position")
+        k = len(r)
+        m = _numbers(mass, [(), (k,)], who, "mass")
+        J = _numbers(inertia, [(3,), (k, 3), (1, 3, 3), (k, 3, 3)], who, "inertia")
+        J = J if J.ndim == 3 else J[..., None] * np.eye(3)
+        vectors = {"velocity": velocity, "omega": omega}
+        state = {what: _numbers(x, [(3,), (k, 3)], who, what) for what, x in vectors.items()}
+        state |= {"orientation": _numbers(orientation, [(4,), (k, 4)], who, "orientation"), "position": r}
+        full = {what: np.broadcast_to(x, (k, x.shape[-1])) for what, x in state.items()}
+        return self._bodies.add(name_prefix, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full)
+
+    # --- joints ---------------------------------------------------------------------------------------------
+
+    def joints(
+        self,
+        kind: str,
+        a: BodiesLike,
+        b: BodiesLike,
+        *,
+        name: str | None = None,
+        frames: Frames = "space",
+        **arguments: Any,
+    ) -> Range[Joint]:
+        """Add k joints of one kind at once, named name[0], name[1], ...; linear in time and memory.
+
+        a, b       bodies; one of them may be single
+        arguments  those of the kind's own method, each the same for all or with a leading k; pairs stay
+                   pairs, of (3,) or (k, 3)
+        """
+        first = self.joint_count
+        self._place("joint", kind, a, b, frames, name, True, arguments)
+        return Range(range(first, self.joint_count), self._joint)
+
+    def _add_joint(
+        self,
+        kind: str,
+        a: BodyLike,
+        b: BodyLike,
+        frames: Frames,
+        name: str | None,
+        arguments: Mapping[str, Any],
+    ) -> Joint:
+        """What every generated joint method does."""
+        self._place("joint", kind, a, b, frames, name, False, arguments)
+        return self._joint(self.joint_count - 1)
+
+    # --- forces ---------------------------------------------------------------------------------------------
+
+    def force(
+        self,
+        body: BodyLike,
+        *,
+        force: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        torque: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        at: ArrayLike | None = None,
+        frame: Literal["inertial", "body"] = "inertial",
+        name: str | None = None,
+    ) -> Force:
+        """Apply a force [N] and a torque [N m] to a body; components are numbers or functions of time.
+
+        at     the point of application (3,) in body coordinates [m]; without it the center of mass
+        frame  axes of the components: "inertial", or "body" that turn with the body
+        """
+        _choose("frame", frame, ("inertial", "body"))
+        subject = Subject("applied", name or self._free_name("applied", self._counts["applied"]), False, 1)
+        index = self._bodies.index(body, subject)
+        s = subject.array((0.0, 0.0, 0.0) if at is None else at, 3, "at")
+        axes = np.broadcast_to(np.eye(3), (1, 2, 3, 3))
+        place = Attachment(np.stack([np.zeros_like(s), s], axis=1), axes, np.zeros(1))
+        components = subject.components(force, "force") | subject.components(torque, "torque")
+        bodies = np.array([[-1 if frame == "inertial" else index, index]], np.int32)
+        self._add(with_parameters(kind_info("force", "applied"), subject, bodies, place, components))
+        return self._force(self.force_count - 1, "applied")
+
+    def spring_damper(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike | tuple[ArrayLike, ArrayLike],
+        stiffness: TimeFunctionLike = 0.0,
+        damping: TimeFunctionLike = 0.0,
+        free_length: TimeFunctionLike = None,
+        force: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Join two points by spring, damper and actuator: they pull with k (l - l_0) + c l_dot + f.
+
+        at           a point of a and a point of b [m], in space at the initial pose; body coordinates with
+                     frames="body"
+        stiffness    k [N/m]
+        damping      c [N s/m]
+        free_length  l_0 [m]; without it the initial length
+        force        f [N], positive pulls the points together
+
+        Quantities are numbers or functions of time.
+        """
+        own = {"stiffness": stiffness, "damping": damping, "free_length": free_length, "force": force}
+        self._place("force", "spring_damper", a, b, frames, name, False, {"at": at, **own})
+        return self._force(self.force_count - 1, "spring_damper")
+
+    def rotational_spring_damper(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        axis: ArrayLike | tuple[ArrayLike, ArrayLike],
+        at: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        x_axis: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        stiffness: TimeFunctionLike = 0.0,
+        damping: TimeFunctionLike = 0.0,
+        free_angle: TimeFunctionLike = 0.0,
+        torque: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Join bodies by rotational spring, damper, motor: -k (theta - theta_0) - c theta_dot + n acts on b.
+
+        theta is the angle of b against a about the axis [rad], zero at the initial pose, over full turns.
+
+        axis        direction in space at the initial pose, usually that of a revolute joint; with
+                    frames="body" a pair
+        at          a point of the axis; it does not matter for the motion
+        x_axis      where theta is measured from, a pair with frames="body"; without it the initial pose
+        stiffness   k [N m/rad]
+        damping     c [N m s/rad]
+        free_angle  theta_0 [rad]
+        torque      n [N m], positive turns b about +axis
+
+        Quantities are numbers or functions of time.
+        """
+        origin = (0.0, 0.0, 0.0)
+        point = at if at is not None else ((origin, origin) if frames == "body" else origin)
+        place = {"at": point, "axis": axis, "x_axis": x_axis}
+        own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
+        self._place("force", "rotational_spring_damper", a, b, frames, name, False, {**place, **own})
+        return self._force(self.force_count - 1, "rotational_spring_damper")
+
+    def forces(
+        self,
+        kind: str,
+        a: BodiesLike,
+        b: BodiesLike,
+        *,
+        name: str | None = None,
+        frames: Frames = "space",
+        **arguments: Any,
+    ) -> Range[Force]:
+        """Add k force elements of one kind at once, as `joints`."""
+        first = self.force_count
+        self._place("force", kind, a, b, frames, name, True, arguments)
+        return Range(range(first, self.force_count), lambda index: self._force(index, kind))
+
+    # --- what there is --------------------------------------------------------------------------------------
+
+    @property
+    def body_count(self) -> int:
+        return int(self._core.body_count)
+
+    @property
+    def joint_count(self) -> int:
+        return int(self._core.joint_count)
+
+    @property
+    def force_count(self) -> int:
+        """Number of force elements, gravity not counted."""
+        return int(self._core.force_count)
+
+    @property
+    def row_count(self) -> int:
+        """Number of constraint equations."""
+        return int(self._core.row_count)
+
+    @property
+    def signals(self) -> Sequence[tuple[str, TimeFunction]]:
+        """The functions of time in the model, each with what it drives."""
+        return tuple(self._signals)
+
+    def find(self, name: str) -> Body:
+        """The body with this name. ModelError: there is none; the message has the nearest."""
+        return self._bodies.handle(self._bodies.index(name, Subject("model", self.name, False, 1)))
+
+    def compiled(self) -> _core.Model:
+        """The same model in the compiled module."""
+        return self._core
+
+    def hash(self) -> str:
+        """Equal for models of equal motion, whatever the names; a Python function counts by its name."""
+        core = self._core
+        elements = [*core.joint_arrays().values(), *core.force_arrays().values()]
+        digest = hashlib.blake2b(digest_size=16)
+        for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements):
+            digest.update(np.ascontiguousarray(array).data)
+        for _, signal in self._signals:
+            digest.update(signal.fingerprint())
+        return digest.hexdigest()
+
+    def describe(self) -> str:
+        """One line: what the model consists of."""
+        kinds = "".join(f", {count} {kind}" for kind, count in sorted(self._counts.items()))
+        gravity = ", ".join(f"{g:g}" for g in self._core.gravity)
+        equations = f"{self.row_count} constraint equations"
+        return (
+            f"{self.name or 'model'}: {self.body_count} bodies{kinds}; {equations}; gravity ({gravity}) m/s2"
+        )
+
+    def __repr__(self) -> str:
+        return f"<Model {self.describe()}>"
+
+    # --- how elements are added -----------------------------------------------------------------------------
+
+    def _place(
+        self,
+        role: Role,
+        kind: str,
+        a: BodiesLike,
+        b: BodiesLike,
+        frames: Frames,
+        name: str | None,
+        group: bool,
+        arguments: Mapping[str, Any],
+    ) -> None:
+        """Add one element or a group; `arguments` are those of the placement and the parameters."""
+        info = kind_info(role, kind)
+        _choose("frames", frames, ("space", "body"))
+        name = name or self._free_name(kind, self._counts[kind])
+        pairs = self._bodies.pairs if group else self._bodies.pair
+        bodies = pairs(a, b, Subject(kind, name, False, 1))
+        subject = Subject(kind, name, group, len(bodies))
+        first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
+        self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
+
+    def _add(self, elements: Elements) -> None:
+        elements.add_to(self._core)
+        self._signals += elements.signals()
+        self._counts[elements.info.name] += elements.subject.count
+
+    def _joint(self, index: int) -> Joint:
+        return Joint(self._core.joint_name(index), index, self._core.joint_kind(index))
+
+    def _force(self, index: int, kind: str) -> Force:
+        return Force(self._core.force_name(index), index, kind)
+
+    def _free_name(self, kind: str, count: int) -> str:
+        """`revolute 3`: the first that is not taken."""
+        finders = (self._core.find_body, self._core.find_joint, self._core.find_force)
+        while any(
+            find(kind_and_number) >= 0 for find in finders for kind_and_number in _names(kind, count + 1)
+        ):
+            count += 1
+        return f"{kind} {count + 1}"
+
+
+def _names(kind: str, number: int) -> tuple[str, str]:
+    """The name of a single object, and of the first of a group."""
+    return f"{kind} {number}", f"{kind} {number}[0]"
+
+
+def _numbers(value: Any, shapes: Sequence[Shape], who: str, what: str) -> Floats:
+    """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"{who}: {what} {value!r} is not made of numbers", code="not_a_number") from error
+    for shape in shapes:
+        if len(shape) == array.ndim and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True)):
+            return array
+    wanted = " or ".join(str(shape).replace("None", "k") for shape in shapes)
+    raise ModelError(f"{who}: {what} has shape {array.shape}, not {wanted}", code="shape")
+
+
+def _choose(what: str, value: str, known: Sequence[str]) -> None:
+    if value not in known:
+        raise OptionError(
+            f"{what} '{value}' does not exist{nearest(str(value), known)}", code="unknown_option"
+        )

@@ -1,0 +1,154 @@
+"""The choices of a run. What a choice cannot do is refused with the reason, never ignored."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any, TypedDict
+
+from linkwork import _core
+from linkwork.errors import OptionError, nearest
+
+__all__ = ["Options", "compile_options"]
+
+
+class Options(TypedDict, total=False):
+    """What `simulate` and `System` take by name; what is left out, or None, has its default."""
+
+    #: "standard" (default), "penalty" or "augmented_lagrangian"
+    formulation: str
+    #: matrix of the standard formulation: "kkt" (12.3), "schur" (12.5), or "auto" (default)
+    system: str
+    #: "sampled_baumgarte" (default), "baumgarte" (12.8) or "none"
+    stabilization: str
+    #: "auto" (default) or a name in `_core.linear_solvers()`
+    linear_solver: str
+    #: gain of the velocity violation [1/s]; with `baumgarte_beta`
+    baumgarte_alpha: float | None
+    #: gain of the position violation [1/s]; with `baumgarte_alpha`
+    baumgarte_beta: float | None
+    #: penalty factor of all equations; without it scaled to each equation's inertia
+    penalty: float | None
+    #: mu of (12.14), 1 where only `frequency` is given
+    damping_ratio: float | None
+    #: omega of (12.14) [rad/s], 10 where only `damping_ratio` is given
+    frequency: float | None
+    #: at which the iteration of the augmented Lagrangian stops, relative
+    tolerance: float | None
+    #: cap of that iteration
+    max_iterations: int | None
+
+
+#: Flores (2015), section 12.4.
+TEXTBOOK_DAMPING_RATIO, TEXTBOOK_FREQUENCY = 1.0, 10.0
+
+
+def compile_options(given: Mapping[str, Any]) -> _core.Options:
+    """The options of the compiled module. OptionError: a name or value that does not exist, or a conflict."""
+    for name in given:
+        if name not in Options.__annotations__:
+            raise OptionError(
+                f"option '{name}' does not exist{nearest(name, Options.__annotations__)}", code="option"
+            )
+    chosen = {name: value for name, value in given.items() if value is not None}
+    _check_names(chosen)
+    _check_numbers(chosen)
+    _check_formulation(chosen)
+    chosen |= _gains(chosen)
+    options = _core.Options()
+    for name in chosen.keys() - {"damping_ratio", "frequency"}:
+        setattr(options, name, chosen[name])
+    return options
+
+
+def formulation_info(name: str) -> _core.FormulationInfo:
+    """What a formulation can do and needs."""
+    return next(info for info in _core.formulations() if info.name == name)
+
+
+def _check_names(chosen: Mapping[str, Any]) -> None:
+    known: dict[str, Iterable[str]] = {
+        "formulation": [info.name for info in _core.formulations()],
+        "stabilization": [info.name for info in _core.stabilizations()],
+        "linear_solver": ["auto", *(info.name for info in _core.linear_solvers())],
+        "system": ["auto", "kkt", "schur"],
+    }
+    for what, names in known.items():
+        if what in chosen and chosen[what] not in names:
+            wrong = chosen[what]
+            raise OptionError(
+                f"{what} '{wrong}' does not exist{nearest(str(wrong), names)}", code="unknown_option"
+            )
+
+
+def _check_numbers(chosen: Mapping[str, Any]) -> None:
+    for name in ("penalty", "tolerance", "frequency", "damping_ratio", "baumgarte_alpha", "baumgarte_beta"):
+        if name in chosen:
+            check_number(name, chosen[name], positive=name in ("penalty", "tolerance", "frequency"))
+    iterations = chosen.get("max_iterations", 1)
+    if not isinstance(iterations, int) or iterations < 1:
+        raise OptionError(
+            f"max_iterations {iterations!r} is not a positive whole number", code="max_iterations"
+        )
+
+
+def check_number(name: str, value: Any, *, positive: bool, unit: str = "") -> None:
+    """OptionError: not a finite number, or negative, or (`positive`) zero."""
+    number = isinstance(value, int | float) or hasattr(value, "__float__")
+    if not number or not math.isfinite(value) or value < 0 or (positive and value == 0):
+        wanted = "positive" if positive else "zero or positive"
+        raise OptionError(
+            f"{name} {value!r}{unit and ' ' + unit} must be a finite number, {wanted}", code=name
+        )
+
+
+def _check_formulation(chosen: Mapping[str, Any]) -> None:
+    """Refuse what the formulation does not have."""
+    info = formulation_info(chosen.get("formulation", _core.Options().formulation))
+    for name in ("penalty", "damping_ratio", "frequency"):
+        if name in chosen and not info.has_penalty:
+            _refuse(
+                name, info.name, "it has no penalty", (f.name for f in _core.formulations() if f.has_penalty)
+            )
+    for name in ("tolerance", "max_iterations"):
+        if name in chosen and not info.iterative:
+            _refuse(
+                name, info.name, "it does not iterate", (f.name for f in _core.formulations() if f.iterative)
+            )
+
+
+def _refuse(option: str, formulation: str, why: str, others: Iterable[str]) -> None:
+    choices = " or ".join(f"'{name}'" for name in others)
+    message = f"{option} has no meaning for formulation '{formulation}': {why}; use formulation {choices}"
+    raise OptionError(message, code="conflict")
+
+
+def _gains(chosen: Mapping[str, Any]) -> dict[str, Any]:
+    """Stabilization and gains; those of (12.14) are alpha = mu omega, beta = omega."""
+    gains = [name for name in ("baumgarte_alpha", "baumgarte_beta") if name in chosen]
+    damped = [name for name in ("damping_ratio", "frequency") if name in chosen]
+    stabilization = chosen.get("stabilization")
+    if len(gains) == 1:
+        raise OptionError(
+            f"{gains[0]} is given alone: give baumgarte_alpha and baumgarte_beta", code="conflict"
+        )
+    if gains and stabilization == "none":
+        raise OptionError(
+            "baumgarte_alpha and baumgarte_beta have no meaning for stabilization 'none'", code="conflict"
+        )
+    if not damped:
+        return {}
+    if gains:
+        raise OptionError(
+            f"{damped[0]} and baumgarte_alpha are gains of the same term: give one pair", code="conflict"
+        )
+    if stabilization not in (None, "baumgarte"):
+        raise OptionError(
+            f"{damped[0]} is a gain of stabilization 'baumgarte', in conflict with '{stabilization}'",
+            code="conflict",
+        )
+    mu, omega = (
+        chosen.get("damping_ratio", TEXTBOOK_DAMPING_RATIO),
+        chosen.get("frequency", TEXTBOOK_FREQUENCY),
+    )
+    return {"stabilization": "baumgarte", "baumgarte_alpha": mu * omega, "baumgarte_beta": omega}

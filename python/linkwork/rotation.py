@@ -1,0 +1,81 @@
+"""Rotations by Euler parameters p = (e0, e1, e2, e3), scalar first; A(p) turns body axes to inertial.
+
+All functions take stacks: the last one or two axes are the vector or matrix.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["about", "from_axes", "from_matrix", "matrix", "perpendicular"]
+
+Floats = NDArray[np.float64]
+
+
+def matrix(p: ArrayLike) -> Floats:
+    """A(p) (..., 3, 3) of unit Euler parameters p (..., 4).
+
+    A = (2 e0^2 - 1) I + 2 (e e^T + e0 e~)
+    """
+    p = np.asarray(p, dtype=float)
+    e0, e = p[..., :1, None], p[..., 1:]
+    result: Floats = (2 * e0**2 - 1) * np.eye(3) + 2 * (e[..., :, None] * e[..., None, :] + e0 * _skew(e))
+    return result
+
+
+def about(axis: ArrayLike, angle: ArrayLike) -> Floats:
+    """Euler parameters (..., 4) of a turn by `angle` (...) [rad] about `axis` (..., 3), of any length."""
+    axis, half = np.asarray(axis, dtype=float), np.asarray(angle, dtype=float)[..., None] / 2
+    e = np.sin(half) * axis / np.linalg.norm(axis, axis=-1, keepdims=True)
+    e0 = np.broadcast_to(np.cos(half), (*e.shape[:-1], 1))
+    return np.concatenate([e0, e], axis=-1)
+
+
+def from_matrix(A: ArrayLike) -> Floats:
+    """Euler parameters (..., 4), e0 >= 0, of rotation matrices A (..., 3, 3).
+
+    4 p p^T follows from the entries of A; its longest column is the one to divide by (Shepperd 1978).
+    """
+    A = np.asarray(A, dtype=float)
+    trace = np.trace(A, axis1=-2, axis2=-1)[..., None, None]
+    antisymmetric = A - np.swapaxes(A, -1, -2)
+    s = np.stack([antisymmetric[..., 2, 1], antisymmetric[..., 0, 2], antisymmetric[..., 1, 0]], axis=-1)
+    products = np.empty((*A.shape[:-2], 4, 4))
+    products[..., :1, :1] = 1 + trace
+    products[..., 0, 1:] = products[..., 1:, 0] = s
+    products[..., 1:, 1:] = A + np.swapaxes(A, -1, -2) + (1 - trace) * np.eye(3)
+    longest = np.argmax(np.diagonal(products, axis1=-2, axis2=-1), axis=-1)[..., None, None]
+    p = np.take_along_axis(products, longest, axis=-1)[..., 0]
+    p *= np.where(p[..., :1] < 0, -1.0, 1.0) / np.linalg.norm(p, axis=-1, keepdims=True)
+    return p
+
+
+def from_axes(x: ArrayLike, y: ArrayLike) -> Floats:
+    """Euler parameters (..., 4) of a body with its x axis along `x` (..., 3), its y axis nearest to `y`."""
+    x = _unit(np.asarray(x, dtype=float))
+    z = _unit(np.cross(x, np.asarray(y, dtype=float)))
+    return from_matrix(np.stack([x, np.cross(z, x), z], axis=-1))
+
+
+def perpendicular(z: ArrayLike) -> Floats:
+    """A unit vector (..., 3) perpendicular to each z (..., 3), always the same for the same z.
+
+    The inertial axis that is farthest from z is projected; at a tie the first one.
+    """
+    z = _unit(np.asarray(z, dtype=float))
+    farthest = np.eye(3)[np.argmin(np.abs(z), axis=-1)]
+    return _unit(farthest - np.sum(farthest * z, axis=-1, keepdims=True) * z)
+
+
+def _unit(a: Floats) -> Floats:
+    unit: Floats = a / np.linalg.norm(a, axis=-1, keepdims=True)
+    return unit
+
+
+def _skew(a: Floats) -> Floats:
+    """a~ (..., 3, 3) with a~ b = a x b."""
+    tilde = np.zeros((*a.shape, 3))
+    tilde[..., 2, 1], tilde[..., 0, 2], tilde[..., 1, 0] = a[..., 0], a[..., 1], a[..., 2]
+    antisymmetric: Floats = tilde - np.swapaxes(tilde, -1, -2)
+    return antisymmetric

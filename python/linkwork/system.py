@@ -1,0 +1,89 @@
+"""A model compiled with a method: the right-hand side of its equations of motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.model import Model
+from linkwork.options import Options, compile_options
+
+__all__ = ["Evaluation", "System"]
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """M v_dot - D^T lambda = g, D v_dot = gamma, Phi_dot = D v + Phi_t at one state; n bodies, m rows."""
+
+    M: Floats  # (n, 6, 6) diag(m I, J), J in body axes
+    D: tuple[
+        Floats, NDArray[np.int64], NDArray[np.int64]
+    ]  # (m, 6n) as (data, indices, indptr) of compressed rows
+    Phi: Floats  # (m,) [m] or [1]
+    Phi_t: Floats  # (m,)
+    Phi_dot: Floats  # (m,)
+    gamma: Floats  # (m,)
+    g: Floats  # (6n,) forces (inertial) and torques (body axes), gyroscopic ones included
+    potential: float  # of gravity and springs [J]
+    force_power: float  # of the forces without a potential [W]
+
+
+class System:
+    """A model with a formulation, a stabilization and a linear solver. Options as in `simulate`.
+
+    y = (q, v): q (7n,) position and Euler parameters of each body, v (6n,) velocity (inertial) and angular
+    velocity (body axes) of each body. `derivative` fits `scipy.integrate.solve_ivp`:
+
+        system = lw.System(model)
+        solve_ivp(system.derivative, (0, 1), system.initial_state(), rtol=1e-9)
+
+    ModelError, OptionError; SingularSystemError where a massless motion is held by nothing.
+    """
+
+    def __init__(self, model: Model, **options: Unpack[Options]) -> None:
+        self.model = model
+        self._dynamics = _core.Dynamics(model.compiled(), compile_options(options))
+
+    def compiled(self) -> _core.Dynamics:
+        """The same system in the compiled module."""
+        return self._dynamics
+
+    @property
+    def options(self) -> dict[str, str | float | None]:
+        """The options as chosen: no "auto" left, gains that depend on the step None."""
+        names = [name for name in Options.__annotations__ if name not in ("damping_ratio", "frequency")]
+        return {name: getattr(self._dynamics.options, name) for name in names}
+
+    def initial_state(self) -> Floats:
+        """y (13n,) at t = 0, as described in the model."""
+        state: Floats = self._dynamics.initial_state()
+        return state
+
+    def derivative(self, t: float, y: ArrayLike) -> Floats:
+        """y_dot (13n,) at t [s], continuous stabilization included; the Euler parameters need not be unit.
+
+        SingularSystemError, NotConvergedError, NotFiniteError: where there is no acceleration.
+        """
+        rates: Floats = self._dynamics.derivative(t, np.asarray(y, dtype=float))
+        return rates
+
+    def accelerations(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
+        """(v_dot (6n,), multipliers (m,)) of the mechanism itself, without stabilization."""
+        v_dot, multipliers = self._dynamics.accelerations(t, np.ravel(q), np.ravel(v))
+        return v_dot, multipliers
+
+    def evaluate(self, t: float, q: ArrayLike, v: ArrayLike) -> Evaluation:
+        """The terms of the equations of motion at one state."""
+        found = self._dynamics.evaluate(t, np.ravel(q), np.ravel(v))
+        D = found.pop("D")
+        return Evaluation(D=(D["data"], D["indices"], D["indptr"]), **found)
+
+    def __repr__(self) -> str:
+        chosen = self._dynamics.options
+        return f"<System {chosen.formulation}, {chosen.linear_solver}: {self.model.describe()}>"
