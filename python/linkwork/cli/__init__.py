@@ -30,11 +30,15 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def run(words: list[str], debug: bool) -> int:
     """The exit code of one command; its errors are told in one line."""
     try:
-        return int(linkwork.main(words, prog_name="linkwork", standalone_mode=False) or 0)
+        with linkwork.make_context("linkwork", words) as context:  # not main(), which prints at Ctrl-C
+            linkwork.invoke(context)
+        return 0
+    except click.exceptions.Exit as end:
+        return end.exit_code
     except click.ClickException as error:
         return _complain(_sentence(error.format_message()), 2)
-    except (KeyboardInterrupt, click.Abort):
-        return _complain("interrupted", 130)
+    except (KeyboardInterrupt, click.Abort) as stop:
+        return _complain(str(stop) or "interrupted", 130)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1

@@ -27,7 +27,12 @@ def simulate_and_show(
     if plot is not None:
         out.check_writable(plot)
     model = mechanism.function(**parameters)
-    result = lw.simulate(model, **{**mechanism.settings, **options}, output=output)
+    try:
+        result = lw.simulate(model, **{**mechanism.settings, **options}, output=output)
+    except KeyboardInterrupt as stop:
+        raise KeyboardInterrupt(
+            f"interrupted; '{output}' has the frames so far" if output else "interrupted"
+        ) from stop
     if plot is not None:
         result.plot(plot)
     files = {"result": output, "picture": plot}
