@@ -1,0 +1,214 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/QR>
+#include <map>
+#include <numbers>
+
+#include "support.hpp"
+
+using namespace support;
+
+namespace {
+
+constexpr double tolerance = 1e-6;  // of the differences, relative
+
+/// One joint at random places of two moving bodies, or of one and the ground; its parameters vary in time.
+struct Case {
+  Case(const std::string& kind, int i, int j, Random& random) : model(Vec3<double>::Zero()) {
+    for (int body = 0; body <= std::max(i, j); ++body) model.add_body("body" + std::to_string(body), random_body(random));
+    std::vector<Parameter> parameters;
+    for (std::size_t p = 0; p < joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info.parameters.size(); ++p) {
+      const int polynomial_signal = model.add_signal(polynomial({1.0, 0.5, -0.7, 0.3}));
+      const int harmonic_signal = model.add_signal(harmonic(0.3, 2.0, 0.4, 1.5));
+      parameters.push_back({0.0, random.integer(0, 1) ? polynomial_signal : harmonic_signal});
+    }
+    model.add_joint(kind, "joint", i, j, random_attachment(random), parameters);
+    v_dot = random.vector(6 * static_cast<Eigen::Index>(model.bodies().size()));
+  }
+  Model model;
+  VectorXd v_dot;
+  double t = 0.3;
+};
+
+/// Runs a check for every registered joint, with each of its bodies as the ground, in random places.
+template <class Check>
+void for_every_joint(Check check) {
+  const std::vector<std::pair<int, int>> pairs = {{0, 1}, {1, 0}, {ground, 0}, {0, ground}};
+  Random random(10);
+  for (const JointKind& kind : joint_kinds())
+    for (const auto& [i, j] : pairs)
+      for (int repetition = 0; repetition < 3; ++repetition) {
+        INFO(kind.info.name, " between ", i, " and ", j);
+        check(Case(kind.info.name, i, j, random));
+      }
+}
+
+Evaluation evaluate(const System& system, double t, const VectorXd& q, const VectorXd& v) {
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(t, q, v, at);
+  return at;
+}
+
+/// Turns body j of a model by the rotation vector `turn` about point P and shifts it by `shift`; all in space.
+VectorXd displaced(const Model& model, int j, const Vec3<double>& P, const Vec3<double>& turn, const Vec3<double>& shift) {
+  VectorXd q = model.initial_q();
+  const Vec4<double> rotation = exponential(turn);
+  const Vec3<double> r = q.segment<3>(7 * j);
+  q.segment<3>(7 * j) = P + rotation_matrix<double>(rotation) * (r - P) + shift;
+  q.segment<4>(7 * j + 3) = quaternion_product<double>(rotation, q.segment<4>(7 * j + 3));
+  return q;
+}
+
+}  // namespace
+
+TEST_CASE("every column of D is the derivative of Phi along the unit velocity") {
+  for_every_joint([](const Case& c) {
+    const System system(c.model);
+    const VectorXd q = c.model.initial_q(), rest = VectorXd::Zero(system.v_size());
+    const MatrixXd D = dense_D(system, evaluate(system, c.t, q, rest));
+    MatrixXd differences(D.rows(), D.cols());
+    for (Eigen::Index k = 0; k < D.cols(); ++k) {
+      const VectorXd unit = VectorXd::Unit(D.cols(), k);
+      const auto Phi = [&](double s) { return evaluate(system, c.t, moved(q, unit, rest, s), rest).Phi; };
+      differences.col(k) = first_difference(Phi, 1e-3);
+    }
+    CHECK(relative_error(D, differences) < tolerance);
+  });
+}
+
+TEST_CASE("Phi_t is the derivative of Phi in time at a fixed pose") {
+  for_every_joint([](const Case& c) {
+    const System system(c.model);
+    const VectorXd q = c.model.initial_q(), v = c.model.initial_v();
+    const auto Phi = [&](double s) { return evaluate(system, c.t + s, q, v).Phi; };
+    CHECK(relative_error(evaluate(system, c.t, q, v).Phi_t, first_difference(Phi, 1e-3)) < tolerance);
+  });
+}
+
+TEST_CASE("Phi_dot is the derivative of Phi along the motion") {
+  for_every_joint([](const Case& c) {
+    const System system(c.model);
+    const VectorXd q = c.model.initial_q(), v = c.model.initial_v();
+    const auto Phi = [&](double s) { return evaluate(system, c.t + s, moved(q, v, c.v_dot, s), v).Phi; };
+    CHECK(relative_error(evaluate(system, c.t, q, v).Phi_dot, first_difference(Phi, 1e-3)) < tolerance);
+  });
+}
+
+TEST_CASE("D v_dot - gamma is the second derivative of Phi along the motion") {
+  for_every_joint([](const Case& c) {
+    const System system(c.model);
+    const VectorXd q = c.model.initial_q(), v = c.model.initial_v();
+    const Evaluation at = evaluate(system, c.t, q, v);
+    const VectorXd Phi_ddot = dense_D(system, at) * c.v_dot - at.gamma;
+    const auto Phi = [&](double s) { return evaluate(system, c.t + s, moved(q, v, c.v_dot, s), v).Phi; };
+    CHECK(relative_error(Phi_ddot, second_difference(Phi, 2e-3)) < tolerance);
+  });
+}
+
+TEST_CASE("every joint names each of its equations once") {
+  for (const JointKind& kind : joint_kinds()) {
+    CAPTURE(kind.info.name);
+    CHECK(kind.info.rows > 0);
+    CHECK(kind.info.equations.size() == static_cast<std::size_t>(kind.info.rows));
+    CHECK_FALSE(kind.info.documentation.empty());
+    for (std::size_t a = 0; a < kind.info.equations.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) CHECK(kind.info.equations[a] != kind.info.equations[b]);
+  }
+}
+
+TEST_CASE("every joint that the initial pose satisfies has Phi = 0 and full row rank there") {
+  Random random(11);
+  for (const JointKind& kind : joint_kinds())
+    for (const auto& [i, j] : std::vector<std::pair<int, int>>{{0, 1}, {ground, 1}, {0, ground}}) {
+      INFO(kind.info.name, " between ", i, " and ", j);
+      Model model;
+      for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
+      add_joint(model, random, kind.info.name, "joint", i, j);
+      const System system(model);
+      const Evaluation at = evaluate_initially(system);
+      CHECK(at.Phi.cwiseAbs().maxCoeff() < 1e-14);
+      Eigen::ColPivHouseholderQR<MatrixXd> qr(dense_D(system, at).transpose());
+      qr.setThreshold(1e-10);
+      CHECK(qr.rank() == kind.info.rows);
+    }
+}
+
+namespace {
+
+/// Largest |Phi| of a joint after body b was turned about the joint's point and shifted, in joint axes.
+double violation(const std::string& kind, const Vec3<double>& turn, const Vec3<double>& shift) {
+  Random random(12);
+  Model model;
+  for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
+  const Vec3<double> P = random.vec3();
+  const Mat3<double> F = random.frame();
+  model.add_joint(kind, "joint", 0, 1, place(model, 0, 1, P, P, F, F));
+  const System system(model);
+  const VectorXd q = displaced(model, 1, P, F * turn, F * shift);
+  return evaluate(system, 0.0, q, model.initial_v()).Phi.cwiseAbs().maxCoeff();
+}
+
+const Vec3<double> x = Vec3<double>::UnitX(), y = Vec3<double>::UnitY(), z = Vec3<double>::UnitZ(), none = Vec3<double>::Zero();
+
+}  // namespace
+
+TEST_CASE("spherical: every rotation is free, no shift is") {
+  CHECK(violation("spherical", Vec3<double>(1.0, -2.0, 0.5), none) < 1e-14);
+  for (const auto& d : {x, y, z}) CHECK(violation("spherical", none, 0.1 * d) > 0.05);
+}
+
+TEST_CASE("revolute: rotation about z is free and nothing else") {
+  CHECK(violation("revolute", 2.5 * z, none) < 1e-14);
+  for (const auto& d : {x, y, z}) CHECK(violation("revolute", none, 0.1 * d) > 0.05);
+  for (const auto& d : {x, y}) CHECK(violation("revolute", 0.1 * d, none) > 0.05);
+}
+
+TEST_CASE("cylindrical: rotation about z and shift along z are free and nothing else") {
+  CHECK(violation("cylindrical", 2.5 * z, 3.0 * z) < 1e-14);
+  for (const auto& d : {x, y}) CHECK(violation("cylindrical", none, 0.1 * d) > 0.05);
+  for (const auto& d : {x, y}) CHECK(violation("cylindrical", 0.1 * d, none) > 0.05);
+}
+
+TEST_CASE("translational: shift along z is free and nothing else") {
+  CHECK(violation("translational", none, -3.0 * z) < 1e-14);
+  for (const auto& d : {x, y}) CHECK(violation("translational", none, 0.1 * d) > 0.05);
+  for (const auto& d : {x, y, z}) CHECK(violation("translational", 0.1 * d, none) > 0.05);
+}
+
+TEST_CASE("fixed: nothing is free") {
+  for (const auto& d : {x, y, z}) CHECK(violation("fixed", none, 0.1 * d) > 0.05);
+  for (const auto& d : {x, y, z}) CHECK(violation("fixed", 0.1 * d, none) > 0.05);
+}
+
+TEST_CASE("universal: rotation about the axis of a after rotation about the axis of b is free, and nothing else") {
+  Random random(13);
+  Model model;
+  for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
+  const Vec3<double> P = random.vec3();
+  const Mat3<double> F = random.frame();
+  Mat3<double> F_b;
+  F_b << F.col(1), F.col(2), F.col(0);  // axis of a: z of F, of b: x of F
+  model.add_joint("universal", "joint", 0, 1, place(model, 0, 1, P, P, F, F_b));
+  const System system(model);
+  const auto largest_Phi = [&](const Vec4<double>& turn, const Vec3<double>& shift) {
+    const VectorXd q = displaced(model, 1, P, logarithm(turn), shift);
+    return evaluate(system, 0.0, q, model.initial_v()).Phi.cwiseAbs().maxCoeff();
+  };
+  const Vec4<double> free = quaternion_product<double>(exponential(1.3 * F.col(2)), exponential(-0.8 * F.col(0)));
+  CHECK(largest_Phi(free, none) < 1e-14);
+  CHECK(largest_Phi(exponential(0.1 * F.col(1)), none) > 0.05);
+  for (int k = 0; k < 3; ++k) CHECK(largest_Phi(exponential(none), 0.1 * F.col(k)) > 0.05);
+}
+
+TEST_CASE("distance: Phi is the distance of the points less the length") {
+  Random random(14);
+  Model model;
+  const Vec3<double> a = random.vec3(), b = random.vec3();
+  Body body;
+  body.position = random.vec3();
+  model.add_body("ball", body);
+  const Mat3<double> I = Mat3<double>::Identity();
+  model.add_joint("distance", "rod", ground, 0, place(model, ground, 0, a, b, I, I), {{0.25, -1}});
+  const System system(model);
+  CHECK(evaluate_initially(system).Phi[0] == doctest::Approx((a - b).norm() - 0.25).epsilon(1e-14));
+}
