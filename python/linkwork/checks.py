@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.errors import LinkworkWarning, OptionError, SingularSystemError
+from linkwork.errors import LinkworkWarning, OptionError
 from linkwork.integrators import Integrator
 from linkwork.model import Model
-from linkwork.options import check_number, formulation_info
+from linkwork.options import check_number
 
 Floats = NDArray[np.float64]
 
@@ -42,27 +42,6 @@ def check_tables(model: Model, t_end: float) -> None:
                 "extend the table or shorten the run",
                 code="time_function_range",
             )
-
-
-def check_rank(model: Model, dynamics: _core.Dynamics) -> None:
-    """SingularSystemError: dependent constraint equations, with a formulation that needs independent ones."""
-    info = formulation_info(dynamics.options.formulation)
-    if not info.needs_full_rank or not model.row_count:
-        return
-    report = dynamics.rank()
-    rows = report.dependent_rows
-    if not len(rows):
-        return
-    core = model.compiled()
-    joints = np.unique(np.searchsorted(core.joint_rows, rows, side="right") - 1)
-    equations = _listed(len(rows), lambda k: core.describe_row(rows[k]))
-    others = " or ".join(f"'{other.name}'" for other in _core.formulations() if not other.needs_full_rank)
-    raise SingularSystemError(
-        f"{len(rows)} of {report.rows} constraint equations depend on the others: {equations}; formulation "
-        f"'{info.name}' needs independent ones, use {others}",
-        code="dependent_constraints",
-        joints=[core.joint_name(int(joint)) for joint in joints],
-    )
 
 
 def joint_residuals(model: Model, dynamics: _core.Dynamics) -> tuple[Floats, Floats]:

@@ -61,11 +61,6 @@ def compile_options(given: Mapping[str, Any]) -> _core.Options:
     return options
 
 
-def formulation_info(name: str) -> _core.FormulationInfo:
-    """What a formulation can do and needs."""
-    return next(info for info in _core.formulations() if info.name == name)
-
-
 def _check_names(chosen: Mapping[str, Any]) -> None:
     known: dict[str, Iterable[str]] = {
         "formulation": [info.name for info in _core.formulations()],
@@ -104,17 +99,16 @@ def check_number(name: str, value: Any, *, positive: bool, unit: str = "") -> No
 
 def _check_formulation(chosen: Mapping[str, Any]) -> None:
     """Refuse what the formulation does not have."""
-    info = formulation_info(chosen.get("formulation", _core.Options().formulation))
-    for name in ("penalty", "damping_ratio", "frequency"):
-        if name in chosen and not info.has_penalty:
-            _refuse(
-                name, info.name, "it has no penalty", (f.name for f in _core.formulations() if f.has_penalty)
-            )
-    for name in ("tolerance", "max_iterations"):
-        if name in chosen and not info.iterative:
-            _refuse(
-                name, info.name, "it does not iterate", (f.name for f in _core.formulations() if f.iterative)
-            )
+    known = {info.name: info for info in _core.formulations()}
+    formulation = known[chosen.get("formulation", _core.Options().formulation)]
+    for option in ("penalty", "damping_ratio", "frequency"):
+        if option in chosen and not formulation.has_penalty:
+            having = [info.name for info in known.values() if info.has_penalty]
+            _refuse(option, formulation.name, "it has no penalty", having)
+    for option in ("tolerance", "max_iterations"):
+        if option in chosen and not formulation.iterative:
+            having = [info.name for info in known.values() if info.iterative]
+            _refuse(option, formulation.name, "it does not iterate", having)
 
 
 def _refuse(option: str, formulation: str, why: str, others: Iterable[str]) -> None:

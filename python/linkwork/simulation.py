@@ -69,7 +69,6 @@ def simulate(
     method = integrators.named(integrator) if isinstance(integrator, str) else integrator
     system = System(model, **options)
     _check_method(method, system, step)
-    checks.check_rank(model, system.compiled())
     checks.warn_of_residuals(model, system.compiled())
     every = _record_every(record_every, math.ceil(t_end / step), _frame_bytes(model))
     compiled = None if callable(method) else method.compiled()
@@ -137,7 +136,9 @@ class _File:
 
 
 def _recorder(output: str | os.PathLike[str] | None, header: Header) -> _Recorder:
-    return _Memory(header) if output is None else _File(output, header)
+    if output is None:
+        return _Memory(header)
+    return _File(output, header)
 
 
 def _record(run: _core.Simulation, pieces: Iterator[Frames], recorder: _Recorder, report: Report) -> float:

@@ -1,0 +1,50 @@
+"""Example mechanisms: each is a function in a file of its own that builds a model, registered by one name.
+
+lw.simulate(lw.mechanisms.chain(100), t_end=1.0, step=1e-3)
+"""
+
+from __future__ import annotations
+
+from linkwork.mechanisms.bricard import BRICARD, bricard
+from linkwork.mechanisms.chain import CHAIN, chain
+from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
+from linkwork.mechanisms.heavy_top import HEAVY_TOP, heavy_top
+from linkwork.mechanisms.mechanism import Mechanism, Parameter
+from linkwork.mechanisms.net import NET, net
+from linkwork.mechanisms.pendulum import PENDULUM, pendulum
+from linkwork.mechanisms.rod_pendulum import ROD_PENDULUM, rod_pendulum
+from linkwork.mechanisms.rods import square_rod, thin_rod
+from linkwork.mechanisms.spatial_slider_crank import SPATIAL_SLIDER_CRANK, spatial_slider_crank
+from linkwork.mechanisms.torque_free_top import TORQUE_FREE_TOP, torque_free_top
+
+__all__ = [
+    "MECHANISMS",
+    "Mechanism",
+    "Parameter",
+    "bricard",
+    "chain",
+    "four_bar",
+    "heavy_top",
+    "net",
+    "pendulum",
+    "rod_pendulum",
+    "spatial_slider_crank",
+    "square_rod",
+    "thin_rod",
+    "torque_free_top",
+]
+
+MECHANISMS: dict[str, Mechanism] = {
+    mechanism.name: mechanism
+    for mechanism in (
+        PENDULUM,
+        ROD_PENDULUM,
+        CHAIN,
+        HEAVY_TOP,
+        TORQUE_FREE_TOP,
+        FOUR_BAR,
+        BRICARD,
+        SPATIAL_SLIDER_CRANK,
+        NET,
+    )
+}

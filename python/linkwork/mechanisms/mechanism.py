@@ -1,0 +1,58 @@
+"""The record of a mechanism: what the command line and the comparisons know about it."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from linkwork.errors import ModelError
+from linkwork.model import Model
+
+__all__ = ["Mechanism", "Parameter", "at_least"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """An argument of a mechanism's function; its default says its type."""
+
+    name: str
+    default: Any
+    description: str
+
+
+@dataclass(frozen=True, init=False)
+class Mechanism:
+    """A function that builds a model, and recommended arguments for `simulate`."""
+
+    function: Callable[..., Model]
+    settings: Mapping[str, Any]
+
+    def __init__(self, function: Callable[..., Model], **settings: Any) -> None:
+        object.__setattr__(self, "function", function)
+        object.__setattr__(self, "settings", settings)
+
+    @property
+    def name(self) -> str:
+        return self.function.__name__
+
+    @property
+    def description(self) -> str:
+        """The first line of the function's documentation."""
+        return inspect.getdoc(self.function).split("\n")[0]  # type: ignore[union-attr]
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """From the function's signature; a line `name  what it is` of its documentation describes each."""
+        text = inspect.getdoc(self.function) or ""
+        described = dict(re.findall(r"^(\w+)  +(\S.*)$", text, re.MULTILINE))
+        arguments = inspect.signature(self.function).parameters.values()
+        return tuple(Parameter(p.name, p.default, described.get(p.name, "")) for p in arguments)
+
+
+def at_least(least: int, value: int, what: str) -> None:
+    """ModelError: a number of things that is too small."""
+    if value < least:
+        raise ModelError(f"{what} {value} is too small: at least {least}", code="count")

@@ -1,0 +1,20 @@
+"""Moments of inertia of rods along their x axis."""
+
+from __future__ import annotations
+
+__all__ = ["square_rod", "thin_rod"]
+
+
+def square_rod(mass: float, length: float, side: float) -> tuple[float, float, float]:
+    """Principal moments [kg m2] of a rod of square section: m s^2 / 6, m (l^2 + s^2) / 12 twice."""
+    across = mass * (length**2 + side**2) / 12
+    return mass * side**2 / 6, across, across
+
+
+def thin_rod(mass: float, length: float) -> tuple[float, float, float]:
+    """Principal moments [kg m2] of a rod in plane motion: m l^2 / 12 twice.
+
+    The moment about its own axis, which the motion never feels, is not zero: the mass matrix stays regular.
+    """
+    across = mass * length**2 / 12
+    return across / 100, across, across
