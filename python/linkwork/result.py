@@ -264,9 +264,9 @@ class Result:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
         """A result file, also of an interrupted run. FileError: missing, damaged, or of another kind."""
-        from linkwork import result_file
+        from linkwork import stored_result
 
-        stored = result_file.read(path)
+        stored = stored_result.read(path)
         return cls(stored.fields, stored.header, stored.statistics, run=stored.run)
 
     def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:

@@ -24,7 +24,6 @@ import time
 import uuid
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -48,7 +47,7 @@ CHUNK_BYTES = (4096, 32 * 2**20)
 #: Room kept for HDF5's own records and the closing attributes [bytes].
 MARGIN_BYTES = 256 * 1024
 
-_MODEL_ARRAYS = (
+MODEL_ARRAYS = (
     "gravity",
     "mass",
     "inertia",
@@ -59,7 +58,7 @@ _MODEL_ARRAYS = (
     "joint_frame",
     "joint_origin",
 )
-_MODEL_NAMES = ("body_names", "joint_names", "joint_kinds")
+MODEL_NAMES = ("body_names", "joint_names", "joint_kinds")
 
 
 class ResultWriter:
@@ -153,9 +152,9 @@ class ResultWriter:
         self._file.attrs.update(attributes)
         self._file.attrs["manifest"] = json.dumps(dict(self._header.manifest), default=_plain)
         model = self._file.create_group("model")
-        for name in _MODEL_ARRAYS:
+        for name in MODEL_ARRAYS:
             model[name] = getattr(self._header, name)
-        for name in _MODEL_NAMES:
+        for name in MODEL_NAMES:
             model[name] = _encoded(getattr(self._header, name))
         frames = self._file.create_group("frames")
         for name, shape in self._header.frame_shapes().items():
@@ -198,73 +197,12 @@ class ResultWriter:
             yield
         except (OSError, RuntimeError) as error:
             raise FileError(
-                f"output '{self.path}': cannot be written: {_reason(error)}{self._kept()}",
+                f"output '{self.path}': cannot be written: {reason(error)}{self._kept()}",
                 code="not_writable",
             ) from error
 
     def _kept(self) -> str:
         return f"; the {self._frames} frames so far are kept" if self._frames else ""
-
-
-@dataclass(frozen=True)
-class StoredField:
-    """One field of /frames on disk. The file is open only while it is read: it may be written again."""
-
-    path: Path
-    run: str
-    name: str
-    shape: tuple[int, ...]
-
-    def __len__(self) -> int:
-        return self.shape[0]
-
-    def __getitem__(self, key: Any) -> Floats:
-        """The part asked for, and nothing else, is read."""
-        if not math.prod(self.shape[1:]):
-            return np.zeros(self.shape)[key]
-        rows, *rest = key if isinstance(key, tuple) else (key,)
-        if isinstance(rows, slice):
-            rows = slice(*rows.indices(len(self)))
-        with _opened(self.path) as file:
-            if file.attrs["run"] != self.run:
-                raise FileError(
-                    f"result '{self.path}': was replaced by another run since it was loaded", code="changed"
-                )
-            values: Floats = np.asarray(file["frames"][self.name][(rows, *rest)], dtype=float)
-            return values
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        return np.asarray(self[:], dtype=dtype)
-
-
-@dataclass(frozen=True)
-class StoredRun:
-    """What `read` finds in a file."""
-
-    run: str
-    header: Header
-    statistics: dict[str, Any]
-    fields: dict[str, StoredField]
-
-
-def read(path: str | os.PathLike[str]) -> StoredRun:
-    """The result in a file, finished or not; the frames stay on disk until asked for."""
-    path = Path(path)
-    with _opened(path) as file:
-        if file.attrs.get("format") != FORMAT:
-            raise FileError(f"result '{path}': is not a result file of linkwork", code="not_a_result")
-        if file.attrs["version"] > VERSION:
-            raise FileError(
-                f"result '{path}': has version {file.attrs['version']}, this linkwork reads up to {VERSION}",
-                code="not_a_result",
-            )
-        run = str(file.attrs["run"])
-        header = _read_header(file)
-        count = _valid_frames(file["frames"])
-        statistics = json.loads(file.attrs.get("statistics", "{}"))
-    shapes = header.frame_shapes().items()
-    fields = {name: StoredField(path, run, name, (count, *shape)) for name, shape in shapes}
-    return StoredRun(run, header, statistics, fields)
 
 
 def save(
@@ -289,47 +227,10 @@ def save(
         raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
     except OSError as error:
         raise FileError(
-            f"output '{path}': cannot be written: {_reason(error)}", code="not_writable"
+            f"output '{path}': cannot be written: {reason(error)}", code="not_writable"
         ) from error
     finally:
         beside.unlink(missing_ok=True)
-
-
-@contextmanager
-def _opened(path: Path) -> Iterator[h5py.File]:
-    try:
-        with h5py.File(path, "r") as file:
-            yield file
-    except FileNotFoundError as error:
-        raise FileError(f"result '{path}': no such file", code="not_found") from error
-    except OSError as error:
-        raise FileError(f"result '{path}': cannot be read: {_reason(error)}", code="not_readable") from error
-    except KeyError as error:
-        raise FileError(f"result '{path}': is damaged: {_reason(error)}", code="not_readable") from error
-
-
-def _read_header(file: h5py.File) -> Header:
-    model = file["model"]
-    values: dict[str, Any] = {name: model[name][()] for name in _MODEL_ARRAYS}
-    values.update({name: [text.decode() for text in model[name][()]] for name in _MODEL_NAMES})
-    return Header(manifest=json.loads(file.attrs["manifest"]), **values)
-
-
-def _valid_frames(frames: h5py.Group) -> int:
-    """Frames with a time, before the first gap: after a kill the end of `t` may be named but not written."""
-    t = frames["t"]
-    count = min(len(dataset) for dataset in frames.values())
-    valid = 0
-    for start in range(0, count, t.chunks[0]):
-        try:
-            times = t[start : min(start + t.chunks[0], count)]
-        except OSError:
-            break
-        finite = np.isfinite(times)
-        valid = start + (len(times) if finite.all() else int(np.argmin(finite)))
-        if not finite.all():
-            break
-    return valid
 
 
 def _chunk_frames(shape: tuple[int, ...], expected: int | None) -> int:
@@ -367,7 +268,7 @@ def _plain(value: Any) -> Any:
     return value.tolist() if isinstance(value, np.generic | np.ndarray) else str(value)
 
 
-def _reason(error: Exception) -> str:
+def reason(error: Exception) -> str:
     """The cause in plain words; HDF5 wraps the system's own."""
     if isinstance(error, OSError) and error.errno:
         return os.strerror(error.errno).lower()

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import synthetic
-from linkwork import Result
+from linkwork import Result, result_file
 from linkwork.errors import FileError
 from linkwork.header import Header
 from linkwork.result_file import ResultWriter
@@ -35,6 +35,16 @@ FIELDS = (
     "work",
     "violation",
 )
+
+
+def assert_whole(result: Result) -> None:
+    """The last number of every field is the frame's time, and the reactions are finite."""
+    for name in ("q", "v", "multipliers", "kinetic_energy", "work", "violation"):
+        values = getattr(result, name)
+        last = values.reshape(len(result), math.prod(values.shape[1:]))[:, -1]
+        np.testing.assert_array_equal(last, result.t, err_msg=name)
+        assert np.isfinite(values).all(), name
+    assert np.isfinite(result.reactions().force).all()
 
 
 def make_result(header: Header, count: int = 100) -> Result:
@@ -163,12 +173,7 @@ def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -
     result = Result.load(path)
     assert not result.finished
     np.testing.assert_array_equal(result.t, 0.01 * np.arange(len(result)))
-    for name in ("q", "v", "multipliers", "kinetic_energy", "work", "violation"):
-        values = getattr(result, name)
-        last = values.reshape(len(result), math.prod(values.shape[1:]))[:, -1]
-        np.testing.assert_array_equal(last, result.t, err_msg=name)
-        assert np.isfinite(values).all(), name
-    assert np.isfinite(result.reactions().force).all()
+    assert_whole(result)
 
 
 SIMULATE_FOR_AN_HOUR = """
@@ -262,14 +267,31 @@ def test_file_of_another_kind_is_refused_in_one_line(tmp_path: Path, content: by
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("share", [0.01, 0.3, 0.9])
-def test_file_cut_short_in_copying_is_refused_in_one_line(tmp_path: Path, share: float) -> None:
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.8, 0.99])
+def test_file_cut_short_in_copying_has_the_frames_before_the_cut(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, share: float
+) -> None:
+    monkeypatch.setattr(result_file, "FLUSH_SECONDS", 0.0)  # as if every piece took a second
+    header = synthetic.header(bodies=20, joints=20, expected_frames=2000)
+    path = tmp_path / "run.h5"
+    with ResultWriter(path, header) as writer:
+        for first in range(0, 2000, 10):
+            writer.write(synthetic.frames(header, first, 10))
+        writer.close({"steps": 2000})
+    os.truncate(path, int(share * path.stat().st_size))
+    result = Result.load(path)
+    assert 2000 * (share - 0.1) < len(result) < 2000 * share + 1
+    np.testing.assert_array_equal(result.t, 0.01 * np.arange(len(result)))
+    assert_whole(result)
+
+
+def test_file_cut_before_the_first_frame_is_refused_in_one_line(tmp_path: Path) -> None:
     make_result(synthetic.header()).save(tmp_path / "run.h5")
-    content = (tmp_path / "run.h5").read_bytes()
-    (tmp_path / "run.h5").write_bytes(content[: int(share * len(content))])
-    with pytest.raises(FileError, match=r"run.h5': cannot be read") as caught:
-        Result.load(tmp_path / "run.h5")
-    assert "\n" not in str(caught.value)
+    for size in (3000, 1000, 100, 10):
+        os.truncate(tmp_path / "run.h5", size)
+        with pytest.raises(FileError, match=r"run.h5': (cannot be read|is damaged)") as caught:
+            Result.load(tmp_path / "run.h5")
+        assert "\n" not in str(caught.value)
 
 
 def test_frames_of_a_file_that_was_replaced_are_not_mixed_up(tmp_path: Path) -> None:

@@ -130,4 +130,4 @@ def _share(title: str, shown: int, total: int, what: str) -> str:
 
 def _listed(items: list[str]) -> str:
     rest = len(items) - SHOWN
-    return "; ".join(items[:SHOWN]) + (f"; and {rest} more" if rest > 0 else "")
+    return "\n".join([*items[:SHOWN], *([f"and {rest} more"] if rest > 0 else [])])

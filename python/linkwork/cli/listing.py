@@ -21,7 +21,7 @@ def show_mechanisms(as_json: bool) -> None:
         for name, mechanism in MECHANISMS.items()
     ]
     out.print_table(("mechanism", "what it is", "parameters"), rows, left=3)
-    print("linkwork run NAME simulates one; linkwork run NAME --help explains its parameters.")
+    print("\nlinkwork run NAME simulates one; with --help it explains the parameters.")
 
 
 def _record(name: str, mechanism: Mechanism) -> dict[str, Any]:

@@ -24,7 +24,7 @@ def print_pairs(pairs: Iterable[tuple[str, str]]) -> None:
     shown = [(label, text) for label, text in pairs if text]
     width = max((len(label) for label, _ in shown), default=0)
     for label, text in shown:
-        print(f"{label:<{width}}  {text}")
+        print(f"{label:<{width}}  " + text.replace("\n", "\n" + " " * (width + 2)))
 
 
 def print_table(columns: Sequence[str], rows: Iterable[Sequence[str]], title: str | None = None,
