@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.errors import LinkworkWarning, OptionError
+from linkwork.errors import LinkworkWarning, ModelError, OptionError
 from linkwork.integrators import Integrator
 from linkwork.model import Model
 from linkwork.options import check_number
@@ -30,6 +30,12 @@ def check_times(t_end: float, step: float) -> None:
     """OptionError: step not positive, t_end negative, or not finite."""
     check_number("step", step, positive=True, unit="s")
     check_number("t_end", t_end, positive=False, unit="s")
+
+
+def check_bodies(model: Model) -> None:
+    """ModelError: there is nothing to simulate."""
+    if not model.body_count:
+        raise ModelError(f"model '{model.name}': has no bodies", code="empty")
 
 
 def check_tables(model: Model, t_end: float) -> None:
@@ -93,7 +99,7 @@ def _warn_of(core: _core.Model, level: str, worst: NDArray[np.int64], residuals:
     unit = "" if level == "poses" else "/s"
     each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {residuals[worst[k]]:.3g}{unit}")
     message = f"initial {level} do not satisfy {len(worst)} joints (residual, m or 1): {each}"
-    warnings.warn(message, LinkworkWarning, stacklevel=5)
+    warnings.warn(message, LinkworkWarning, stacklevel=4)
 
 
 def _listed(count: int, item: Callable[[int], str]) -> str:

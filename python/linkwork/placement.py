@@ -155,8 +155,15 @@ class Place:
     def attachment(self, points: Pair, frames: Pair) -> Attachment:
         """From points in body coordinates and frames (k, 3, 3) in space."""
         C_a, C_b = (np.swapaxes(body.A, 1, 2) @ F for body, F in zip((self.a, self.b), frames, strict=True))
-        distance = np.linalg.norm(self.b.point(points[1]) - self.a.point(points[0]), axis=1)
+        distance = np.linalg.norm(self.separation(*points), axis=1)
         return Attachment(np.stack(points, axis=1), np.stack([C_a, C_b], axis=1), distance)
+
+    def separation(self, s_a: Floats, s_b: Floats) -> Floats:
+        """From the point of a to that of b (k, 3), in space at the initial pose; zero where it is rounding only."""
+        p_a, p_b = self.a.point(s_a), self.b.point(s_b)
+        rounding = 1e-14 * np.abs(np.concatenate([p_a, p_b, self.a.r, self.b.r], axis=1)).max(axis=1)
+        d = p_b - p_a
+        return np.where((np.abs(d).max(axis=1) > rounding)[:, None], d, 0.0)
 
 
 def point(place: Place, at: Any) -> Attachment:
@@ -192,7 +199,7 @@ def two_axes(place: Place, at: Any, axes: Any) -> Attachment:
 def two_points(place: Place, at: Any) -> Attachment:
     """A point of a and a point of b; z points from one to the other at the initial pose."""
     s_a, s_b = place.points(at)
-    z = place.b.point(s_b) - place.a.point(s_a)
+    z = place.separation(s_a, s_b)
     z = np.where(np.linalg.norm(z, axis=1, keepdims=True) > 0, z, (0.0, 0.0, 1.0))
     frame = _frame(place, z, rotation.perpendicular(z), "at")
     return place.attachment((s_a, s_b), (frame, frame))

@@ -33,6 +33,9 @@ PythonStep = Callable[[System, float, Floats, float], ArrayLike]
 #: Frames recorded without `record_every`, and the memory they may take [bytes].
 FRAMES, FRAME_BYTES = 1000, 2**30
 
+#: Beyond, a run is refused by the driver.
+MOST_STEPS = 1e15
+
 #: A piece of a run that goes on without a look at signals and progress: wall time [s], and memory [bytes].
 PIECE_SECONDS, PIECE_BYTES = 0.1, 2**26
 
@@ -65,12 +68,13 @@ def simulate(
     """
     started = time.perf_counter()
     checks.check_times(t_end, step)
+    checks.check_bodies(model)
     checks.check_tables(model, t_end)
     method = integrators.named(integrator) if isinstance(integrator, str) else integrator
     system = System(model, **options)
     _check_method(method, system, step)
     checks.warn_of_residuals(model, system.compiled())
-    every = _record_every(record_every, math.ceil(t_end / step), _frame_bytes(model))
+    every = _record_every(record_every, t_end / step, _frame_bytes(model))
     compiled = None if callable(method) else method.compiled()
     run = _core.Simulation(system.compiled(), compiled, t_end, step, every)
 
@@ -187,9 +191,9 @@ def _check_method(method: Any, system: System, step: float) -> None:
         )
 
 
-def _record_every(given: int | None, steps: int, frame_bytes: int) -> int:
+def _record_every(given: int | None, steps: float, frame_bytes: int) -> int:
     if given is None:
-        return max(1, math.ceil(steps / min(FRAMES, max(1, FRAME_BYTES // frame_bytes))))
+        return max(1, math.ceil(min(steps, MOST_STEPS) / min(FRAMES, max(1, FRAME_BYTES // frame_bytes))))
     if not isinstance(given, int | np.integer) or given < 1:
         raise OptionError(
             f"record_every {given!r} is not a positive whole number of steps", code="record_every"

@@ -1,0 +1,362 @@
+"""The description of a mechanism: what it refuses, and where it puts things."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+import linkwork as lw
+from linkwork import _core
+from linkwork.checks import joint_residuals
+
+NAN = float("nan")
+
+
+def two_bodies() -> lw.Model:
+    """Bodies "crank" and "rod", turned and moved, so that space and body coordinates differ."""
+    model = lw.Model()
+    model.body(
+        "crank",
+        mass=1,
+        inertia=(1, 2, 2),
+        position=(0.5, 1, -2),
+        orientation=lw.rotation.about((1, 2, 3), 0.7),
+    )
+    model.body(
+        "rod", mass=2, inertia=(2, 3, 3), position=(2, 0, 1), orientation=lw.rotation.about((3, 1, 0), -2)
+    )
+    return model
+
+
+def dynamics(model: lw.Model) -> _core.Dynamics:
+    return lw.System(model, formulation="penalty").compiled()
+
+
+BODY = {"mass": 1.0, "inertia": (1.0, 1.0, 1.0)}
+
+#: What is wrong with a body, and what the message must have beside the body's name.
+BAD_BODIES = {
+    "negative mass": ({"mass": -1.5}, "-1.5"),
+    "NaN mass": ({"mass": NAN}, "nan"),
+    "mass that is no number": ({"mass": "heavy"}, "heavy"),
+    "inertia against the triangle inequality": ({"inertia": (1, 1, 2.5)}, "2.5"),
+    "negative inertia": ({"inertia": (-0.5, 1, 1)}, "-0.5"),
+    "infinite inertia": ({"inertia": (1, 1, float("inf"))}, "inf"),
+    "inertia that is not symmetric": ({"inertia": [[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]}, "symmetric"),
+    "inertia of a wrong shape": ({"inertia": (1, 1)}, "(2,)"),
+    "zero orientation": ({"orientation": (0, 0, 0, 0)}, "(0, 0, 0, 0)"),
+    "orientation that is not unit": ({"orientation": (1, 0.1, 0, 0)}, "(1, 0.1, 0, 0)"),
+    "NaN position": ({"position": (0, NAN, 0)}, "nan"),
+    "infinite velocity": ({"velocity": (0, float("inf"), 0)}, "inf"),
+    "NaN omega": ({"omega": (NAN, 0, 0)}, "nan"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_BODIES)
+def test_a_bad_body_is_refused_by_name_and_value(case: str) -> None:
+    arguments, value = BAD_BODIES[case]
+    with pytest.raises(lw.ModelError) as caught:
+        lw.Model().body("flywheel", **{**BODY, **arguments})
+    assert "'flywheel'" in str(caught.value)
+    assert value in str(caught.value)
+
+
+@pytest.mark.parametrize("case", BAD_BODIES)
+def test_a_bad_body_leaves_the_model_as_it_was(case: str) -> None:
+    model = two_bodies()
+    before = model.hash()
+    with pytest.raises(lw.ModelError):
+        model.body("flywheel", **{**BODY, **BAD_BODIES[case][0]})
+    assert (model.body_count, model.hash()) == (2, before)
+
+
+@pytest.mark.parametrize("what", ["mass", "position", "orientation", "inertia"])
+def test_the_bad_one_of_many_bodies_is_named(what: str) -> None:
+    k = 1000
+    arrays = {
+        "mass": np.ones(k),
+        "inertia": np.ones((k, 3)),
+        "position": np.zeros((k, 3)),
+        "orientation": np.tile((1.0, 0, 0, 0), (k, 1)),
+    }
+    arrays[what][617] = -7.0
+    if what == "position":
+        arrays[what][617] = NAN
+    with pytest.raises(lw.ModelError, match=r"link\[617\]"):
+        lw.Model().bodies("link", **arrays)
+
+
+#: Joints that make no sense: how they are added, and what the message must have.
+BAD_JOINTS: dict[str, tuple[Callable[[lw.Model], object], list[str]]] = {
+    "zero axis": (
+        lambda m: m.revolute("crank", "rod", at=(0, 0, 0), axis=(0, 0, 0), name="pin"),
+        ["'pin'", "(0, 0, 0)"],
+    ),
+    "NaN axis": (
+        lambda m: m.cylindrical("crank", "rod", at=(0, 0, 0), axis=(0, NAN, 1), name="pin"),
+        ["'pin'", "(0, nan, 1)"],
+    ),
+    "NaN point": (
+        lambda m: m.spherical("crank", "rod", at=(NAN, 0, 0), name="ball"),
+        ["'ball'", "(nan, 0, 0)"],
+    ),
+    "point of two numbers": (
+        lambda m: m.spherical("crank", "rod", at=(0, 1), name="ball"),
+        ["'ball'", "(2,)"],
+    ),
+    "a body to itself": (lambda m: m.spherical("rod", "rod", at=(0, 0, 0), name="ball"), ["'ball'", "'rod'"]),
+    "ground to ground": (
+        lambda m: m.spherical("ground", m.ground, at=(0, 0, 0), name="ball"),
+        ["'ball'", "'ground'"],
+    ),
+    "unknown body": (
+        lambda m: m.spherical("crnk", "rod", at=(0, 0, 0), name="ball"),
+        ["'ball'", "'crnk'", "'crank'"],
+    ),
+    "something that is no body": (
+        lambda m: m.spherical(3, "rod", at=(0, 0, 0), name="ball"),
+        ["'ball'", "3"],
+    ),
+    "body of another model": (
+        lambda m: m.spherical(two_bodies().find("rod"), "crank", at=(0, 0, 0), name="ball"),
+        ["'ball'", "'rod'", "another model"],
+    ),
+    "parallel axes": (
+        lambda m: m.universal("crank", "rod", at=(0, 0, 0), axes=((0, 0, 1), (0, 0, 2)), name="cross"),
+        ["'cross'", "(0, 0, 1)", "parallel"],
+    ),
+    "axes that are not perpendicular": (
+        lambda m: m.universal("crank", "rod", at=(0, 0, 0), axes=((0, 0, 1), (0, 1, 1)), name="cross"),
+        ["'cross'", "45 degrees"],
+    ),
+    "one axis instead of two": (
+        lambda m: m.universal("crank", "rod", at=(0, 0, 0), axes=(0, 0, 1), name="cross"),
+        ["'cross'", "pair"],
+    ),
+    "distance of two points that coincide": (
+        lambda m: m.distance("crank", "rod", at=((1, 2, 3), (1, 2, 3)), name="tie"),
+        ["'tie'", "0 m"],
+    ),
+    "negative length": (
+        lambda m: m.distance("crank", "rod", at=((1, 2, 3), (0, 2, 3)), length=-2, name="tie"),
+        ["'tie'", "-2 m"],
+    ),
+    "length without derivatives": (
+        lambda m: m.distance("crank", "rod", at=((1, 2, 3), (0, 2, 3)), length=lambda t: 1.0 + t, name="tie"),
+        ["'tie'", "length", "(f, df, ddf)"],
+    ),
+    "zero orientation": (
+        lambda m: m.fixed("crank", "rod", at=(0, 0, 0), orientation=(0, 0, 0, 0), name="weld"),
+        ["'weld'", "(0, 0, 0, 0)"],
+    ),
+    "x axis along the axis": (
+        lambda m: m.translational(
+            "crank", "rod", at=(0, 0, 0), axis=(0, 0, 2), x_axis=(0, 0, 1), name="guide"
+        ),
+        ["'guide'", "x_axis", "parallel"],
+    ),
+    "a name that is taken": (
+        lambda m: [m.spherical("crank", "rod", at=(0, 0, 0), name="ball") for _ in range(2)],
+        ["'ball'", "exists"],
+    ),
+    "infinite stiffness": (
+        lambda m: m.spring_damper(
+            "crank", "rod", at=((0, 0, 0), (1, 0, 0)), stiffness=float("inf"), name="coil"
+        ),
+        ["'coil'", "stiffness", "inf"],
+    ),
+    "force of two components": (lambda m: m.force("rod", force=(1, 2), name="push"), ["'push'", "(1, 2)"]),
+    "force that is NaN at first": (
+        lambda m: m.force("rod", force=(lambda t: NAN, 0, 0), name="push"),
+        ["'push'", "force_x", "t = 0"],
+    ),
+}
+
+
+@pytest.mark.parametrize("case", BAD_JOINTS)
+def test_a_bad_element_is_refused_by_name_and_value(case: str) -> None:
+    add, fragments = BAD_JOINTS[case]
+    with pytest.raises(lw.ModelError) as caught:
+        add(two_bodies())
+    message = str(caught.value)
+    assert [fragment for fragment in fragments if fragment not in message] == [], message
+    assert "\n" not in message
+
+
+def test_the_bad_one_of_many_joints_is_named() -> None:
+    model = lw.Model()
+    links = model.bodies("link", **BODY, position=np.zeros((100, 3)))
+    axes = np.tile((0.0, 0, 1), (99, 1))
+    axes[42] = 0
+    with pytest.raises(lw.ModelError, match=r"'pin\[42\]'.*\(0, 0, 0\)"):
+        model.joints("revolute", links[:-1], links[1:], at=(0, 0, 0), axis=axes, name="pin")
+
+
+def test_a_duplicate_body_name_is_refused() -> None:
+    with pytest.raises(lw.ModelError, match="'rod' exists"):
+        two_bodies().body("rod", **BODY)
+
+
+def test_the_name_of_the_ground_is_refused() -> None:
+    with pytest.raises(lw.ModelError, match="'ground'"):
+        two_bodies().body("ground", **BODY)
+
+
+def test_an_unknown_joint_kind_is_answered_with_the_nearest() -> None:
+    with pytest.raises(lw.OptionError, match="'revolut'.*'revolute'"):
+        two_bodies().joints("revolut", "crank", "rod", at=(0, 0, 0))
+
+
+def test_unknown_frames_are_answered_with_the_nearest() -> None:
+    with pytest.raises(lw.OptionError, match="'bodies'.*'body'"):
+        two_bodies().spherical("crank", "rod", at=(0, 0, 0), frames="bodies")  # type: ignore[arg-type]
+
+
+def test_nearly_unit_orientations_are_normalized() -> None:
+    model = lw.Model()
+    model.body("rod", **BODY, orientation=(1 + 1e-7, 0, 0, 0))
+    assert np.linalg.norm(model.compiled().q0[3:]) == pytest.approx(1.0, abs=1e-15)
+
+
+def test_things_without_a_name_are_numbered() -> None:
+    model = lw.Model()
+    bodies = [model.body(**BODY) for _ in range(2)]
+    joints = [model.spherical(*bodies, at=(0, 0, 0)), model.fixed(*bodies, at=(0, 0, 0))]
+    joints.append(model.spherical(*bodies, at=(0, 0, 0)))
+    assert [thing.name for thing in (*bodies, *joints)] == [
+        "body 1", "body 2", "spherical 1", "fixed 1", "spherical 2"
+    ]  # fmt: skip
+
+
+def test_numbers_of_names_avoid_those_that_are_taken() -> None:
+    model = two_bodies()
+    model.spherical("crank", "rod", at=(0, 0, 0), name="spherical 1")
+    model.fixed("crank", "rod", at=(0, 0, 0), name="revolute 1")
+    assert model.spherical("crank", "rod", at=(0, 0, 0)).name == "spherical 2"
+    assert model.revolute("crank", "rod", at=(0, 0, 0), axis=(0, 0, 1)).name == "revolute 2"
+
+
+def test_a_slice_of_a_range_names_the_same_bodies() -> None:
+    links = lw.Model().bodies("link", **BODY, position=np.zeros((5, 3)))
+    assert [body.name for body in links[1:4:2]] == ["link[1]", "link[3]"]
+    assert links[1:4:2].indices.tolist() == [1, 3]
+
+
+#: Placements in space for every kind of joint.
+IN_SPACE = {
+    "point": {"at": (1, 2, 3)},
+    "axis": {"at": (1, 2, 3), "axis": (0, 3, 4)},
+    "two_axes": {"at": (1, 2, 3), "axes": ((0, 3, 4), (1, 0, 0))},
+    "two_points": {"at": ((1, 2, 3), (4, 2, 0))},
+    "frame": {"at": (1, 2, 3), "orientation": lw.rotation.about((1, 1, 0), 0.4)},
+}
+
+
+@pytest.mark.parametrize("kind", _core.joint_kinds(), ids=lambda kind: kind.name)
+def test_a_joint_placed_in_space_holds_at_the_initial_pose(kind: _core.KindInfo) -> None:
+    model = two_bodies()
+    getattr(model, kind.name)("crank", "rod", **IN_SPACE[kind.placement])
+    assert joint_residuals(model, dynamics(model))[0].max() < 1e-14
+
+
+@pytest.mark.parametrize("kind", _core.joint_kinds(), ids=lambda kind: kind.name)
+def test_a_method_of_a_joint_is_documented_by_its_kind(kind: _core.KindInfo) -> None:
+    text = getattr(lw.Model, kind.name).__doc__
+    assert kind.documentation in text
+    assert [name for name in kind.equations if name not in text] == []
+
+
+@pytest.mark.parametrize("kind", _core.joint_kinds(), ids=lambda kind: kind.name)
+def test_joints_in_bulk_are_those_added_one_by_one(kind: _core.KindInfo) -> None:
+    one_by_one, in_bulk = two_bodies(), two_bodies()
+    for name in ("a", "b"):
+        getattr(one_by_one, kind.name)("crank", "rod", **IN_SPACE[kind.placement], name=name)
+    pair = ["crank", "crank"], "rod"
+    in_bulk.joints(kind.name, *pair, **IN_SPACE[kind.placement])
+    assert one_by_one.hash() == in_bulk.hash()
+
+
+def in_body(model: lw.Model, body: str, point: np.ndarray, free: bool = False) -> np.ndarray:
+    """A point (or free vector) of space in coordinates of a body."""
+    q = model.compiled().q0.reshape(-1, 7)[model.find(body).index]
+    return lw.rotation.matrix(q[3:]).T @ (point - (0 if free else q[:3]))
+
+
+def test_a_revolute_in_body_frames_is_the_one_in_space() -> None:
+    in_space, in_bodies = two_bodies(), two_bodies()
+    at, axis, x = np.array([1.0, 2, 3]), np.array([0, 0.6, 0.8]), np.array([1.0, 0, 0])
+    in_space.revolute("crank", "rod", at=at, axis=axis, x_axis=x)
+    in_bodies.revolute(
+        "crank",
+        "rod",
+        at=[in_body(in_bodies, body, at) for body in ("crank", "rod")],
+        axis=[in_body(in_bodies, body, axis, free=True) for body in ("crank", "rod")],
+        x_axis=[in_body(in_bodies, body, x, free=True) for body in ("crank", "rod")],
+        frames="body",
+    )
+    given, found = in_space.compiled().joint_arrays(), in_bodies.compiled().joint_arrays()
+    assert np.abs(given["origin"] - found["origin"]).max() < 1e-14
+    assert np.abs(given["frame"] - found["frame"]).max() < 1e-14
+
+
+def test_a_translational_in_body_frames_keeps_the_initial_turn_about_its_axis() -> None:
+    model = two_bodies()
+    axis = np.array([0, 0.6, 0.8])
+    axes = [in_body(model, body, axis, free=True) for body in ("crank", "rod")]
+    origin = in_body(model, "crank", np.array([2.0, 0, 1])), (0, 0, 0)
+    model.translational("crank", "rod", at=origin, axis=axes, frames="body")
+    assert joint_residuals(model, dynamics(model))[0].max() < 1e-14
+
+
+def test_nearly_perpendicular_axes_of_a_universal_are_made_perpendicular() -> None:
+    model = two_bodies()
+    model.universal("crank", "rod", at=(0, 0, 0), axes=((0.8, 0.6, 0), (-0.6 + 1e-8, 0.8, 0)))
+    assert joint_residuals(model, dynamics(model))[0].max() < 1e-15
+
+
+def test_the_length_of_a_distance_is_the_initial_one() -> None:
+    model = two_bodies()
+    model.distance("crank", "rod", at=((1, 2, 3), (4, 2, -1)))
+    assert model.compiled().joint_arrays()["parameters"][0] == pytest.approx(5.0, rel=1e-15)
+
+
+def test_a_spring_is_at_rest_initially() -> None:
+    model = two_bodies()
+    model.spring_damper("crank", "rod", at=((1, 2, 3), (4, 2, -1)), stiffness=1e3)
+    core = model.compiled()
+    without = dynamics(two_bodies()).evaluate(0.0, core.q0, core.v0)["potential"]
+    assert dynamics(model).evaluate(0.0, core.q0, core.v0)["potential"] == pytest.approx(without, abs=1e-12)
+
+
+@pytest.mark.parametrize("frame", ["inertial", "body"])
+def test_the_components_of_a_force_are_in_its_frame(frame: str) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("rod", **BODY, orientation=lw.rotation.about((0, 0, 1), np.pi / 2))
+    model.force(body, force=(1, 0, 0), at=(0, 2, 0), frame=frame)  # type: ignore[arg-type]
+    core = model.compiled()
+    expected = {"inertial": (1, 0, 0, 0, 0, 2 * np.cos(np.pi / 2)), "body": (0, 1, 0, 0, 0, -2)}
+    found = dynamics(model).evaluate(0.0, core.q0, core.v0)["g"]
+    assert found == pytest.approx(expected[frame], abs=1e-15)
+
+
+def test_the_hash_does_not_depend_on_names() -> None:
+    models = [lw.Model() for _ in range(2)]
+    for name, model in zip("ab", models, strict=True):
+        model.body(name, **BODY)
+    assert models[0].hash() == models[1].hash()
+
+
+def test_the_hash_depends_on_a_mass() -> None:
+    models = [lw.Model() for _ in range(2)]
+    for mass, model in zip((1.0, 1.0 + 1e-15), models, strict=True):
+        model.body("rod", mass=mass, inertia=(1, 1, 1))
+    assert models[0].hash() != models[1].hash()
+
+
+def test_a_model_describes_itself_in_a_line() -> None:
+    model = lw.mechanisms.spatial_slider_crank()
+    for word in ("spatial_slider_crank", "3 bodies", "1 universal", "17 constraint equations"):
+        assert word in repr(model)
+    assert "\n" not in repr(model)
