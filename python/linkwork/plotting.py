@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,8 +15,6 @@ from linkwork.errors import FileError
 from linkwork.header import Floats
 
 if TYPE_CHECKING:
-    from mpl_toolkits.mplot3d import Axes3D
-
     from linkwork.result import Result
 
 #: The most lines of one kind in one picture.
@@ -61,7 +59,7 @@ def plot_methods(
     _draw_motion(figure.add_subplot(grid[0], projection="3d"), next(iter(results.values())))
     left, right = figure.add_subplot(grid[1]), figure.add_subplot(grid[2])
     for order, (label, result) in enumerate(results.items()):
-        line = {
+        line: dict[str, Any] = {
             "color": COLORS[order % len(COLORS)],
             "ls": LINES[order % len(LINES)],
             "lw": 1.4,
@@ -84,8 +82,8 @@ def plot_methods(
     return _written(figure, path)
 
 
-def _draw_motion(ax: Axes3D, result: Result, poses: int = 8) -> None:
-    """The mechanism as lines between the joints of each body: dark at the start, fainter at later times."""
+def _draw_motion(ax: Any, result: Result, poses: int = 8) -> None:
+    """The mechanism as lines between the joints of each body, on 3-D axes; dark at the start, then faint."""
     points = np.stack([result.joint_points(j) for j in range(len(result.joint_names))], axis=1)
     shown = np.linspace(0, len(result) - 1, poses + 1).astype(int)[:-1]
     for order, k in enumerate(shown[::-1]):
@@ -104,7 +102,8 @@ def _draw_motion(ax: Axes3D, result: Result, poses: int = 8) -> None:
     )
     for axis, center in zip("xyz", middle, strict=True):
         ax.set(**{f"{axis}lim": (center - half, center + half)})
-    ax.set_box_aspect((1, 1, 1), zoom=1.2)
+    ax.set_box_aspect((1, 1, 1), zoom=1.35)
+    ax.view_init(20, -65)
     ax.set_axis_off()
 
 
@@ -148,9 +147,10 @@ def _plot_positions(ax: Axes, result: Result) -> None:
 def _plot_reactions(ax: Axes, result: Result, part: str, unit: str) -> None:
     """Magnitudes of one part, "force" or "torque", of the joints' reactions."""
     _style(ax, f"reaction {part} [{unit}]")
-    every = max(1, len(result) // SAMPLED_FRAMES)
-    largest = np.linalg.norm(getattr(result.sampled_reactions(every), part), axis=-1).max(axis=0, initial=0.0)
-    chosen = [j for j in _largest(largest, JOINTS) if largest[j] > 1e-6 * largest.max(initial=0.0)]
+    sample = result.sampled_reactions(max(1, len(result) // SAMPLED_FRAMES))
+    largest = np.linalg.norm(getattr(sample, part), axis=-1).max(axis=0, initial=0.0)
+    rounding = 1e-9 * max(np.abs(sample.force).max(initial=0.0), np.abs(sample.torque).max(initial=0.0))
+    chosen = [j for j in _largest(largest, JOINTS) if largest[j] > rounding]
     for color, j in zip(COLORS, chosen, strict=False):
         magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
         ax.plot(result.t, magnitude, color=color, label=result.joint_names[j])
@@ -212,6 +212,7 @@ def _style(ax: Axes, quantity: str) -> None:
     ax.spines[["top", "right"]].set_visible(False)
     ax.tick_params(labelsize=8)
     ax.margins(x=0)
+    ax.yaxis.set_major_formatter("{x:.7g}")
 
 
 def _legend(ax: Axes, title: str = "") -> None:

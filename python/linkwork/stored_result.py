@@ -40,7 +40,8 @@ class StoredField:
     def __getitem__(self, key: Any) -> Floats:
         """The part asked for, and nothing else, is read."""
         if not math.prod(self.shape[1:]):
-            return np.zeros(self.shape)[key]
+            nothing: Floats = np.zeros(self.shape)[key]
+            return nothing
         rows, *rest = key if isinstance(key, tuple) else (key,)
         if isinstance(rows, slice):
             rows = slice(*rows.indices(len(self)))
