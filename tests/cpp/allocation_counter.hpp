@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdlib>
+
+/// Counts every allocation of the executable that includes this (in one file), those of Eigen and SuiteSparse too:
+/// with glibc a malloc defined here takes the place of the library's for all of them.
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#define CAN_COUNT_ALLOCATIONS 1
+
+inline long allocation_count = 0;
+
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+
+void* malloc(std::size_t size) noexcept {
+  allocation_count += 1;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  allocation_count += 1;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) noexcept {
+  allocation_count += 1;
+  return __libc_realloc(memory, size);
+}
+}
+
+/// Allocations during a call.
+template <class Call>
+long allocations(Call call) {
+  const long before = allocation_count;
+  call();
+  return allocation_count - before;
+}
+#endif
