@@ -1,0 +1,96 @@
+"""All ways of solving M v_dot - D^T lambda = g, D v_dot = gamma give the same answer, on random mechanisms.
+
+The reference is a dense solution of the KKT system, refined in extended precision. Accelerations are measured against
+those of the mechanism and of its bodies without joints, M^-1 g: a mechanism that cannot move has none of its own.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from linkwork import _core
+from random_mechanisms import Equations, Floats, Mechanism, examples, mechanisms
+
+#: (matrix, linear solver): "normal" is M + D^T a D of the augmented Lagrangian.
+CHOICES = [(form, solver.name) for solver in _core.linear_solvers() if solver.available for form in solver.systems]
+
+
+def options(form: str, solver: str) -> dict[str, str]:
+    if form == "normal":
+        return {"formulation": "augmented_lagrangian", "linear_solver": solver}
+    return {"formulation": "standard", "system": form, "linear_solver": solver}
+
+
+def largest(x: Floats) -> float:
+    return float(np.abs(x).max(initial=0.0))
+
+
+def solve(mechanism: Mechanism, **options: object) -> tuple[Floats, Floats]:
+    return mechanism.dynamics(**options).accelerations(0.0, mechanism.q, mechanism.v)
+
+
+@pytest.mark.parametrize(("form", "solver"), CHOICES)
+@examples(40)
+@given(mechanism=mechanisms())
+def test_every_solver_finds_the_accelerations_and_joint_forces(mechanism: Mechanism, form: str, solver: str) -> None:
+    at = Equations.of(mechanism)
+    v_dot, multipliers = solve(mechanism, **options(form, solver))
+    exact_v_dot, exact_multipliers = at.solution()
+    force, exact_force = at.D.T @ multipliers, at.D.T @ exact_multipliers
+    scale = largest(exact_v_dot) + largest(at.free_v_dot)
+    assert largest(v_dot - exact_v_dot) / scale <= 1e-9
+    assert largest(force - exact_force) <= 1e-9 * largest(exact_force)
+
+
+@pytest.mark.parametrize(("form", "solver"), CHOICES)
+@examples(40)
+@given(mechanism=mechanisms())
+def test_every_solution_satisfies_its_equations(mechanism: Mechanism, form: str, solver: str) -> None:
+    at = Equations.of(mechanism)
+    v_dot, multipliers = solve(mechanism, **options(form, solver))
+    inertia, force = at.M @ v_dot, at.D.T @ multipliers
+    scale = max(largest(inertia), largest(force), largest(at.g))
+    assert largest(inertia - force - at.g) / scale <= 1e-12
+    scale = largest(np.abs(at.D) @ np.abs(v_dot)) + largest(at.D @ at.free_v_dot) + largest(at.gamma)
+    assert largest(at.D @ v_dot - at.gamma) <= 1e-9 * scale
+
+
+# The penalty method solves S lambda + a^-1 lambda = gamma - D M^-1 g instead of S lambda = ..., S = D M^-1 D^T, so with
+# sigma the eigenvalues of a^1/2 S a^1/2 its accelerations are off by M^-1 D^T (lambda_penalty - lambda), in which each
+# part of M^-1 D^T lambda shrinks to 1 / (1 + sigma):
+#   ||v_dot_penalty - v_dot||_M <= ||M^-1 D^T lambda||_M / (1 + sigma_min)
+@pytest.mark.parametrize("solver", [solver for form, solver in CHOICES if form == "normal"])
+@pytest.mark.parametrize("penalty", ({"penalty": 1e5}, {"penalty_scale": 1e4}), ids=("uniform", "scaled"))
+@examples(25)
+@given(mechanism=mechanisms())
+def test_penalty_is_off_by_what_its_smallest_eigenvalue_predicts(
+    mechanism: Mechanism, solver: str, penalty: dict[str, float]
+) -> None:
+    at = Equations.of(mechanism)
+    exact_v_dot, multipliers = at.solution()
+    S = at.D @ np.linalg.solve(at.M, at.D.T)
+    a = np.full(len(S), penalty["penalty"]) if "penalty" in penalty else penalty["penalty_scale"] / np.diag(S)
+    sigma = np.linalg.eigvalsh(np.sqrt(a)[:, None] * S * np.sqrt(a))
+    predicted = -np.linalg.solve(at.M, at.D.T @ np.linalg.solve(S + np.diag(1 / a), multipliers / a))
+
+    v_dot, _ = solve(mechanism, formulation="penalty", linear_solver=solver, **penalty)
+    size = energy_norm(at, np.linalg.solve(at.M, at.D.T @ multipliers))
+    roundoff = 1e-14 * (1 + sigma[-1])
+    assert energy_norm(at, v_dot - exact_v_dot) <= size * (1 / (1 + sigma[0]) + roundoff)
+    assert energy_norm(at, v_dot - exact_v_dot - predicted) <= size * roundoff
+
+
+def energy_norm(at: Equations, x: Floats) -> float:
+    return float(np.sqrt(x @ at.M @ x))
+
+
+@examples(40)
+@given(mechanism=mechanisms())
+def test_random_mechanisms_are_consistent(mechanism: Mechanism) -> None:
+    """Of the strategy itself: the initial state satisfies the joints, driven ones included."""
+    at = Equations.of(mechanism)
+    speed = 1 + largest(mechanism.v)
+    assert largest(at.Phi) <= 1e-13 * (1 + largest(mechanism.q))
+    assert largest(at.Phi_dot) <= 1e-12 * speed
+    assert largest(at.D @ mechanism.v + at.Phi_t) <= 1e-12 * speed
