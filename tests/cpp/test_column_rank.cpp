@@ -1,0 +1,117 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+
+#include "linkwork/linear/column_rank.hpp"
+#include "support.hpp"
+
+using namespace support;
+
+namespace {
+
+constexpr double tolerance = 1e-9;
+
+std::vector<int> dependent(const MatrixXd& A) {
+  std::vector<Entry> entries;
+  for (int row = 0; row < A.rows(); ++row)
+    for (int column = 0; column < A.cols(); ++column)
+      if (A(row, column) != 0.0) entries.push_back({row, column, A(row, column)});
+  return dependent_columns(static_cast<int>(A.rows()), static_cast<int>(A.cols()), entries, tolerance);
+}
+
+int rank(const MatrixXd& A) {
+  if (A.size() == 0) return 0;
+  const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(A).singularValues();
+  return static_cast<int>((sigma.array() > tolerance * sigma[0]).count());
+}
+
+/// As many as columns less rank, ascending, and the others are independent.
+void check_dependent(const MatrixXd& A) {
+  const std::vector<int> columns = dependent(A);
+  const int expected = rank(A);
+  CHECK(static_cast<int>(A.cols()) - static_cast<int>(columns.size()) == expected);
+  CHECK(std::is_sorted(columns.begin(), columns.end()));
+  MatrixXd rest(A.rows(), 0);
+  for (int column = 0; column < A.cols(); ++column)
+    if (!std::binary_search(columns.begin(), columns.end(), column)) {
+      rest.conservativeResize(Eigen::NoChange, rest.cols() + 1);
+      rest.rightCols<1>() = A.col(column);
+    }
+  CHECK(rank(rest) == expected);
+}
+
+/// Random with most entries zero.
+MatrixXd sparse(int rows, int columns, Random& random) {
+  MatrixXd A = random.matrix(rows, columns);
+  for (double& value : A.reshaped())
+    if (random.number() > -0.2) value = 0.0;
+  return A;
+}
+
+}  // namespace
+
+TEST_CASE("planted combinations of columns are found, as many as the singular values say") {
+  Random random(100);
+  for (int repetition = 0; repetition < 40; ++repetition) {
+    const int columns = random.integer(4, 30), rows = columns + random.integer(0, 20);
+    CAPTURE(columns);
+    MatrixXd A = sparse(rows, columns, random);
+    for (int planted = random.integer(1, 3); planted > 0; --planted)
+      A.col(random.integer(0, columns - 1)) = A.col(0) - 2.0 * A.col(columns / 2) + 0.5 * A.col(columns - 1);
+    check_dependent(A);
+  }
+}
+
+TEST_CASE("a matrix of full column rank has no dependent columns") {
+  Random random(101);
+  for (int repetition = 0; repetition < 10; ++repetition) CHECK(dependent(random.matrix(20, 12)).empty());
+}
+
+TEST_CASE("equal columns: all but one are dependent") {
+  Random random(102);
+  MatrixXd A = random.matrix(8, 5);
+  A.col(3) = A.col(1);
+  A.col(4) = -A.col(1);
+  const std::vector<int> columns = dependent(A);
+  CHECK(columns.size() == 2);
+  for (const int column : columns) CHECK((column == 1 || column == 3 || column == 4));
+}
+
+TEST_CASE("zero columns are dependent") {
+  Random random(103);
+  MatrixXd A = random.matrix(8, 5);
+  A.col(2).setZero();
+  CHECK(dependent(A) == std::vector<int>{2});
+}
+
+TEST_CASE("all columns of a zero matrix are dependent") {
+  CHECK(dependent(MatrixXd::Zero(4, 3)) == std::vector<int>{0, 1, 2});
+  CHECK(dependent_columns(2, 2, {{0, 0, 0.0}, {1, 1, 0.0}}, tolerance) == std::vector<int>{0, 1});
+  CHECK(dependent(MatrixXd::Zero(0, 2)) == std::vector<int>{0, 1});
+}
+
+TEST_CASE("no columns, no dependent columns") { CHECK(dependent(MatrixXd::Zero(4, 0)).empty()); }
+
+TEST_CASE("more columns than rows: at least the difference is dependent") {
+  Random random(104);
+  for (int repetition = 0; repetition < 10; ++repetition) {
+    const MatrixXd A = sparse(6, random.integer(7, 15), random);
+    check_dependent(A);
+    CHECK(static_cast<int>(dependent(A).size()) >= A.cols() - 6);
+  }
+}
+
+TEST_CASE("columns that differ by less than the tolerance are dependent, by more independent") {
+  Random random(105);
+  MatrixXd A = random.matrix(8, 3);
+  A.col(2) = A.col(0) + 1e-11 * random.vector(8);
+  CHECK(dependent(A).size() == 1);
+  A.col(2) = A.col(0) + 1e-6 * random.vector(8);
+  CHECK(dependent(A).empty());
+}
+
+TEST_CASE("entries at the same place add up") {
+  CHECK(dependent_columns(1, 1, {{0, 0, 1.0}, {0, 0, -1.0}}, tolerance) == std::vector<int>{0});
+  CHECK(dependent_columns(1, 1, {{0, 0, 1.0}, {0, 0, 1.0}}, tolerance).empty());
+}
