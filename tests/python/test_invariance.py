@@ -1,0 +1,214 @@
+"""Accelerations and reactions do not depend on how a mechanism is described."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from random_mechanisms import FORCES, Element, Floats, Maker, Mechanism, examples, mechanisms
+
+#: Relative; two descriptions differ by roundoff only, which the worst of the random mechanisms magnify by 1e6.
+EXACT = {"standard": 1e-9, "augmented_lagrangian": 1e-9}
+
+#: The penalty method solves with a matrix whose entries differ by its penalties, 1e4: it magnifies roundoff by that.
+SAME_EQUATIONS = EXACT | {"penalty": 1e-7}
+
+#: Where the equations of a joint become combinations of the old ones, the penalty of each is another one, too: the
+#: answers of the penalty method differ by its own error then, 1 / (1 + sigma_min): see test_formulations_agree.
+OTHER_EQUATIONS = EXACT
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What must not change: accelerations (n, 3), and the wrench of each joint on its second body at its point there."""
+
+    linear: Floats
+    angular: Floats  #: body axes
+    force: Floats
+    torque: Floats
+
+    free_linear: float  #: size of M^-1 g, for mechanisms that cannot move
+    meter: float = 1.0  #: relates forces to torques, and linear to angular accelerations, where there are none
+
+    def close_to(self, other: Motion, tolerance: float) -> None:
+        size = {what: np.abs(getattr(other, what)).max(initial=0.0) for what in ("linear", "angular", "force", "torque")}
+        size["linear"] += other.free_linear
+        size["angular"] += size["linear"] / other.meter
+        size["torque"] += other.meter * size["force"]
+        for what in size:
+            error = np.abs(getattr(self, what) - getattr(other, what)).max(initial=0.0) / (size[what] or 1.0)
+            assert error <= tolerance, f"{what}: {error:.2e} relative"
+
+
+def motion(mechanism: Mechanism, formulation: str) -> Motion:
+    dynamics = mechanism.dynamics(formulation=formulation)
+    v_dot, multipliers = dynamics.accelerations(0.0, mechanism.q, mechanism.v)
+    force, torque = dynamics.reactions(0.0, mechanism.q, multipliers)
+    g = dynamics.evaluate(0.0, mechanism.q, mechanism.v)["g"].reshape(-1, 6)
+    free = max(np.abs(load[:3]).max() / body.mass for load, body in zip(g, mechanism.bodies, strict=True))
+    halves = v_dot.reshape(-1, 6)
+    return Motion(halves[:, :3], halves[:, 3:], force, torque, float(free))
+
+
+# --- rigid motion of everything -------------------------------------------------------------------------------------
+
+
+def moved(mechanism: Mechanism, p: Floats, shift: Floats) -> Mechanism:
+    """Bodies, ground points, gravity, and components along inertial axes."""
+    R = lw.rotation.matrix(p)
+    bodies = tuple(
+        replace(body, r=R @ body.r + shift, p=quaternion_product(p, body.p), r_dot=R @ body.r_dot)
+        for body in mechanism.bodies
+    )
+
+    def element(old: Element) -> Element:
+        ends = tuple((R @ s + shift, R @ C) if body < 0 else (s, C) for body, s, C in zip((old.a, old.b), old.s, old.C))
+        return replace(old, s=(ends[0][0], ends[1][0]), C=(ends[0][1], ends[1][1]))
+
+    joints, forces = (tuple(map(element, elements)) for elements in (mechanism.joints, mechanism.forces))
+    return replace(mechanism, gravity=R @ mechanism.gravity, bodies=bodies, joints=joints, forces=forces)
+
+
+def quaternion_product(a: Floats, b: Floats) -> Floats:
+    scalar = a[0] * b[0] - a[1:] @ b[1:]
+    return np.concatenate([[scalar], a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:])])
+
+
+@pytest.mark.parametrize("formulation", OTHER_EQUATIONS)
+@examples(40)
+@given(mechanism=mechanisms(), seed=st.integers(0, 2**32 - 1))
+def test_turning_and_shifting_everything_turns_the_accelerations(
+    mechanism: Mechanism, seed: int, formulation: str
+) -> None:
+    maker = Maker(seed)
+    p = maker.orientation()
+    R = lw.rotation.matrix(p)
+    old = motion(mechanism, formulation)
+    expected = replace(old, linear=old.linear @ R.T, force=old.force @ R.T, torque=old.torque @ R.T)
+    motion(moved(mechanism, p, maker.vector(10.0)), formulation).close_to(expected, OTHER_EQUATIONS[formulation])
+
+
+# --- numbering ------------------------------------------------------------------------------------------------------
+
+
+def renumbered(mechanism: Mechanism, bodies: list[int], joints: list[int]) -> Mechanism:
+    """`bodies` and `joints` are the old indices in the new order; forces are turned around."""
+    place = {old: new for new, old in enumerate(bodies)} | {-1: -1}
+
+    def element(old: Element) -> Element:
+        return replace(old, a=place[old.a], b=place[old.b])
+
+    return replace(
+        mechanism,
+        bodies=tuple(mechanism.bodies[k] for k in bodies),
+        joints=tuple(element(mechanism.joints[k]) for k in joints),
+        forces=tuple(element(force) for force in reversed(mechanism.forces)),
+    )
+
+
+@pytest.mark.parametrize("formulation", SAME_EQUATIONS)
+@examples(40)
+@given(data=st.data(), mechanism=mechanisms())
+def test_numbering_does_not_matter(data: Any, mechanism: Mechanism, formulation: str) -> None:
+    bodies = data.draw(st.permutations(range(len(mechanism.bodies))))
+    joints = data.draw(st.permutations(range(len(mechanism.joints))))
+    old = motion(mechanism, formulation)
+    expected = replace(
+        old, linear=old.linear[bodies], angular=old.angular[bodies], force=old.force[joints], torque=old.torque[joints]
+    )
+    motion(renumbered(mechanism, bodies, joints), formulation).close_to(expected, SAME_EQUATIONS[formulation])
+
+
+# --- the two bodies of a joint --------------------------------------------------------------------------------------
+
+
+def swapped(mechanism: Mechanism) -> Mechanism:
+    def turn_around(old: Element) -> Element:
+        return replace(old, a=old.b, b=old.a, s=old.s[::-1], C=old.C[::-1])
+
+    return replace(mechanism, joints=tuple(map(turn_around, mechanism.joints)))
+
+
+def points_of(mechanism: Mechanism, end: int) -> Floats:
+    """The joints' points on their first (0) or second (1) bodies, in space."""
+    points = []
+    for joint in mechanism.joints:
+        k = (joint.a, joint.b)[end]
+        body = mechanism.bodies[k]
+        points.append(joint.s[end] if k < 0 else body.r + lw.rotation.matrix(body.p) @ joint.s[end])
+    return np.array(points).reshape(-1, 3)
+
+
+# What acts on the first body is the opposite, and about the point there: T_a = -(T_b + (P_b - P_a) x F_b).
+@pytest.mark.parametrize("formulation", OTHER_EQUATIONS)
+@examples(40)
+@given(mechanism=mechanisms())
+def test_swapping_the_bodies_of_a_joint_reverses_its_reaction(mechanism: Mechanism, formulation: str) -> None:
+    old = motion(mechanism, formulation)
+    arms = points_of(mechanism, 1) - points_of(mechanism, 0)
+    expected = replace(old, force=-old.force, torque=-(old.torque + np.cross(arms, old.force)))
+    motion(swapped(mechanism), formulation).close_to(expected, OTHER_EQUATIONS[formulation])
+
+
+# --- units ----------------------------------------------------------------------------------------------------------
+
+KG, M = 1e3, 1e3  # in g and mm
+
+#: Powers of kg and m in the unit of a parameter; seconds and radians stay.
+DIMENSIONS: dict[str, Any] = {
+    "length": (0, 1),
+    "free_length": (0, 1),
+    "free_angle": (0, 0),
+    "force": (1, 1),
+    "torque": (1, 2),
+    "stiffness": {"spring_damper": (1, 0), "rotational_spring_damper": (1, 2)},
+    "damping": {"spring_damper": (1, 0), "rotational_spring_damper": (1, 2)},
+}
+
+
+def factor(kind: str, parameter: str) -> float:
+    dimension = DIMENSIONS[parameter.removesuffix("_x").removesuffix("_y").removesuffix("_z")]
+    kg, m = dimension[kind] if isinstance(dimension, dict) else dimension
+    return float(KG**kg * M**m)
+
+
+def times(value: Any, by: float) -> Any:
+    """A number or a function of time, multiplied."""
+    if isinstance(value, lw.functions.Harmonic):
+        return replace(value, amplitude=by * value.amplitude, offset=by * value.offset)
+    if isinstance(value, lw.functions.Polynomial):
+        return lw.functions.polynomial(*(by * c for c in value.coefficients))
+    return by * value
+
+
+def in_grams_and_millimeters(mechanism: Mechanism) -> Mechanism:
+    bodies = tuple(
+        replace(body, mass=KG * body.mass, inertia=KG * M**2 * body.inertia, r=M * body.r, r_dot=M * body.r_dot)
+        for body in mechanism.bodies
+    )
+
+    def element(old: Element, names: list[str]) -> Element:
+        values = tuple(times(x, factor(old.kind, name)) for name, x in zip(names, old.parameters, strict=True))
+        return replace(old, s=(M * old.s[0], M * old.s[1]), parameters=values)
+
+    joints = tuple(element(joint, ["length"] if joint.parameters else []) for joint in mechanism.joints)
+    forces = tuple(element(force, FORCES[force.kind].parameters) for force in mechanism.forces)
+    return replace(mechanism, gravity=M * mechanism.gravity, bodies=bodies, joints=joints, forces=forces)
+
+
+@pytest.mark.parametrize("formulation", SAME_EQUATIONS)
+@examples(40)
+@given(mechanism=mechanisms())
+def test_units_do_not_matter(mechanism: Mechanism, formulation: str) -> None:
+    """kg to g, m to mm; the penalty of each equation is scaled to its inertia."""
+    old = motion(mechanism, formulation)
+    expected = replace(
+        old, linear=M * old.linear, force=KG * M * old.force, torque=KG * M**2 * old.torque,
+        free_linear=M * old.free_linear, meter=M,
+    )  # fmt: skip
+    motion(in_grams_and_millimeters(mechanism), formulation).close_to(expected, SAME_EQUATIONS[formulation])
