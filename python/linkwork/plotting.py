@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from linkwork.errors import FileError
+from linkwork.errors import FileError, nearest
 from linkwork.header import Floats
 
 if TYPE_CHECKING:
@@ -238,13 +238,22 @@ def _figure(width: float, height: float) -> Figure:
     return figure
 
 
+def check_format(path: str | os.PathLike[str]) -> None:
+    """FileError, before a long run, where the name of a picture asks for a format that there is not."""
+    known = FigureCanvasAgg(Figure()).get_supported_filetypes()
+    suffix = os.path.splitext(path)[1].removeprefix(".").lower()
+    if suffix and suffix not in known:
+        raise FileError(
+            f"picture '{path}': no format '{suffix}'{nearest(suffix, known)}", code="not_writable"
+        )
+
+
 def _written(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
     if path is not None:
+        check_format(path)
         try:
             figure.savefig(path, dpi=110)
-        except (OSError, ValueError) as error:
-            reason = (
-                os.strerror(error.errno).lower() if isinstance(error, OSError) and error.errno else str(error)
-            )
+        except OSError as error:
+            reason = os.strerror(error.errno).lower() if error.errno else str(error)
             raise FileError(f"picture '{path}': cannot be written: {reason}", code="not_writable") from error
     return figure

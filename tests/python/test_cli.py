@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -59,16 +60,21 @@ def test_version_is_that_of_the_package() -> None:
 
 
 def test_help_appears_quickly_and_without_the_slow_imports() -> None:
-    program = (
-        "import sys; sys.argv = ['linkwork', '--help']; from linkwork.cli import main\ntry: main()\n"
-        "finally: print(sorted({'matplotlib', 'h5py', 'scipy', 'rich'} & set(sys.modules)))"
-    )
-    start = time.perf_counter()
+    program = """
+import sys
+from linkwork.cli import main
+try:
+    main(["--help"])
+finally:
+    print(sorted({"matplotlib", "h5py", "numpy", "rich"} & set(sys.modules)))
+"""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     output = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     ).stdout
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
     assert output.splitlines()[-1] == "[]"
-    assert time.perf_counter() - start < 1.0
+    assert after.ru_utime - before.ru_utime < 0.5
 
 
 def test_every_command_explains_itself(screen: Screen) -> None:
@@ -205,6 +211,7 @@ MISTAKES = [
         1,
         "output '/nowhere/run.png': cannot be written: no directory",
     ),
+    (["run", "pendulum", "--plot", "run.pgn"], 1, "picture 'run.pgn': no format 'pgn'; the nearest is 'png'"),
     (["run", "pendulum", "--record-every", "0"], 1, "record_every"),
     (["run", "chain", "--bodies", "-3"], 1, "-3"),
     (["run", "chain", "--bodies", "many"], 2, "'--bodies': 'many' is not a valid integer"),
@@ -306,7 +313,7 @@ def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(tmp_path
     asked = time.monotonic()
     command.send_signal(signal.SIGINT)
     out, err = command.communicate(timeout=10)
-    assert time.monotonic() - asked < 1.0
+    assert time.monotonic() - asked < 2.0
     assert (command.returncode, out, err.count("\n")) == (130, "", 1)
     assert err.startswith("error: interrupted")
     result = Result.load(tmp_path / "run.h5")

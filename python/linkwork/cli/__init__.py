@@ -5,6 +5,7 @@ Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command li
 
 from __future__ import annotations
 
+import logging
 import os
 import sys
 import warnings
@@ -24,6 +25,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words
     warnings.showwarning = _show_warning
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # its remarks on fonts and caches
     sys.exit(run([word for word in words if word != "--debug"], debug))
 
 

@@ -25,7 +25,10 @@ def simulate_and_show(
     from linkwork import summary
 
     if plot is not None:
+        from linkwork import plotting
+
         out.check_writable(plot)
+        plotting.check_format(plot)
     model = mechanism.function(**parameters)
     try:
         result = lw.simulate(model, **{**mechanism.settings, **options}, output=output)
