@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -65,6 +65,11 @@ class Header:
             expected_frames=expected_frames,
             reactions=dynamics.reactions,
         )
+
+    def detached(self) -> Header:
+        """The same without the compiled model behind it, so that it can go to another process."""
+        names = {name: list(getattr(self, name)) for name in ("body_names", "joint_names", "joint_kinds")}
+        return replace(self, reactions=None, **names)  # type: ignore[arg-type]
 
     @property
     def body_count(self) -> int:

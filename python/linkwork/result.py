@@ -281,6 +281,11 @@ class Result:
 
         return summary.text(self)
 
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickle: a result can go to another process, with its reactions."""
+        self._need_reactions()
+        return {**self.__dict__, "_header": self._header.detached()}
+
     # --- how it works ---
 
     def _field(self, name: str, part: Any = np.s_[:]) -> Floats:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import linkwork as lw
@@ -192,6 +193,15 @@ def test_loaded_result_has_the_reactions_of_a_winch_driven_by_a_python_function(
             for fresh, stored in zip(result.reaction(name, frame), loaded.reaction(name, frame), strict=True):
                 np.testing.assert_array_equal(stored, fresh)
     assert np.abs(loaded.reaction("winch").force).max() > 0.1
+
+
+def test_result_that_went_to_another_process_has_everything() -> None:
+    result = lw.simulate(rod_with_ball(1.0), t_end=0.2, step=1e-3)
+    there = pickle.loads(pickle.dumps(result))
+    np.testing.assert_array_equal(there.q, result.q)
+    np.testing.assert_array_equal(there.reaction("winch").force, result.reaction("winch").force)
+    assert (there.manifest, there.statistics) == (result.manifest, result.statistics)
+    assert list(there.joint_names) == list(result.joint_names)
 
 
 def test_result_written_during_the_run_equals_the_one_in_memory(tmp_path: Path) -> None:

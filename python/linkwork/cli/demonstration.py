@@ -72,7 +72,7 @@ class Outcome:
 
 
 ROWS = (
-    ("max_position_violation", "position violation [m]", "{:.1e}"),
+    ("max_position_violation", "position violation", "{:.1e}"),
     ("max_velocity_violation", "velocity violation", "{:.1e}"),
     ("max_energy_error", "energy error [J]", "{:.1e}"),
     ("reaction_difference", "reaction difference", "{:.1e}"),
