@@ -159,7 +159,7 @@ class Place:
         return Attachment(np.stack(points, axis=1), np.stack([C_a, C_b], axis=1), distance)
 
     def separation(self, s_a: Floats, s_b: Floats) -> Floats:
-        """From the point of a to that of b (k, 3), in space at the initial pose; zero where it is rounding only."""
+        """From the point of a to that of b (k, 3), in space at the initial pose; zero where only rounding."""
         p_a, p_b = self.a.point(s_a), self.b.point(s_b)
         rounding = 1e-14 * np.abs(np.concatenate([p_a, p_b, self.a.r, self.b.r], axis=1)).max(axis=1)
         d = p_b - p_a

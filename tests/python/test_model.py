@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import linkwork as lw
 import numpy as np
 import pytest
-
-import linkwork as lw
 from linkwork import _core
 from linkwork.checks import joint_residuals
 

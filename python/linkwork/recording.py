@@ -1,0 +1,124 @@
+"""The frames of a run on their way to memory or to a file."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.header import Header
+from linkwork.interrupts import Interrupts
+from linkwork.progress import Report
+from linkwork.result import Result
+from linkwork.system import System
+
+__all__ = ["PythonStep", "Recorder", "compiled_pieces", "python_pieces", "record", "recorder"]
+
+Floats = NDArray[np.float64]
+Frames = Mapping[str, Floats]
+
+#: An integrator of the user's own: step(system, t, y, h) -> y at t + h, y (13n,).
+PythonStep = Callable[[System, float, Floats, float], ArrayLike]
+
+#: A piece of a run, between two looks at signals and progress: wall time [s], frames, bytes.
+PIECE_SECONDS, PIECE_FRAMES, PIECE_BYTES = 0.1, 500, 2**26
+
+
+class Recorder(Protocol):
+    """Where frames go."""
+
+    def write(self, frames: Frames) -> None: ...
+    def abandon(self) -> None: ...
+    def result(self, statistics: Mapping[str, Any]) -> Result: ...
+
+
+class _Memory:
+    def __init__(self, header: Header) -> None:
+        self._header = header
+        self._pieces: list[Frames] = []
+
+    def write(self, frames: Frames) -> None:
+        if len(frames["t"]):
+            self._pieces.append(frames)
+
+    def abandon(self) -> None:
+        self._pieces.clear()
+
+    def result(self, statistics: Mapping[str, Any]) -> Result:
+        joined = {name: np.concatenate([piece[name] for piece in self._pieces]) for name in self._pieces[0]}
+        return Result(joined, self._header, statistics)
+
+
+class _File:
+    def __init__(self, path: str | os.PathLike[str], header: Header) -> None:
+        from linkwork.result_file import ResultWriter
+
+        self._writer = ResultWriter(path, header)
+
+    def write(self, frames: Frames) -> None:
+        self._writer.write(frames)
+
+    def abandon(self) -> None:
+        self._writer.close()
+
+    def result(self, statistics: Mapping[str, Any]) -> Result:
+        self._writer.close(statistics)
+        return Result.load(self._writer.path)
+
+
+def recorder(output: str | os.PathLike[str] | None, header: Header) -> Recorder:
+    """To a file, or to memory. FileError: the file cannot be written."""
+    if output is None:
+        return _Memory(header)
+    return _File(output, header)
+
+
+def record(run: _core.Simulation, pieces: Iterator[Frames], to: Recorder, report: Report) -> float:
+    """Write the pieces as they come, and close the file however the run ends; the time they took [s]."""
+    spent, before = 0.0, time.perf_counter()
+    try:
+        for frames in pieces:
+            spent += time.perf_counter() - before
+            to.write(frames)
+            report(run.t, run.steps_done)
+            before = time.perf_counter()
+    except BaseException:
+        to.write(run.take_frames())
+        to.abandon()
+        raise
+    return spent
+
+
+def compiled_pieces(run: _core.Simulation, interrupts: Interrupts, frame_bytes: int) -> Iterator[Frames]:
+    """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
+    most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
+    while not run.finished:
+        with interrupts.computing():
+            frames = run.advance(most_frames, PIECE_SECONDS)
+        yield frames
+
+
+def python_pieces(
+    run: _core.Simulation, interrupts: Interrupts, step: PythonStep, system: System
+) -> Iterator[Frames]:
+    """The user's own integrator; meanwhile `system.derivative` has the sampled correction in it."""
+    finished = False
+    while not finished:
+        with interrupts.computing():
+            finished = _steps(run, step, system, time.perf_counter() + PIECE_SECONDS)
+        yield run.take_frames()
+
+
+def _steps(run: _core.Simulation, step: PythonStep, system: System, until: float) -> bool:
+    """Steps until that wall time; True at the end of the run."""
+    while time.perf_counter() < until:
+        t, y, h = run.begin_step()
+        if h == 0.0:
+            return True
+        run.accept(np.asarray(step(system, t, y, h), dtype=float))
+    return False

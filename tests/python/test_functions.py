@@ -1,0 +1,135 @@
+"""Functions of time."""
+
+from __future__ import annotations
+
+import math
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import functions
+from linkwork.functions import as_time_function
+from scipy.interpolate import CubicSpline
+
+T = np.array([0.0, 0.3, 0.35, 1.0, 1.2, 2.0])
+
+
+def test_a_polynomial_has_its_derivatives() -> None:
+    assert functions.polynomial(1, 2, 3, 4).evaluate(0.5) == pytest.approx((3.25, 8.0, 18.0), rel=1e-15)
+
+
+def test_a_harmonic_has_its_derivatives() -> None:
+    angle = 3 * 0.5 + 0.2
+    expected = (1 + 2 * math.sin(angle), 6 * math.cos(angle), -18 * math.sin(angle))
+    found = functions.harmonic(amplitude=2, frequency=3, phase=0.2, offset=1).evaluate(0.5)
+    assert found == pytest.approx(expected, rel=1e-15)
+
+
+def test_a_constant_does_not_change() -> None:
+    assert functions.constant(4.5).evaluate(7.0) == (4.5, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("count", [2, 3, 4, 5, 6])
+def test_a_table_is_the_not_a_knot_spline_of_scipy(count: int) -> None:
+    t, values = T[:count], np.sin(5 * T[:count])
+    reference = CubicSpline(t, values, bc_type="not-a-knot")
+    table = functions.table(t, values)
+    for time in np.linspace(t[0], t[-1], 40):
+        expected = [float(reference(time, order)) for order in range(3)]
+        assert table.evaluate(time) == pytest.approx(expected, rel=1e-12, abs=1e-12)
+
+
+def test_a_table_of_a_cubic_is_the_cubic() -> None:
+    cubic = functions.polynomial(1, -2, 0.5, 3)
+    table = functions.table(T, [cubic.evaluate(t)[0] for t in T])
+    for time in np.linspace(0, 2, 33):
+        assert table.evaluate(time) == pytest.approx(cubic.evaluate(time), rel=1e-12, abs=1e-12)
+
+
+def test_the_error_of_a_table_falls_with_the_fourth_power_of_its_step() -> None:
+    def error(samples: int) -> float:
+        t = np.linspace(0, 1, samples)
+        table = functions.table(t, np.exp(t))
+        return max(abs(table.evaluate(x)[0] - math.exp(x)) for x in np.linspace(0, 1, 777))
+
+    assert math.log2(error(41) / error(81)) == pytest.approx(4.0, abs=0.2)
+
+
+@pytest.mark.parametrize(
+    ("t", "values", "fragment"),
+    [
+        ([0.0], [1.0], "(1,)"),
+        ([0, 1, 2], [1, 2], "(2,)"),
+        ([0, 1, 1], [1, 2, 3], "1 s follows 1 s"),
+        ([0, 2, 1], [1, 2, 3], "1 s follows 2 s"),
+        ([0, math.nan, 1], [1, 2, 3], "time 1 is nan"),
+        ([0, 1, 2], [1, 2, math.inf], "value 2 is inf"),
+    ],
+)
+def test_a_bad_table_is_refused(t: list[float], values: list[float], fragment: str) -> None:
+    with pytest.raises(lw.ModelError) as caught:
+        functions.table(t, values)
+    assert fragment in str(caught.value)
+
+
+def test_a_table_is_not_extrapolated() -> None:
+    with pytest.raises(lw.OptionError, match="2.5"):
+        functions.table(T, T).evaluate(2.5)
+
+
+def test_a_run_beyond_a_table_is_refused_before_it_starts() -> None:
+    model = lw.mechanisms.rod_pendulum()
+    model.force("rod", force=(functions.table([0, 1], [0, 1]), 0, 0), name="push")
+    with pytest.raises(lw.OptionError, match=r"'push': force_x: is given from 0 to 1 s.*to 2 s"):
+        lw.simulate(model, t_end=2.0, step=0.1)
+
+
+def test_a_number_stays_a_number() -> None:
+    assert as_time_function(3, "stiffness") == 3.0
+
+
+def test_a_tuple_of_functions_has_derivatives() -> None:
+    function = as_time_function((math.sin, math.cos, lambda t: -math.sin(t)), "length")
+    assert isinstance(function, functions.TimeFunction)
+    assert function.has_derivatives
+    assert function.evaluate(0.3) == (math.sin(0.3), math.cos(0.3), -math.sin(0.3))
+
+
+def test_a_plain_function_has_none() -> None:
+    function = as_time_function(math.sin, "force")
+    assert isinstance(function, functions.TimeFunction)
+    assert not function.has_derivatives
+    assert np.isnan(function.evaluate(0.3)[1:]).all()
+
+
+@pytest.mark.parametrize("bad", [None, "fast", math.nan, (math.sin, math.cos), lambda t: math.inf, [1, 2]])
+def test_what_is_no_function_of_time_is_refused_by_name(bad: object) -> None:
+    with pytest.raises(lw.ModelError, match="coil: stiffness"):
+        as_time_function(bad, "coil: stiffness")
+
+
+def test_an_error_in_a_python_function_reaches_the_user() -> None:
+    def push(t: float) -> float:
+        if t > 0.05:
+            raise ZeroDivisionError("at 0.05 s")
+        return 1.0
+
+    model = lw.mechanisms.rod_pendulum()
+    model.force("rod", force=(push, 0, 0))
+    with pytest.raises(ZeroDivisionError, match="at 0.05 s"):
+        lw.simulate(model, t_end=0.1, step=0.01)
+
+
+@pytest.mark.parametrize("drive", ["harmonic", "python"])
+def test_the_work_of_a_driven_length_is_the_change_of_energy(drive: str) -> None:
+    """A mass on a rod that grows and shrinks: no other force has work."""
+    sine, cosine = (lambda t: math.sin(3 * t)), (lambda t: math.cos(3 * t))
+    python = (lambda t: 1 + 0.2 * sine(t), lambda t: 0.6 * cosine(t), lambda t: -1.8 * sine(t))
+    harmonic = functions.harmonic(amplitude=0.2, frequency=3.0, offset=1.0)
+    length = {"harmonic": harmonic, "python": python}[drive]
+    model = lw.Model(gravity=(0, -9.81, 0))
+    bob = model.body("bob", mass=1, inertia=(1, 1, 1), position=(1, 0, 0), velocity=(0.6, 0, 0))
+    model.distance(model.ground, bob, at=((0, 0, 0), (1, 0, 0)), length=length)
+    result = lw.simulate(model, t_end=1.0, step=1e-3)
+    assert np.abs(result.energy_error).max() < 1e-8
+    assert np.abs(result.work).max() > 0.1

@@ -1,0 +1,167 @@
+"""Integrators are data: their coefficients are tested themselves, then the order they show on a mechanism."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import pairwise
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.integrators import METHODS, AdamsBashforth, AdamsBashforthMoulton, ButcherTableau
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+RUNGE_KUTTA = [method for method in METHODS.values() if isinstance(method, ButcherTableau)]
+ADAMS = [method for method in METHODS.values() if isinstance(method, AdamsBashforth | AdamsBashforthMoulton)]
+
+EPS = np.finfo(float).eps
+
+#: A rooted tree: the trees that hang from its root, in a fixed order.
+Tree = tuple["Tree", ...]
+
+
+def trees(order: int) -> list[Tree]:
+    """All rooted trees with so many vertices."""
+    return sorted(forests(order - 1, order - 1))
+
+
+def forests(vertices: int, largest: int) -> Iterator[Tree]:
+    """Multisets of trees with so many vertices in all, none larger than `largest`."""
+    if vertices == 0:
+        yield ()
+    for size in range(min(vertices, largest), 0, -1):
+        for tree in trees(size):
+            for rest in forests(vertices - size, size):
+                if not rest or tree >= rest[0]:
+                    yield (tree, *rest)
+
+
+def size(tree: Tree) -> int:
+    return 1 + sum(map(size, tree))
+
+
+def density(tree: Tree) -> int:
+    """gamma(t): the product of the sizes of all subtrees."""
+    return size(tree) * math.prod(map(density, tree))
+
+
+def stage_weights(tree: Tree, A: Floats) -> Floats:
+    """Phi_i(t) at each stage: the product of A Phi(subtree) over the subtrees of the root."""
+    return math.prod((A @ stage_weights(subtree, A) for subtree in tree), start=np.ones(len(A)))
+
+
+def test_there_are_as_many_rooted_trees_as_there_should_be() -> None:
+    assert [len(trees(order)) for order in range(1, 7)] == [1, 1, 2, 4, 9, 20]
+
+
+@pytest.mark.parametrize("method", RUNGE_KUTTA, ids=lambda method: method.name)
+def test_a_tableau_meets_the_order_conditions_of_its_order(method: ButcherTableau) -> None:
+    conditions = [tree for order in range(1, method.order + 1) for tree in trees(order)]
+    A, b = method.matrix, np.array(method.b)
+    defects = {tree: b @ stage_weights(tree, A) - 1 / density(tree) for tree in conditions}
+    rounding = {tree: 4 * EPS * (abs(b) @ stage_weights(tree, abs(A))) for tree in conditions}
+    assert {tree: defect for tree, defect in defects.items() if abs(defect) > rounding[tree]} == {}
+
+
+@pytest.mark.parametrize("method", RUNGE_KUTTA, ids=lambda method: method.name)
+def test_a_tableau_claims_no_less_than_its_order(method: ButcherTableau) -> None:
+    defects = [method.b @ stage_weights(t, method.matrix) - 1 / density(t) for t in trees(method.order + 1)]
+    assert np.abs(defects).max() > 1e-6
+
+
+@pytest.mark.parametrize("method", RUNGE_KUTTA, ids=lambda method: method.name)
+def test_the_rows_of_a_tableau_add_up_to_its_nodes(method: ButcherTableau) -> None:
+    assert np.abs(method.matrix.sum(axis=1) - method.c).max() < 1e-15
+
+
+def moments(coefficients: Floats, newest: int) -> list[float]:
+    """Defects of int_0^1 s^k ds = sum_j c_j s_j^k with s_j = newest, newest - 1, ..., for k = 0, 1, ..."""
+    places = newest - np.arange(len(coefficients))
+    exact = [Fraction(c).limit_denominator(1440) for c in coefficients]
+    sums = [sum(c * int(s) ** k for c, s in zip(exact, places, strict=True)) for k in range(len(exact) + 1)]
+    return [float(total - Fraction(1, k + 1)) for k, total in enumerate(sums)]
+
+
+@pytest.mark.parametrize("method", ADAMS, ids=lambda method: method.name)
+def test_a_predictor_integrates_polynomials_below_its_order_exactly(method: AdamsBashforth) -> None:
+    *zero, error = moments(np.array(method.predictor), newest=0)
+    assert zero == [0.0] * method.order
+    assert abs(error) > 1e-3
+
+
+def test_the_corrector_of_abm4_integrates_cubics_exactly() -> None:
+    method = METHODS["abm4"]
+    assert isinstance(method, AdamsBashforthMoulton)
+    *zero, error = moments(np.array(method.corrector), newest=1)
+    assert zero == [0.0] * 4
+    assert abs(error) > 1e-3
+
+
+@pytest.mark.parametrize("method", ADAMS, ids=lambda method: method.name)
+def test_an_adams_method_starts_with_a_method_of_its_order(method: AdamsBashforth) -> None:
+    assert method.starter.order >= method.order
+
+
+#: alpha h = beta h at which continuous Baumgarte stabilization becomes unstable (measured on a mechanism).
+LIMITS = {
+    "euler": 2.0, "semi_implicit_euler": 0.82, "heun": 2.0, "rk3": 2.51, "rk4": 2.785, "dopri5": 3.30,
+    "tsit5": 3.50, "ab2": 1.0, "abm4": 1.28,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_the_growth_of_a_violation_passes_one_at_the_known_gain(name: str) -> None:
+    below, above = (METHODS[name].growth(gain * LIMITS[name], gain * LIMITS[name]) for gain in (0.98, 1.02))
+    assert below < 1 < above, (below, above)
+
+
+def test_an_unknown_name_is_answered_with_the_nearest() -> None:
+    with pytest.raises(lw.OptionError, match="'rk5'.*'rk4'"):
+        lw.integrators.named("rk5")
+
+
+def test_a_tableau_of_unequal_sizes_is_refused_by_name() -> None:
+    with pytest.raises(lw.OptionError, match="'mine'"):
+        ButcherTableau(name="mine", order=2, reference="", A=((), (1,)), b=(0.5, 0.5), c=(0,))
+
+
+def test_a_tableau_of_the_users_own_runs() -> None:
+    ralston = ButcherTableau(
+        name="ralston", order=2, reference="Ralston (1962)", A=((), (2 / 3,)), b=(1 / 4, 3 / 4), c=(0, 2 / 3)
+    )
+    result = lw.simulate(lw.mechanisms.rod_pendulum(), t_end=0.1, step=1e-3, integrator=ralston)
+    assert result.manifest["options"]["integrator"] == "ralston"
+    assert np.abs(result.energy_error).max() < 1e-5
+
+
+def double_pendulum() -> lw.Model:
+    """Two thick rods on spherical joints, both turning about all axes."""
+    model = lw.Model(gravity=(0, 0, -9.81))
+    inertia, half = lw.mechanisms.square_rod(mass=1, length=1, side=0.3), np.array([0.5, 0, 0])
+    upper, lower = np.array([1.0, 2, 3]), np.array([0.5, -1, 2])
+    tip = np.cross(upper, 2 * half)
+    model.body("upper", mass=1, inertia=inertia, position=half, velocity=tip / 2, omega=upper)
+    model.body(
+        "lower", mass=1, inertia=inertia, position=3 * half, velocity=tip + np.cross(lower, half), omega=lower
+    )
+    model.spherical("ground", "upper", at=(0, 0, 0))
+    model.spherical("upper", "lower", at=(1, 0, 0))
+    return model
+
+
+def states(method: str, steps: int) -> Floats:
+    """At ten times between 0 and 0.64 s."""
+    result = lw.simulate(double_pendulum(), 0.64, 0.64 / steps, method, record_every=steps // 10)
+    return np.concatenate([result.q.ravel(), result.v.ravel()])
+
+
+@pytest.mark.parametrize("name", METHODS)
+def test_the_observed_order_with_sampled_baumgarte_is_that_of_the_method(name: str) -> None:
+    reference = states("tsit5", 2560)
+    errors = [float(np.linalg.norm(states(name, steps) - reference)) for steps in (40, 80, 160)]
+    orders = [math.log2(coarse / fine) for coarse, fine in pairwise(errors)]
+    assert orders[-1] == pytest.approx(METHODS[name].order, abs=0.2), (errors, orders)

@@ -1,0 +1,128 @@
+"""The example mechanisms: each starts on its constraints, and has the freedom it should have."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import _core
+from linkwork.checks import joint_residuals
+from linkwork.mechanisms import MECHANISMS, Mechanism
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+def dynamics(model: lw.Model) -> _core.Dynamics:
+    return lw.System(model, formulation="penalty").compiled()
+
+
+def dense_D(model: lw.Model) -> Floats:
+    """The constraint matrix (m, 6n) at the initial pose."""
+    core = model.compiled()
+    sparse = dynamics(model).evaluate(0.0, core.q0, core.v0)["D"]
+    D = np.zeros((model.row_count, 6 * model.body_count))
+    rows = np.repeat(np.arange(model.row_count), np.diff(sparse["indptr"]))
+    D[rows, sparse["indices"]] = sparse["data"]
+    return D
+
+
+@pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=MECHANISMS)
+def test_a_mechanism_starts_on_its_constraints(mechanism: Mechanism) -> None:
+    model = mechanism.function()
+    position, velocity = joint_residuals(model, dynamics(model))
+    assert position.max(initial=0) < 1e-12
+    assert velocity.max(initial=0) < 1e-12
+
+
+@pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=MECHANISMS)
+def test_a_mechanism_runs_with_its_own_settings(mechanism: Mechanism) -> None:
+    result = lw.simulate(mechanism.function(), **{**mechanism.settings, "t_end": 0.05})
+    scale = max(1.0, float(np.abs(result.kinetic_energy).max()))
+    assert np.abs(result.energy_error).max() < 1e-8 * scale
+    assert result.violation[:, 0].max() < 1e-8
+
+
+@pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=MECHANISMS)
+def test_a_mechanism_and_its_parameters_are_described(mechanism: Mechanism) -> None:
+    assert mechanism.description.endswith(".")
+    assert [parameter.name for parameter in mechanism.parameters if not parameter.description] == []
+
+
+#: (degrees of freedom, redundant equations) at the initial pose
+FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
+    "pendulum": ({}, 5, 0),
+    "rod_pendulum": ({}, 1, 0),
+    "chain": ({"bodies": 4}, 4, 0),
+    "heavy_top": ({}, 3, 0),
+    "torque_free_top": ({}, 6, 0),
+    "four_bar": ({"n": 2}, 1, 6),
+    "bricard": ({}, 1, 1),
+    "spatial_slider_crank": ({}, 1, 0),
+    "net": ({"n": 4}, 36, 0),
+}
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_the_freedom_of_a_mechanism_is_known(name: str) -> None:
+    arguments, freedom, redundant = FREEDOM[name]
+    D = dense_D(MECHANISMS[name].function(**arguments))
+    rank = int(np.linalg.matrix_rank(D, tol=1e-9)) if D.size else 0
+    assert (D.shape[1] - rank, D.shape[0] - rank) == (freedom, redundant)
+
+
+@pytest.mark.parametrize("n", [3, 4, 5, 6])
+def test_a_net_has_full_rank_by_a_wide_margin(n: int) -> None:
+    singular_values = np.linalg.svd(dense_D(lw.mechanisms.net(n)), compute_uv=False)
+    assert singular_values[-1] > 0.03 * singular_values[0]
+
+
+@pytest.mark.parametrize("n", [3, 7])
+def test_the_rods_of_a_net_are_a_meter_long(n: int) -> None:
+    """Each node is met by ends of rods, half a meter from their centers."""
+    model = lw.mechanisms.net(n)
+    joints = model.compiled().joint_arrays()
+    arms = np.linalg.norm(joints["origin"], axis=2)[joints["bodies"] >= 0]
+    assert (model.body_count, np.abs(arms - 0.5).max()) == (2 * n * (n - 1), pytest.approx(0, abs=1e-14))
+
+
+def test_a_large_net_is_built_at_once() -> None:
+    assert lw.mechanisms.net(100).body_count == 19800
+
+
+@pytest.mark.parametrize("joint", ["revolute", "spherical", "universal"])
+def test_a_chain_can_have_several_joints(joint: str) -> None:
+    model = lw.mechanisms.chain(bodies=3, joint=joint)
+    assert {model.compiled().joint_kind(k) for k in range(3)} == {joint}
+
+
+@pytest.mark.parametrize(
+    ("name", "arguments", "fragments"),
+    [
+        ("chain", {"bodies": 0}, ["bodies 0"]),
+        ("chain", {"joint": "sperical"}, ["'sperical'", "'spherical'"]),
+        ("four_bar", {"n": 0}, ["n 0"]),
+        ("net", {"n": 2}, ["n 2", "3"]),
+    ],
+)
+def test_a_parameter_that_makes_no_mechanism_is_refused(
+    name: str, arguments: dict[str, Any], fragments: list[str]
+) -> None:
+    with pytest.raises(lw.LinkworkError) as caught:
+        MECHANISMS[name].function(**arguments)
+    assert [fragment for fragment in fragments if fragment not in str(caught.value)] == []
+
+
+def test_the_slider_crank_turns_all_the_way_round() -> None:
+    result = lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=2.0, step=1e-3)
+    assert result.body("crank").omega_inertial[:, 0].min() > 0
+    angle = np.trapezoid(result.body("crank").omega_inertial[:, 0], result.t)
+    assert angle > 4 * np.pi
+
+
+def test_the_slider_crank_keeps_the_axes_of_its_universal_joint_far_from_parallel() -> None:
+    result = lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=2.0, step=1e-3)
+    along = lw.rotation.matrix(result.body("coupler").orientation)[:, :, 0]
+    assert np.abs(along[:, 1]).max() < 0.7

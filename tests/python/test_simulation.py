@@ -1,0 +1,274 @@
+"""One run: what is refused before it, how it is recorded, and how it ends."""
+
+from __future__ import annotations
+
+import _thread
+import math
+import signal
+import threading
+import time
+import warnings
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.progress import ProgressInfo
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+Floats = NDArray[np.float64]
+
+
+#: Too large for a step of 1 ms.
+GAINS = {"baumgarte_alpha": 3e3, "baumgarte_beta": 3e3}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "fragments"),
+    [
+        ({"step": 0.0}, ["step 0.0 s"]),
+        ({"step": -1e-3}, ["step -0.001 s"]),
+        ({"step": math.nan}, ["step nan s"]),
+        ({"step": "short"}, ["step 'short' s"]),
+        ({"t_end": -1.0}, ["t_end -1.0 s"]),
+        ({"t_end": math.inf}, ["t_end inf s"]),
+        ({"t_end": 1e300, "step": 1e-300}, ["step"]),
+        ({"integrator": "rk5"}, ["'rk5'", "'rk4'"]),
+        ({"integrator": 4}, ["integrator 4"]),
+        ({"record_every": 0}, ["record_every 0"]),
+        (
+            {"stabilization": "baumgarte", **GAINS},
+            ["3000 1/s", "rk4", "0.001 s"],
+        ),
+    ],
+)
+def test_a_run_that_cannot_be_made_is_refused(arguments: dict[str, Any], fragments: list[str]) -> None:
+    with pytest.raises(lw.OptionError) as caught:
+        lw.simulate(lw.mechanisms.pendulum(), **{"t_end": 1.0, "step": 1e-3, **arguments})
+    message = str(caught.value)
+    assert [fragment for fragment in fragments if fragment not in message] == [], message
+
+
+def test_a_model_without_bodies_is_refused() -> None:
+    with pytest.raises(lw.ModelError, match="'void'.*no bodies"):
+        lw.simulate(lw.Model(name="void"), t_end=1.0, step=0.1)
+
+
+def test_dependent_equations_are_refused_naming_the_joints() -> None:
+    with pytest.raises(lw.SingularSystemError, match="pin 1") as caught:
+        lw.simulate(lw.mechanisms.four_bar(), t_end=1.0, step=1e-3, formulation="standard")
+    assert "pin 1" in caught.value.joints
+
+
+def test_a_massless_body_is_refused_by_the_standard_formulation() -> None:
+    model = lw.Model()
+    model.body("feather", mass=0, inertia=(0, 0, 0))
+    model.revolute("ground", "feather", at=(0, 0, 0), axis=(0, 0, 1))
+    with pytest.raises(lw.OptionError, match="'feather' has mass 0.*'augmented_lagrangian'"):
+        lw.simulate(model, t_end=1.0, step=1e-3)
+
+
+def inconsistent(joints: int) -> lw.Model:
+    """Bodies that leave their pins with 1, 2, 3, ... m/s."""
+    model = lw.Model()
+    for k in range(joints):
+        model.body(f"body {k}", mass=1, inertia=(1, 1, 1), velocity=(k + 1, 0, 0))
+        model.spherical("ground", f"body {k}", at=(0, 0, 0), name=f"pin {k}")
+    return model
+
+
+def test_inconsistent_velocities_are_a_warning_with_the_residual_of_each_joint() -> None:
+    with pytest.warns(lw.LinkworkWarning, match=r"velocities.*2 joints.*pin 1 2/s; pin 0 1/s"):
+        lw.simulate(inconsistent(2), t_end=0.0, step=1e-3)
+
+
+def test_the_warning_lists_the_worst_five_joints() -> None:
+    with pytest.warns(lw.LinkworkWarning, match=r"7 joints.*pin 6 7/s; .*pin 2 3/s; and 2 more"):
+        lw.simulate(inconsistent(7), t_end=0.0, step=1e-3)
+
+
+def test_the_warning_points_at_the_call_of_simulate() -> None:
+    with pytest.warns(lw.LinkworkWarning) as caught:
+        lw.simulate(inconsistent(1), t_end=0.0, step=1e-3)
+    assert [Path(warning.filename).name for warning in caught] == ["test_simulation.py"]
+
+
+def test_an_inconsistent_pose_is_a_warning() -> None:
+    model = lw.Model()
+    model.body("rod", mass=1, inertia=(1, 1, 1), position=(0, 0, 1))
+    model.spherical("ground", "rod", at=((0, 0, 0.25), (0, 0, 0)), frames="body", name="ball")
+    with pytest.warns(lw.LinkworkWarning, match=r"poses.*ball 0\.75"):
+        lw.simulate(model, t_end=0.0, step=1e-3)
+
+
+def test_large_baumgarte_gains_are_a_warning() -> None:
+    gains = {"baumgarte_alpha": 500.0, "baumgarte_beta": 500.0}
+    with pytest.warns(lw.LinkworkWarning, match=r"500 1/s.*'rk4' loses its order 4"):
+        lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, stabilization="baumgarte", **gains)
+
+
+def test_consistent_mechanisms_run_without_a_warning() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=0.01, step=1e-3)
+
+
+def classical(system: lw.System, t: float, y: Floats, h: float) -> Floats:
+    k1 = system.derivative(t, y)
+    k2 = system.derivative(t + h / 2, y + h / 2 * k1)
+    k3 = system.derivative(t + h / 2, y + h / 2 * k2)
+    k4 = system.derivative(t + h, y + h * k3)
+    return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+
+
+@pytest.mark.parametrize("stabilization", ["none", "baumgarte", "sampled_baumgarte"])
+def test_an_integrator_of_the_users_own_runs_as_the_compiled_one(stabilization: str) -> None:
+    model = lw.mechanisms.spatial_slider_crank()
+    own, compiled = (
+        lw.simulate(model, 0.1, 1e-3, method, stabilization=stabilization) for method in (classical, "rk4")
+    )
+    assert len(own) == len(compiled) == 101
+    assert np.abs(own.q - compiled.q).max() < 1e-12
+    assert np.abs(own.multipliers - compiled.multipliers).max() < 1e-9
+
+
+def test_an_own_integrator_is_named_in_the_manifest() -> None:
+    result = lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, classical)
+    assert result.manifest["options"]["integrator"] == "classical"
+
+
+def test_an_own_integrator_that_returns_too_little_is_refused() -> None:
+    with pytest.raises(lw.OptionError, match="7"):
+        lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, lambda system, t, y, h: y[:7])
+
+
+def test_an_error_in_an_own_integrator_reaches_the_user() -> None:
+    def broken(system: lw.System, t: float, y: Floats, h: float) -> Floats:
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, broken)
+
+
+def test_the_derivative_fits_solve_ivp() -> None:
+    model = lw.mechanisms.rod_pendulum()
+    system = lw.System(model, stabilization="none")
+    solution = solve_ivp(system.derivative, (0, 1), system.initial_state(), rtol=1e-10, atol=1e-12)
+    result = lw.simulate(model, 1.0, 1e-3)
+    assert solution.y[:3, -1] == pytest.approx(result.position[-1, 0], abs=1e-8)
+
+
+def test_the_terms_of_a_system_are_its_equations() -> None:
+    """M v_dot - D^T lambda = g and D v_dot = gamma."""
+    system = lw.System(lw.mechanisms.spatial_slider_crank())
+    y = system.initial_state()
+    q, v = y[: 7 * 3], y[7 * 3 :]
+    at = system.evaluate(0.0, q, v)
+    v_dot, multipliers = system.accelerations(0.0, q, v)
+    D = np.zeros((17, 18))
+    data, columns, starts = at.D
+    for row in range(17):
+        part = slice(starts[row], starts[row + 1])
+        D[row, columns[part]] = data[part]
+    M_v_dot = np.einsum("nij,nj->ni", at.M, v_dot.reshape(3, 6)).ravel()
+    assert np.abs(M_v_dot - D.T @ multipliers - at.g).max() < 1e-12 * np.abs(at.g).max()
+    assert np.abs(D @ v_dot - at.gamma).max() < 1e-12 * np.abs(at.gamma).max()
+
+
+@pytest.mark.parametrize(("steps", "every", "frames"), [(10, 1, 11), (10, 3, 5), (10, 100, 2), (0, 1, 1)])
+def test_the_first_and_the_last_state_are_always_recorded(steps: int, every: int, frames: int) -> None:
+    result = lw.simulate(lw.mechanisms.pendulum(), steps * 0.01, 0.01, record_every=every)
+    assert len(result) == frames
+    assert (result.t[0], result.t[-1]) == (0.0, pytest.approx(steps * 0.01, abs=1e-15))
+
+
+def test_about_a_thousand_frames_are_recorded() -> None:
+    assert 500 <= len(lw.simulate(lw.mechanisms.pendulum(), 2.5, 1e-3)) <= 1001
+
+
+def test_a_step_that_does_not_divide_the_time_is_shortened_at_the_end() -> None:
+    result = lw.simulate(lw.mechanisms.pendulum(), 0.1, 0.03)
+    assert result.t == pytest.approx((0, 0.03, 0.06, 0.09, 0.1), abs=1e-15)
+
+
+def test_a_result_in_a_file_is_that_in_memory(tmp_path: Path) -> None:
+    model = lw.mechanisms.spatial_slider_crank()
+    in_memory = lw.simulate(model, 0.1, 1e-3)
+    in_file = lw.simulate(model, 0.1, 1e-3, output=tmp_path / "run.h5")
+    for name in ("t", "q", "v", "acceleration", "multipliers", "energy", "work", "violation"):
+        assert np.array_equal(getattr(in_file, name), getattr(in_memory, name)), name
+    assert in_file.finished
+
+
+def test_an_output_that_cannot_be_written_is_refused_before_the_run() -> None:
+    started = time.monotonic()
+    with pytest.raises(lw.FileError, match="/no/such/place"):
+        lw.simulate(lw.mechanisms.pendulum(), 1e6, 1e-3, output="/no/such/place/run.h5")
+    assert time.monotonic() - started < 1.0
+
+
+def test_progress_is_told_up_to_the_end() -> None:
+    told: list[ProgressInfo] = []
+    lw.simulate(lw.mechanisms.heavy_top(), 1.0, 1e-5, progress=told.append)
+    assert len(told) > 1
+    assert told[-1].t == 1.0
+    assert told[-1].steps_done == told[-1].steps_total == 100_000
+
+
+def test_a_diverging_run_names_body_and_time() -> None:
+    model = lw.mechanisms.heavy_top()
+    with pytest.raises(lw.NotFiniteError) as caught:
+        lw.simulate(model, 100.0, 0.5, "euler", stabilization="none")
+    assert caught.value.time is not None
+    assert "'top'" in str(caught.value) or "diverged" in str(caught.value)
+
+
+def seconds_to_interrupt(integrator: Any, **arguments: Any) -> float:
+    """From Ctrl-C, 0.3 s after the start, to the KeyboardInterrupt of an endless run."""
+    pressed = [0.0]
+
+    def press() -> None:
+        pressed[0] = time.monotonic()
+        _thread.interrupt_main()
+
+    threading.Timer(0.3, press).start()
+    with pytest.raises(KeyboardInterrupt):
+        lw.simulate(lw.mechanisms.heavy_top(), 1e5, 1e-4, integrator, **arguments)
+    return time.monotonic() - pressed[0]
+
+
+@pytest.mark.parametrize("integrator", ["rk4", classical], ids=["compiled", "own"])
+def test_an_interrupt_ends_a_run_within_half_a_second(integrator: Any) -> None:
+    assert seconds_to_interrupt(integrator) < 0.5
+
+
+def test_an_interrupted_run_leaves_a_readable_file(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    seconds_to_interrupt("rk4", record_every=10, output=path)
+    result = lw.Result.load(path)
+    assert len(result) > 10
+    assert not result.finished
+    assert np.isfinite(result.energy).all()
+
+
+def test_ctrl_c_means_again_what_it_meant_before_the_run() -> None:
+    before = signal.getsignal(signal.SIGINT)
+    lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3)
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_the_manifest_says_what_was_given_and_what_was_chosen() -> None:
+    model = lw.mechanisms.pendulum()
+    manifest = lw.simulate(model, 0.01, 1e-3, linear_solver="auto").manifest
+    assert manifest["model_hash"] == model.hash()
+    assert manifest["options_given"]["linear_solver"] == "auto"
+    assert manifest["options"]["linear_solver"] != "auto"
+    assert manifest["versions"].keys() == {"linkwork", "numpy", "python"}
+
+
+def test_a_run_of_five_bodies_spends_nine_tenths_of_its_time_in_the_driver() -> None:
+    lw.simulate(lw.mechanisms.chain(5), t_end=0.01, step=1e-3)
+    statistics = lw.simulate(lw.mechanisms.chain(5), t_end=2.0, step=1e-4).statistics
+    assert statistics["driver_seconds"] > 0.9 * statistics["seconds"], statistics
