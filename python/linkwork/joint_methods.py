@@ -13,7 +13,7 @@ from typing import Any
 
 from linkwork import _core
 
-#: The arguments of each placement, with what they mean; those that can be left out end with a question mark.
+#: The arguments of each placement, with what they mean; a question mark: it can be left out.
 _PLACES: dict[str, dict[str, str]] = {
     "point": {"at": "the joint's point (3,) [m]"},
     "axis": {
@@ -32,11 +32,13 @@ _PLACES: dict[str, dict[str, str]] = {
     },
 }
 
-_COMMON = """\
-frames  "space": points and axes are inertial, at the initial pose; "body": every argument is a pair,
-        in coordinates of a and in coordinates of b
-name    of the joint; without it "{kind} 1", "{kind} 2", ...
+#: What all methods share.
+_COMMON = {
+    "frames": '"space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b',
+    "name": "of the joint; without it the kind and a number",
+}
 
+_ERRORS = """\
 ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name."""
 
 
@@ -65,9 +67,10 @@ def _signature(kind: _core.KindInfo) -> Signature:
 
 
 def _documentation(kind: _core.KindInfo) -> str:
-    own = "\n".join(f"{name}  {meaning}" for name, _, meaning in _arguments(kind))
+    meanings = {name: meaning for name, _, meaning in _arguments(kind)} | _COMMON
+    arguments = "\n".join(f"{name:<{max(map(len, meanings))}}  {text}" for name, text in meanings.items())
     equations = f"{kind.rows} equation{'s' if kind.rows > 1 else ''}: {', '.join(kind.equations)}."
-    return f"{kind.documentation}\n\n{equations}\n\n{own}\n{_COMMON.format(kind=kind.name)}"
+    return f"{kind.documentation}\n\n{equations}\n\n{arguments}\n\n{_ERRORS}"
 
 
 def _method(kind: _core.KindInfo) -> Callable[..., Any]:
@@ -100,8 +103,8 @@ _STUB_HEAD = '''\
 
 from numpy.typing import ArrayLike
 
-from linkwork.handles import BodyLike, Joint
 from linkwork.functions import TimeFunctionLike
+from linkwork.handles import BodyLike, Joint
 from linkwork.placement import Frames
 
 def stub() -> str: ...

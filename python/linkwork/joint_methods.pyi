@@ -2,8 +2,8 @@
 
 from numpy.typing import ArrayLike
 
-from linkwork.handles import BodyLike, Joint
 from linkwork.functions import TimeFunctionLike
+from linkwork.handles import BodyLike, Joint
 from linkwork.placement import Frames
 
 def stub() -> str: ...

@@ -117,9 +117,9 @@ def test_a_parameter_that_makes_no_mechanism_is_refused(
 
 def test_the_slider_crank_turns_all_the_way_round() -> None:
     result = lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=2.0, step=1e-3)
-    assert result.body("crank").omega_inertial[:, 0].min() > 0
-    angle = np.trapezoid(result.body("crank").omega_inertial[:, 0], result.t)
-    assert angle > 4 * np.pi
+    speed = result.body("crank").omega_inertial[:, 0]
+    assert speed.min() > 0
+    assert np.mean(speed) * result.t[-1] > 4 * np.pi
 
 
 def test_the_slider_crank_keeps_the_axes_of_its_universal_joint_far_from_parallel() -> None:

@@ -68,7 +68,7 @@ def _turning(end_velocity: Floats) -> Floats:
     w x COUPLER = end_velocity,   w . (ACROSS x y) = 0: the axes of the universal joint stay perpendicular
     """
     equations = np.vstack([np.cross(np.eye(3), COUPLER).T, np.cross(ACROSS, Y)])
-    omega: Floats = np.linalg.lstsq(equations, np.append(end_velocity, 0.0))[0]
+    omega: Floats = np.linalg.lstsq(equations, np.append(end_velocity, 0.0), rcond=None)[0]
     return omega
 
 
