@@ -72,7 +72,7 @@ class Model(JointMethods):
 
         ModelError: a value that no body can have, or a name that is taken.
         """
-        name = name or self._free_name("body", self.body_count)
+        name = self._named(name, "body", self.body_count)
         who = f"body '{name}'"
         m = _numbers(mass, [()], who, "mass")
         J = _numbers(inertia, [(3,), (3, 3)], who, "inertia")
@@ -162,7 +162,7 @@ class Model(JointMethods):
         frame  axes of the components: "inertial", or "body" that turn with the body
         """
         _choose("frame", frame, ("inertial", "body"))
-        subject = Subject("applied", name or self._free_name("applied", self._counts["applied"]), False, 1)
+        subject = Subject("applied", self._named(name, "applied", self._counts["applied"]), False, 1)
         index = self._bodies.index(body, subject)
         s = subject.array((0.0, 0.0, 0.0) if at is None else at, 3, "at")
         axes = np.broadcast_to(np.eye(3), (1, 2, 3, 3))
@@ -324,7 +324,7 @@ class Model(JointMethods):
         """Add one element or a group; `arguments` are those of the placement and the parameters."""
         info = kind_info(role, kind)
         _choose("frames", frames, ("space", "body"))
-        name = name or self._free_name(kind, self._counts[kind])
+        name = self._named(name, kind, self._counts[kind])
         pairs = self._bodies.pairs if group else self._bodies.pair
         bodies = pairs(a, b, Subject(kind, name, False, 1))
         subject = Subject(kind, name, group, len(bodies))
@@ -342,8 +342,12 @@ class Model(JointMethods):
     def _force(self, index: int, kind: str) -> Force:
         return Force(self._core.force_name(index), index, kind)
 
-    def _free_name(self, kind: str, count: int) -> str:
-        """`revolute 3`: the first that is not taken."""
+    def _named(self, name: str | None, kind: str, count: int) -> str:
+        """The name given, or `revolute 3`: the first number that is not taken."""
+        if name is not None:
+            if not isinstance(name, str) or not name.isprintable():
+                raise ModelError(f"{kind}: name {name!r} is not printable text", code="name")
+            return name
         finders = (self._core.find_body, self._core.find_joint, self._core.find_force)
         while any(
             find(kind_and_number) >= 0 for find in finders for kind_and_number in _names(kind, count + 1)

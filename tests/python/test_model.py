@@ -198,6 +198,12 @@ def test_a_duplicate_body_name_is_refused() -> None:
         two_bodies().body("rod", **BODY)
 
 
+@pytest.mark.parametrize("name", [3, "", "two\nlines"])
+def test_a_name_that_is_no_text_is_refused(name: object) -> None:
+    with pytest.raises(lw.ModelError, match="name"):
+        lw.Model().body(name, **BODY)  # type: ignore[arg-type]
+
+
 def test_the_name_of_the_ground_is_refused() -> None:
     with pytest.raises(lw.ModelError, match="'ground'"):
         two_bodies().body("ground", **BODY)
