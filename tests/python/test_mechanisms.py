@@ -126,3 +126,14 @@ def test_the_slider_crank_keeps_the_axes_of_its_universal_joint_far_from_paralle
     result = lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=2.0, step=1e-3)
     along = lw.rotation.matrix(result.body("coupler").orientation)[:, :, 0]
     assert np.abs(along[:, 1]).max() < 0.7
+
+
+def test_a_row_of_two_four_bars_passes_its_singular_poses() -> None:
+    """Every quarter turn; a wrong branch would show in the energy and in the height of the tops, which stay equal."""
+    model = lw.mechanisms.four_bar(2)
+    settings = {**MECHANISMS["four_bar"].settings, "t_end": 2.0, "penalty": 1e9, "max_iterations": 1000}
+    result = lw.simulate(model, **settings)
+    heights = [2 * result.body(f"post {i}").position[:, 1] for i in range(3)]
+    assert np.abs(result.energy_error).max() < 1e-8
+    assert min(heights[0]) < -0.99
+    assert np.ptp(heights, axis=0).max() < 1e-8

@@ -15,6 +15,8 @@ def four_bar(n: int = 1) -> Model:
     are joined by n others. The tops move along +x with 1 m/s at the start; gravity along -y. Where all rods
     lie down, the mechanism could go on in several ways. In three dimensions its equations are redundant.
 
+    For n > 1 the augmented Lagrangian passes these poses with penalty=1e9, max_iterations=1000.
+
     n  number of loops
     """
     at_least(1, n, "four_bar: n")
