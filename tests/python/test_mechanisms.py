@@ -129,7 +129,7 @@ def test_the_slider_crank_keeps_the_axes_of_its_universal_joint_far_from_paralle
 
 
 def test_a_row_of_two_four_bars_passes_its_singular_poses() -> None:
-    """Every quarter turn; a wrong branch would show in the energy and in the height of the tops, which stay equal."""
+    """Every quarter turn. On a wrong branch the tops, level at the start, would not stay so."""
     model = lw.mechanisms.four_bar(2)
     settings = {**MECHANISMS["four_bar"].settings, "t_end": 2.0, "penalty": 1e9, "max_iterations": 1000}
     result = lw.simulate(model, **settings)
