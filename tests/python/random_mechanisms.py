@@ -144,7 +144,7 @@ def _arguments(kinds: dict[str, Any], element: Element) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Equations:
-    """M v_dot - D^T lambda = g, D v_dot = gamma at the initial state, dense."""
+    """M v_dot - D^T lambda = g, D v_dot = gamma at a state, dense."""
 
     M: Floats
     D: Floats
@@ -156,7 +156,11 @@ class Equations:
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> Equations:
-        at = mechanism.dynamics(formulation="augmented_lagrangian").evaluate(0.0, mechanism.q, mechanism.v)
+        return cls.at(mechanism, 0.0, mechanism.q, mechanism.v)
+
+    @classmethod
+    def at(cls, mechanism: Mechanism, t: float, q: Floats, v: Floats) -> Equations:
+        at = mechanism.dynamics(formulation="penalty").evaluate(t, q, v)
         M = block_diagonal(at["M"])
         D = dense(at["D"], (len(at["Phi"]), len(M)))
         return cls(M, D, *(at[name] for name in ("Phi", "Phi_t", "Phi_dot", "gamma", "g")))

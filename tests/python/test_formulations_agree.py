@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from linkwork import _core
-from random_mechanisms import Equations, Floats, Mechanism, examples, mechanisms
+from random_mechanisms import Equations, Floats, Mechanism, examples, make, mechanisms
 
 #: (matrix, linear solver): "normal" is M + D^T a D of the augmented Lagrangian.
 CHOICES = [(form, solver.name) for solver in _core.linear_solvers() if solver.available for form in solver.systems]
@@ -83,6 +83,24 @@ def test_penalty_is_off_by_what_its_smallest_eigenvalue_predicts(
 
 def energy_norm(at: Equations, x: Floats) -> float:
     return float(np.sqrt(x @ at.M @ x))
+
+
+def test_slow_convergence_of_the_augmented_lagrangian_is_not_taken_for_its_end() -> None:
+    """A light train of fifteen bodies with heavy ones at its end: changes below 1e-7 still shrink slowly there."""
+    mechanism = make(
+        980,
+        joints=["universal", "distance", "revolute", "distance", "universal", "translational", "fixed", "fixed",
+                "translational", "cylindrical", "distance", "fixed", "distance", "universal", "cylindrical"],
+        loops=["universal", "translational", "spherical"],
+        forces=["applied", "applied", "spring_damper", "applied"],
+        floating=True,
+    )  # fmt: skip
+    at = Equations.of(mechanism)
+    v_dot, multipliers = solve(mechanism, formulation="augmented_lagrangian")
+    exact_v_dot, exact_multipliers = at.solution()
+    force, exact_force = at.D.T @ multipliers, at.D.T @ exact_multipliers
+    assert largest(v_dot - exact_v_dot) / largest(exact_v_dot) <= 1e-9
+    assert largest(force - exact_force) / largest(exact_force) <= 1e-9
 
 
 @examples(40)

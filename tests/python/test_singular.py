@@ -1,0 +1,220 @@
+"""Dependent constraints and massless bodies: solved by the methods that can, refused by name by those that cannot."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import _core, mechanisms
+from random_mechanisms import JOINTS
+from reference_data import Series
+
+#: (system, linear solver) of the standard formulation.
+STANDARD = [
+    (system, solver.name)
+    for solver in _core.linear_solvers()
+    if solver.available
+    for system in solver.systems
+    if system != "normal"
+]
+
+
+def body(model: lw.Model, name: str, position: tuple[float, ...], mass: float = 1.0) -> lw.Body:
+    return model.body(name, mass=mass, inertia=(0.1 * mass, 0.2 * mass, 0.25 * mass), position=position)
+
+
+# --- dependent constraints ------------------------------------------------------------------------------------------
+
+
+def doubled(kind: str) -> lw.Model:
+    """A swing and, hanging from it, a body by two equal joints."""
+    model = lw.Model()
+    swing, load = body(model, "swing", (0.5, 0, 0)), body(model, "load", (1.5, 0.2, 0.1))
+    places = {
+        "point": {"at": (1, 0, 0)},
+        "axis": {"at": (1, 0, 0), "axis": (0, 1, 1)},
+        "two_axes": {"at": (1, 0, 0), "axes": ((0, 1, 0), (1, 0, 1))},
+        "two_points": {"at": ((1, 0, 0), (1.2, 0.3, 0.4))},
+        "frame": {"at": (1, 0, 0)},
+    }
+    model.spherical(model.ground, swing, at=(0, 0, 0), name="pivot")
+    for name in ("first", "second"):
+        getattr(model, kind)(swing, load, name=name, **places[JOINTS[kind].placement])
+    return model
+
+
+REDUNDANT: dict[str, tuple[Callable[[], lw.Model], set[str]]] = {
+    "bricard": (mechanisms.bricard, {f"hinge {k}" for k in range(6)}),
+    "four_bar": (mechanisms.four_bar, {"pin 0", "pin 1", "left 0", "right 0"}),
+    "four_bar 3": (
+        lambda: mechanisms.four_bar(3),
+        {f"{what} {k}" for what in ("pin", "left", "right") for k in range(4)} - {"left 3", "right 3"},
+    ),
+} | {f"two {kind}": (lambda kind=kind: doubled(kind), {"first", "second"}) for kind in JOINTS}
+
+
+@pytest.mark.parametrize("name", REDUNDANT)
+def test_the_standard_formulation_refuses_dependent_constraints_naming_the_joints(name: str) -> None:
+    """Only joints that take part in the dependency, and before the first step."""
+    make, suspects = REDUNDANT[name]
+    with pytest.raises(lw.SingularSystemError) as caught:
+        lw.simulate(make(), 1.0, 1e-3, progress=False)
+    error = caught.value
+    assert error.joints
+    assert set(error.joints) <= suspects
+    assert all(joint in str(error) for joint in error.joints[:3])
+    assert "augmented_lagrangian" in str(error)
+
+
+@pytest.mark.parametrize(("system", "solver"), STANDARD)
+@pytest.mark.parametrize("name", REDUNDANT)
+def test_no_linear_solver_returns_accelerations_of_dependent_constraints(name: str, system: str, solver: str) -> None:
+    model = REDUNDANT[name][0]()
+    state = model.compiled()
+    with pytest.raises(lw.SingularSystemError):
+        lw.System(model, system=system, linear_solver=solver).accelerations(0.0, state.q0, state.v0)
+
+
+def aligned() -> lw.Model:
+    """A crank whose rod points through its hinge: there, and only there, the rod does not hold it."""
+    model = lw.Model()
+    crank = body(model, "crank", (0.5, 0, 0))
+    model.revolute(model.ground, crank, at=(0, 0, 0), axis=(0, 0, 1), name="hinge")
+    model.distance(crank, model.ground, at=((1, 0, 0), (3, 0, 0)), name="rod")
+    return model
+
+
+@pytest.mark.parametrize(("system", "solver"), STANDARD)
+def test_a_singular_pose_is_refused_as_well(system: str, solver: str) -> None:
+    model = aligned()
+    with pytest.raises(lw.SingularSystemError) as caught:
+        lw.simulate(model, 1.0, 1e-3, system=system, linear_solver=solver, progress=False)
+    assert set(caught.value.joints) <= {"hinge", "rod"}
+    state = model.compiled()
+    with pytest.raises(lw.SingularSystemError):
+        lw.System(model, system=system, linear_solver=solver).accelerations(0.0, state.q0, state.v0)
+
+
+@pytest.mark.parametrize("kind", JOINTS)
+def test_the_augmented_lagrangian_does_not_mind_a_joint_that_is_there_twice(kind: str) -> None:
+    """It moves as if the joint were there once, and the two share the load of that one."""
+    twice = lw.simulate(doubled(kind), 0.5, 1e-3, formulation="augmented_lagrangian", progress=False)
+    once = lw.simulate(without_second(kind), 0.5, 1e-3, progress=False)
+    assert np.abs(twice.q - once.q).max() <= 1e-9
+    shared = [twice.reaction(name).force for name in ("first", "second")]
+    load = once.reaction("first").force
+    assert np.abs(shared[0] + shared[1] - load).max() <= 1e-7 * np.abs(load).max()
+
+
+def without_second(kind: str) -> lw.Model:
+    """`doubled` with the first of the two joints only."""
+    full = doubled(kind)
+    arrays, core = full.compiled().joint_arrays(), full.compiled()
+    model = lw.Model()
+    bodies = [body(model, core.body_name(k), tuple(core.q0[7 * k : 7 * k + 3])) for k in range(2)]
+    model.spherical(model.ground, bodies[0], at=(0, 0, 0), name="pivot")
+    values = arrays["parameters"][:1] if JOINTS[kind].parameters else np.zeros(0)
+    model.compiled().add_joints(
+        kind, ["first"], arrays["bodies"][1:2], arrays["origin"][1:2], arrays["frame"][1:2], values.reshape(1, -1),
+        np.full((1, len(values)), -1, np.int32),
+    )  # fmt: skip
+    return model
+
+
+# --- massless bodies ------------------------------------------------------------------------------------------------
+
+
+def two_arms(connect: Callable[[lw.Model, lw.Body, lw.Body], object]) -> lw.Model:
+    """Two bodies that swing on ball joints, connected somehow between (1, 0, 0) and (1, 1, 0.5)."""
+    model = lw.Model()
+    a, b = body(model, "a", (0.5, 0, 0)), body(model, "b", (0.5, 1, 0.5), mass=2.0)
+    model.spherical(model.ground, a, at=(0, 0, 0))
+    model.spherical(model.ground, b, at=(0, 1, 0.5))
+    connect(model, a, b)
+    return model
+
+
+def feather(model: lw.Model, position: tuple[float, ...]) -> lw.Body:
+    return model.body("feather", mass=0.0, inertia=(0, 0, 0), position=position)
+
+
+def massless_rod(model: lw.Model, a: lw.Body, b: lw.Body) -> None:
+    """Held against turning about itself by a universal joint at one end."""
+    coupler = feather(model, (1, 0.5, 0.25))
+    model.spherical(a, coupler, at=(1, 0, 0))
+    model.universal(coupler, b, at=(1, 1, 0.5), axes=((1, 0, 0), (0, -0.5, 1)))
+
+
+def massless_cross(model: lw.Model, a: lw.Body, b: lw.Body) -> None:
+    cross = feather(model, (1, 0.5, 0.25))
+    model.revolute(a, cross, at=(1, 0.5, 0.25), axis=(0, 1, 0))
+    model.revolute(cross, b, at=(1, 0.5, 0.25), axis=(1, 0, 1))
+
+
+def massless_sleeve(model: lw.Model, a: lw.Body, b: lw.Body) -> None:
+    sleeve = feather(model, (1, 0.5, 0.25))
+    model.revolute(a, sleeve, at=(1, 0.5, 0.25), axis=(0, 2, 1))
+    model.translational(sleeve, b, at=(1, 0.5, 0.25), axis=(0, 2, 1))
+
+
+def weightless_joint(kind: str, **place: object) -> Callable[[lw.Model, lw.Body, lw.Body], object]:
+    return lambda model, a, b: getattr(model, kind)(a, b, **place)
+
+
+EQUIVALENT = {
+    "rod is distance": (massless_rod, weightless_joint("distance", at=((1, 0, 0), (1, 1, 0.5)))),
+    "cross is universal": (
+        massless_cross,
+        weightless_joint("universal", at=(1, 0.5, 0.25), axes=((0, 1, 0), (1, 0, 1))),
+    ),
+    "sleeve is cylindrical": (massless_sleeve, weightless_joint("cylindrical", at=(1, 0.5, 0.25), axis=(0, 2, 1))),
+}
+
+
+@pytest.mark.parametrize("name", EQUIVALENT)
+def test_a_massless_coupler_is_the_joint_that_it_makes(name: str) -> None:
+    with_coupler, with_joint = (two_arms(connect) for connect in EQUIVALENT[name])
+    massless = lw.simulate(with_coupler, 0.5, 1e-3, formulation="augmented_lagrangian", progress=False)
+    direct = lw.simulate(with_joint, 0.5, 1e-3, progress=False)
+    assert np.abs(massless.q[:, :2] - direct.q).max() <= 1e-9
+    assert np.abs(massless.v[:, :2] - direct.v).max() <= 1e-8
+    for joint in ("spherical 1", "spherical 2"):
+        force, expected = massless.reaction(joint).force, direct.reaction(joint).force
+        assert np.abs(force - expected).max() <= 1e-7 * np.abs(expected).max()
+
+
+def test_a_mass_without_inertia_on_a_hinge_is_the_simple_pendulum() -> None:
+    """IFToMM A01 as it is defined: M is singular, D holds the rotation."""
+    reference = Series("A01_pendulum")
+    model = lw.Model(gravity=(0, -9.81, 0))
+    bob = model.body("bob", mass=1.0, inertia=(0, 0, 0), position=(-1, 0, 0))
+    model.revolute(model.ground, bob, at=(0, 0, 0), axis=(0, 0, 1))
+    every = round(reference.interval / 1e-3)
+    result = lw.simulate(model, 10.0, 1e-3, formulation="augmented_lagrangian", record_every=every, progress=False)
+    assert np.abs(result.position[:, 0, :2] - reference("x", "y")).max() <= 1e-8
+
+
+@pytest.mark.parametrize("formulation", ["penalty", "augmented_lagrangian"])
+@pytest.mark.parametrize("held", ["not at all", "but for its own axis"])
+def test_a_massless_motion_that_nothing_holds_is_refused_naming_the_body(held: str, formulation: str) -> None:
+    """ker M and ker D meet: a massless rod with balls at both ends turns about itself as it likes."""
+
+    def connect(model: lw.Model, a: lw.Body, b: lw.Body) -> None:
+        coupler = feather(model, (1, 0.5, 0.25))
+        if held == "but for its own axis":
+            model.spherical(a, coupler, at=(1, 0, 0))
+            model.spherical(coupler, b, at=(1, 1, 0.5))
+
+    with pytest.raises(lw.SingularSystemError, match="body 'feather' has a motion without inertia") as caught:
+        lw.simulate(two_arms(connect), 0.1, 1e-3, formulation=formulation, progress=False)
+    assert caught.value.bodies == ["feather"]
+
+
+@pytest.mark.parametrize(("system", "solver"), STANDARD)
+def test_a_massless_body_is_refused_by_the_standard_formulation(system: str, solver: str) -> None:
+    model = two_arms(massless_rod)
+    with pytest.raises(lw.OptionError, match="'feather'.*augmented_lagrangian") as caught:
+        lw.simulate(model, 0.1, 1e-3, system=system, linear_solver=solver, progress=False)
+    assert caught.value.bodies == ["feather"]
