@@ -1,14 +1,27 @@
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "linkwork/assembly/system.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/model/model.hpp"
+
+/// A failing comparison of vectors shows their entries.
+template <class T>
+struct doctest::StringMaker<std::vector<T>> {
+  static String convert(const std::vector<T>& values) {
+    std::ostringstream out;
+    for (const T& value : values) out << (&value == values.data() ? "" : ", ") << value;
+    return ("{" + out.str() + "}").c_str();
+  }
+};
 
 /// What several tests need: random mechanisms, and the matrices of a System written out densely.
 namespace support {
@@ -22,7 +35,9 @@ class Random {
   double number(double low = -1.0, double high = 1.0) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
-  int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1)); }
+  int integer(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+  }
   VectorXd vector(Eigen::Index size, double scale = 1.0) {
     return VectorXd::NullaryExpr(size, [&](Eigen::Index) { return scale * number(); });
   }
@@ -69,7 +84,8 @@ inline Attachment<double> place(const Model& model, int i, int j, const Vec3<dou
           A_j.transpose() * F_j};
 }
 
-/// Adds a joint of any kind that the initial pose satisfies. Parameters, where it has any, are the distance of its points.
+/// Adds a joint of any kind that the initial pose satisfies. Parameters, where it has any, are the distance of its
+/// points.
 inline int add_joint(Model& model, Random& random, const std::string& kind, const std::string& name, int i, int j) {
   const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info;
   const Vec3<double> P_i = random.vec3(), apart = random.vec3();
@@ -85,9 +101,9 @@ inline int add_joint(Model& model, Random& random, const std::string& kind, cons
 inline Model random_tree(Random& random, int bodies) {
   Model model(random.vec3(9.81));
   for (int body = 0; body < bodies; ++body) {
-    const std::string kind = joint_kinds()[static_cast<std::size_t>(
-                                               random.integer(0, static_cast<int>(joint_kinds().size()) - 1))]
-                                 .info.name;
+    const std::string kind =
+        joint_kinds()[static_cast<std::size_t>(random.integer(0, static_cast<int>(joint_kinds().size()) - 1))]
+            .info.name;
     model.add_body("body" + std::to_string(body), random_body(random));
     add_joint(model, random, kind, "joint" + std::to_string(body), random.integer(ground, body - 1), body);
   }
@@ -149,8 +165,7 @@ inline VectorXd moved(const VectorXd& q, const VectorXd& v, const VectorXd& v_do
   for (Eigen::Index body = 0; 7 * body < q.size(); ++body) {
     const Eigen::Matrix<double, 6, 1> step = s * v.segment<6>(6 * body) + 0.5 * s * s * v_dot.segment<6>(6 * body);
     out.segment<3>(7 * body) = q.segment<3>(7 * body) + step.head<3>();
-    out.segment<4>(7 * body + 3) =
-        quaternion_product<double>(q.segment<4>(7 * body + 3), exponential(step.tail<3>()));
+    out.segment<4>(7 * body + 3) = quaternion_product<double>(q.segment<4>(7 * body + 3), exponential(step.tail<3>()));
   }
   return out;
 }

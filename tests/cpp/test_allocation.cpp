@@ -80,9 +80,9 @@ TEST_CASE("products with M and D do not allocate") {
 }
 
 TEST_CASE("a factorization and solution by dense Cholesky or KLU does not allocate after the first few") {
-  for (const Solver& solver : {Solver{"standard", "schur", "dense"}, Solver{"standard", "schur", "klu"},
-                               Solver{"standard", "kkt", "klu"}, Solver{"penalty", "auto", "dense"},
-                               Solver{"augmented_lagrangian", "auto", "dense"}}) {
+  for (const Solver& solver :
+       {Solver{"standard", "schur", "dense"}, Solver{"standard", "schur", "klu"}, Solver{"standard", "kkt", "klu"},
+        Solver{"penalty", "auto", "dense"}, Solver{"augmented_lagrangian", "auto", "dense"}}) {
     INFO(solver.formulation, " ", solver.system, " ", solver.linear_solver);
     CHECK(allocations_of(solver) == 0);
   }

@@ -15,7 +15,8 @@ Model random_force(const std::string& kind, int i, int j, Random& random) {
   Model model(random.vec3(9.81));
   for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
   std::vector<Parameter> parameters;
-  for (std::size_t p = 0; p < force_kinds()[static_cast<std::size_t>(force_kind_index(kind))].info.parameters.size(); ++p)
+  for (std::size_t p = 0; p < force_kinds()[static_cast<std::size_t>(force_kind_index(kind))].info.parameters.size();
+       ++p)
     parameters.push_back({0.0, model.add_signal(harmonic(random.number(), random.number(1, 3), random.number(), 1.0))});
   model.add_force(kind, "force", i, j, random_attachment(random), parameters);
   return model;

@@ -39,7 +39,8 @@ std::vector<Named> mechanisms() {
   return all;
 }
 
-Options options_of(const std::string& formulation, const std::string& system = "auto", const std::string& solver = "auto") {
+Options options_of(const std::string& formulation, const std::string& system = "auto",
+                   const std::string& solver = "auto") {
   Options options;
   options.formulation = formulation;
   options.system = system;
@@ -76,7 +77,8 @@ double equilibrium_error(const Model& model, const Solution& solution) {
 TEST_CASE("schur, kkt and the converged augmented Lagrangian agree on v_dot and lambda") {
   for (const auto& [name, model] : mechanisms()) {
     INFO(name);
-    const Solution schur = solve(model, options_of("standard", "schur")), kkt = solve(model, options_of("standard", "kkt"));
+    const Solution schur = solve(model, options_of("standard", "schur")),
+                   kkt = solve(model, options_of("standard", "kkt"));
     const Solution augmented = solve(model, options_of("augmented_lagrangian"));
     CHECK(relative_error(kkt.v_dot, schur.v_dot) < 1e-10);
     CHECK(relative_error(kkt.lambda, schur.lambda) < 1e-10);
@@ -93,13 +95,15 @@ TEST_CASE("every formulation gives the same v_dot with every linear solver it ca
       for (const std::string& form : formulation.forms) {
         if (!info.make || !can_solve(form, info) || formulation.name == "penalty") continue;
         INFO(formulation.name, " ", form, " ", info.name);
-        CHECK(relative_error(solve(model, options_of(formulation.name, form, info.name)).v_dot, reference.v_dot) < 1e-9);
+        CHECK(relative_error(solve(model, options_of(formulation.name, form, info.name)).v_dot, reference.v_dot) <
+              1e-9);
       }
 }
 
 TEST_CASE("M v_dot - D^T lambda = g and D v_dot = gamma") {
   for (const auto& [name, model] : mechanisms())
-    for (const auto& options : {options_of("standard", "schur"), options_of("standard", "kkt"), options_of("augmented_lagrangian")}) {
+    for (const auto& options :
+         {options_of("standard", "schur"), options_of("standard", "kkt"), options_of("augmented_lagrangian")}) {
       INFO(name, " ", options.formulation, " ", options.system);
       const Solution solution = solve(model, options);
       const System system(model);

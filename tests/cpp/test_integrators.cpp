@@ -133,7 +133,8 @@ TEST_CASE("observed order on a free asymmetric body") {
 TEST_CASE("observed order on a spherical pendulum with sampled stabilization") {
   for (const Method& method : all_methods()) {
     INFO(method.name);
-    CHECK(std::abs(observed_order(spherical_pendulum(), method, 1.0, method.order > 2 ? 100 : 800) - method.order) < 0.2);
+    CHECK(std::abs(observed_order(spherical_pendulum(), method, 1.0, method.order > 2 ? 100 : 800) - method.order) <
+          0.2);
   }
 }
 
@@ -236,9 +237,11 @@ TEST_CASE("a driven and damped mechanism keeps energy less work") {
   model.add_body("second", second);
   const int length = model.add_signal(harmonic(0.1, 3.0, 0.0, 1.0));  // 1 m, growing with 0.3 m/s
   model.add_joint("distance", "telescope", 0, 1, {none, none, I, I}, {{0.0, length}});
-  model.add_force("spring_damper", "damper", ground, 1, {none, none, I, I}, {{5.0, -1}, {0.3, -1}, {1.0, -1}, {0.0, -1}});
+  model.add_force("spring_damper", "damper", ground, 1, {none, none, I, I},
+                  {{5.0, -1}, {0.3, -1}, {1.0, -1}, {0.0, -1}});
   const Frames frames = run(model, make_runge_kutta(rk4()), {2.0, 1e-3, 2000});
-  const double error = frames.kinetic[1] + frames.potential[1] - frames.work[1] - frames.kinetic[0] - frames.potential[0];
+  const double error =
+      frames.kinetic[1] + frames.potential[1] - frames.work[1] - frames.kinetic[0] - frames.potential[0];
   CHECK(std::abs(frames.work[1]) > 0.1);
   CHECK(std::abs(error) < 1e-9);
 }

@@ -15,9 +15,11 @@ constexpr double tolerance = 1e-6;  // of the differences, relative
 /// One joint at random places of two moving bodies, or of one and the ground; its parameters vary in time.
 struct Case {
   Case(const std::string& kind, int i, int j, Random& random) : model(Vec3<double>::Zero()) {
-    for (int body = 0; body <= std::max(i, j); ++body) model.add_body("body" + std::to_string(body), random_body(random));
+    for (int body = 0; body <= std::max(i, j); ++body)
+      model.add_body("body" + std::to_string(body), random_body(random));
     std::vector<Parameter> parameters;
-    for (std::size_t p = 0; p < joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info.parameters.size(); ++p) {
+    for (std::size_t p = 0; p < joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info.parameters.size();
+         ++p) {
       const int polynomial_signal = model.add_signal(polynomial({1.0, 0.5, -0.7, 0.3}));
       const int harmonic_signal = model.add_signal(harmonic(0.3, 2.0, 0.4, 1.5));
       parameters.push_back({0.0, random.integer(0, 1) ? polynomial_signal : harmonic_signal});
@@ -50,7 +52,8 @@ Evaluation evaluate(const System& system, double t, const VectorXd& q, const Vec
 }
 
 /// Turns body j of a model by the rotation vector `turn` about point P and shifts it by `shift`; all in space.
-VectorXd displaced(const Model& model, int j, const Vec3<double>& P, const Vec3<double>& turn, const Vec3<double>& shift) {
+VectorXd displaced(const Model& model, int j, const Vec3<double>& P, const Vec3<double>& turn,
+                   const Vec3<double>& shift) {
   VectorXd q = model.initial_q();
   const Vec4<double> rotation = exponential(turn);
   const Vec3<double> r = q.segment<3>(7 * j);
@@ -148,7 +151,8 @@ double violation(const std::string& kind, const Vec3<double>& turn, const Vec3<d
   return evaluate(system, 0.0, q, model.initial_v()).Phi.cwiseAbs().maxCoeff();
 }
 
-const Vec3<double> x = Vec3<double>::UnitX(), y = Vec3<double>::UnitY(), z = Vec3<double>::UnitZ(), none = Vec3<double>::Zero();
+const Vec3<double> x = Vec3<double>::UnitX(), y = Vec3<double>::UnitY(), z = Vec3<double>::UnitZ(),
+                   none = Vec3<double>::Zero();
 
 }  // namespace
 

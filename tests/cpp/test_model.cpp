@@ -150,9 +150,7 @@ TEST_CASE("a position or velocity that is not finite is refused") {
   check_body_refused(with(&Body::omega, Vec3<double>(0, 0, -INFINITY)), "not_finite", {"omega", "-inf"});
 }
 
-TEST_CASE("gravity that is not finite is refused") {
-  CHECK_THROWS_AS(Model(Vec3<double>(0, 0, NAN)), ModelError);
-}
+TEST_CASE("gravity that is not finite is refused") { CHECK_THROWS_AS(Model(Vec3<double>(0, 0, NAN)), ModelError); }
 
 TEST_CASE("names that are empty, taken or the ground's are refused") {
   check_refused([](Model& m) { m.add_body("", Body{}); }, "empty_name", {"body"});
@@ -162,7 +160,8 @@ TEST_CASE("names that are empty, taken or the ground's are refused") {
   check_refused([](Model& m) { m.add_body("link", Body{}); }, "duplicate_name", {"body 'link'"});
   check_refused([](Model& m) { m.add_body("link[1]", Body{}); }, "duplicate_name", {"body 'link[1]'"});
   check_refused([](Model& m) { m.add_bodies("rod", {Body{}}); }, "duplicate_name", {"body 'rod'"});
-  check_refused([](Model& m) { m.add_joint("spherical", "pin", 0, 1, at_origins()); }, "duplicate_name", {"joint 'pin'"});
+  check_refused([](Model& m) { m.add_joint("spherical", "pin", 0, 1, at_origins()); }, "duplicate_name",
+                {"joint 'pin'"});
   check_refused([](Model& m) { m.add_joint("spherical", "", 0, 1, at_origins()); }, "empty_name", {"joint"});
   check_refused([](Model& m) { m.add_force("spring_damper", "spring", 0, 1, at_origins(), std::vector<Parameter>(4)); },
                 "duplicate_name", {"force 'spring'"});
@@ -187,8 +186,9 @@ TEST_CASE("a joint or force on a body that does not exist is refused") {
                   {"spherical 'new'", number});
     check_refused([&](Model& m) { m.add_joint("spherical", "new", body, 0, at_origins()); }, "unknown_body",
                   {"spherical 'new'", number});
-    check_refused([&](Model& m) { m.add_force("spring_damper", "new", body, 0, at_origins(), std::vector<Parameter>(4)); },
-                  "unknown_body", {"spring_damper 'new'", number});
+    check_refused(
+        [&](Model& m) { m.add_force("spring_damper", "new", body, 0, at_origins(), std::vector<Parameter>(4)); },
+        "unknown_body", {"spring_damper 'new'", number});
   }
 }
 
@@ -214,11 +214,12 @@ TEST_CASE("a joint whose place is not finite or whose axes are not a right-hande
 }
 
 TEST_CASE("a wrong number of parameters is refused") {
-  check_refused([](Model& m) { m.add_joint("distance", "new", 0, 1, at_origins()); }, "parameters", {"distance 'new'", "1", "0"});
+  check_refused([](Model& m) { m.add_joint("distance", "new", 0, 1, at_origins()); }, "parameters",
+                {"distance 'new'", "1", "0"});
   check_refused([](Model& m) { m.add_joint("spherical", "new", 0, 1, at_origins(), {{1.0, -1}}); }, "parameters",
                 {"spherical 'new'", "0", "1"});
-  check_refused([](Model& m) { m.add_force("applied", "new", 0, 1, at_origins(), std::vector<Parameter>(5)); }, "parameters",
-                {"applied 'new'", "6", "5"});
+  check_refused([](Model& m) { m.add_force("applied", "new", 0, 1, at_origins(), std::vector<Parameter>(5)); },
+                "parameters", {"applied 'new'", "6", "5"});
 }
 
 TEST_CASE("a parameter that is not finite or an unknown function of time is refused") {
@@ -245,7 +246,8 @@ TEST_CASE("an unknown kind is refused with a list of those there are") {
 
 TEST_CASE("a group of joints with one that is wrong is refused as a whole, naming that one") {
   const std::vector<Element> elements = {{0, 0, 1, at_origins(), 0}, {0, 1, 1, at_origins(), 0}};
-  check_refused([&](Model& m) { m.add_joints("spherical", "new", elements, {}); }, "self_joint", {"spherical 'new[1]'"});
+  check_refused([&](Model& m) { m.add_joints("spherical", "new", elements, {}); }, "self_joint",
+                {"spherical 'new[1]'"});
 }
 
 TEST_CASE("names are found by index and back, single ones and groups") {
@@ -256,7 +258,8 @@ TEST_CASE("names are found by index and back, single ones and groups") {
     CHECK(model.body_names().find(names[static_cast<std::size_t>(body)]) == body);
   }
   CHECK(model.body_name(ground) == "ground");
-  for (const char* unknown : {"", "link", "link[2]", "link[-1]", "link[x]", "link[]", "link[1", "rod[0]", "link[99999999999]"})
+  for (const char* unknown :
+       {"", "link", "link[2]", "link[-1]", "link[x]", "link[]", "link[1", "rod[0]", "link[99999999999]"})
     CHECK(model.body_names().find(unknown) == -1);
 }
 

@@ -143,12 +143,47 @@ TEST_CASE("the rank does not change with the units of mass and length") {
   }
 }
 
+TEST_CASE("a heavy and a light mechanism in one model have the rank that each has alone") {
+  Model model;
+  const Model original = four_bar();
+  for (const auto& [name, mass] : {std::pair{"heavy", 1e10}, std::pair{"light", 1e-10}}) {
+    const int first = static_cast<int>(model.bodies().size());
+    std::vector<Body> bodies = original.bodies();
+    for (Body& body : bodies) {
+      body.mass *= mass;
+      body.inertia *= mass;
+    }
+    model.add_bodies(name, bodies);
+    std::vector<Element> joints = original.joints();
+    for (Element& joint : joints) {
+      joint.i += joint.i == ground ? 0 : first;
+      joint.j += joint.j == ground ? 0 : first;
+    }
+    model.add_joints("revolute", name, joints, {});
+  }
+  const System system(model);
+  CHECK(rank_of_constraints(system, evaluate_initially(system)).rank == 2 * 17);
+}
+
+TEST_CASE("a universal joint whose axes are parallel has a dependent row, at the end of a branch too") {
+  Random random(124);
+  Model model;
+  for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
+  const Vec3<double> P = random.vec3();
+  const Mat3<double> F = random.frame();
+  add_joint(model, random, "revolute", "hinge", ground, 0);
+  model.add_joint("universal", "locked", 0, 1, place(model, 0, 1, P, P, F, F));
+  const System system(model);
+  CHECK(rank_of_constraints(system, evaluate_initially(system)).dependent_rows == std::vector<int>{8});
+}
+
 TEST_CASE("massless bodies are free where joints leave a motion of theirs without inertia, and only there") {
   Random random(123);
   Body ghost = random_body(random);
   ghost.mass = 0.0;
   ghost.inertia.setZero();
-  for (const auto& [kind, free] : std::vector<std::pair<std::string, bool>>{{"fixed", false}, {"revolute", true}, {"spherical", true}}) {
+  for (const auto& [kind, free] :
+       std::vector<std::pair<std::string, bool>>{{"fixed", false}, {"revolute", true}, {"spherical", true}}) {
     INFO(kind);
     Model model;
     model.add_body("solid", random_body(random));

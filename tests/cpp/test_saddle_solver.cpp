@@ -13,8 +13,12 @@ namespace {
 /// A system, its matrices at the initial state, and a random right-hand side.
 struct Problem {
   Problem(const Model& model, Random& random)
-      : system(model), at(evaluate_initially(system)), M(dense_M(model)), D(dense_D(system, at)),
-        a(random.vector(system.v_size())), b(random.vector(system.row_count())) {}
+      : system(model),
+        at(evaluate_initially(system)),
+        M(dense_M(model)),
+        D(dense_D(system, at)),
+        a(random.vector(system.v_size())),
+        b(random.vector(system.row_count())) {}
 
   /// (x, lambda) by elimination with full pivoting.
   std::pair<VectorXd, VectorXd> solve_densely(const VectorXd& e) const {
@@ -65,16 +69,18 @@ Model random_loop(Random& random) {
   return model;
 }
 
-/// A pendulum whose hinge is there twice, in other axes the second time.
+/// A pendulum whose hinge is there twice, the second time at another point of its axis and with other x and y axes: the
+/// rows depend on each other, and none is equal to another.
 Model doubled_hinge(Random& random) {
   Model model;
   model.add_body("bob", random_body(random));
   model.add_body("other", random_body(random));
   const Vec3<double> P = random.vec3();
   const Mat3<double> F = random.frame(), turned = F * rotation_matrix<double>(exponential(Vec3<double>(0, 0, 0.4)));
+  const Vec3<double> Q = P + 0.7 * F.col(2);
   add_joint(model, random, "spherical", "ball", 0, 1);
   model.add_joint("revolute", "hinge", ground, 0, place(model, ground, 0, P, P, F, F));
-  model.add_joint("revolute", "again", ground, 0, place(model, ground, 0, P, P, turned, turned));
+  model.add_joint("revolute", "again", ground, 0, place(model, ground, 0, Q, Q, turned, turned));
   return model;
 }
 

@@ -10,7 +10,8 @@ using namespace support;
 namespace {
 
 const std::vector<int> sizes = {6, 3, 1, 5};
-const std::vector<BlockIndex> pattern = {{3, 1}, {0, 0}, {1, 1}, {0, 2}, {2, 0}, {1, 3}, {2, 2}, {3, 3}, {0, 0}, {1, 3}};
+const std::vector<BlockIndex> pattern = {{3, 1}, {0, 0}, {1, 1}, {0, 2}, {2, 0},
+                                         {1, 3}, {2, 2}, {3, 3}, {0, 0}, {1, 3}};
 
 int first_row(int block) {
   int first = 0;
@@ -21,7 +22,8 @@ int first_row(int block) {
 MatrixXd to_dense(const SparseMatrix& A) {
   MatrixXd dense = MatrixXd::Zero(A.size, A.size);
   for (int column = 0; column < A.size; ++column)
-    for (int k = A.column_begin[static_cast<std::size_t>(column)]; k < A.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
+    for (int k = A.column_begin[static_cast<std::size_t>(column)];
+         k < A.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
       dense(A.row[static_cast<std::size_t>(k)], column) += A.value[static_cast<std::size_t>(k)];
   return dense;
 }

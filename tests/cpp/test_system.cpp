@@ -18,7 +18,8 @@ std::vector<Model> random_models(std::uint64_t seed) {
   return models;
 }
 
-/// A body at rest that hangs from the ground by a joint of this kind at point P; forces and torques as `reactions` gives.
+/// A body at rest that hangs from the ground by a joint of this kind at point P; forces and torques as `reactions`
+/// gives.
 struct Hanging {
   Hanging(const std::string& kind, bool ground_first) {
     Random random(51);
