@@ -36,4 +36,11 @@ def table(name: str, outcome: Outcome) -> str:
     widths = [max(len(line[k]) for line in cells) for k in range(len(names))]
     lines = ["  ".join(text.rjust(width) for text, width in zip(line, widths, strict=True)) for line in cells]
     verdict = "met" if outcome.met else "MISSED"
-    return "\n".join([f"{name}: {outcome.title}", *lines, f"= {outcome.result:.3g}, target {outcome.target}: {verdict}", ""])
+    return "\n".join(
+        [
+            f"{name}: {outcome.title}",
+            *lines,
+            f"= {outcome.result:.3g}, target {outcome.target}: {verdict}",
+            "",
+        ]
+    )

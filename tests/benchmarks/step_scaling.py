@@ -12,7 +12,9 @@ STEP = 1e-3
 
 
 def step_scaling(runs: int) -> Outcome:
-    rows = [{"bodies": float(bodies), **medians(runs, lambda bodies=bodies: _one(bodies))} for bodies in BODIES]
+    rows = [
+        {"bodies": float(bodies), **medians(runs, lambda bodies=bodies: _one(bodies))} for bodies in BODIES
+    ]
     logarithms = (np.log([row[name] for row in rows]) for name in ("bodies", "ms a step"))
     exponent = float(np.polyfit(*logarithms, 1)[0])
     title = "a step of a chain takes ~ bodies ^ exponent"

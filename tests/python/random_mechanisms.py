@@ -1,7 +1,7 @@
 """Random spatial mechanisms as plain data, and hypothesis strategies for them.
 
-A `Mechanism` is what a user would type: bodies, joints and forces in body coordinates. Because it is data, a test can
-turn it, renumber it, swap the bodies of its joints or change its units, and build both as models.
+A `Mechanism` is what a user would type: bodies, joints and forces in body coordinates. Because it is data, a
+test can turn it, renumber it, swap the bodies of its joints or change its units, and build both as models.
 """
 
 from __future__ import annotations
@@ -27,15 +27,16 @@ FORCES = {kind.name: kind for kind in _core.force_kinds()}
 #: Joints whose points may differ along the axis, and whose x axes may differ about it, at no violation.
 SLIDING, TURNING = ("cylindrical", "translational"), ("cylindrical", "revolute")
 
-#: Smallest singular value of D with rows of unit length in the metric M^-1 that counts as full row rank. The error of
-#: any solution of the Schur system is roundoff / s_min^2: below this, 1e-9 could not be asked of double precision.
+#: Smallest singular value of D, rows of unit length in the metric M^-1, that counts as full row rank.
+#: Solutions of the Schur system are off by roundoff / s_min^2: below this, 1e-9 could not be asked of them.
 RANK = 1e-3
 
 
 def examples(count: int) -> Callable[[Any], Any]:
-    """Settings of a property test: the same examples in every run; LINKWORK_EXAMPLES multiplies them, at random.
+    """Settings of a property test: the same examples in every run.
 
-    A failure shows the first example that failed: to make it smaller, which takes minutes, set that variable, too.
+    The environment variable LINKWORK_EXAMPLES multiplies their number, draws them at random, and makes those
+    that fail smaller, which takes minutes.
     """
     factor = float(os.environ.get("LINKWORK_EXAMPLES", "0"))
     return settings(
@@ -62,7 +63,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Element:
-    """A joint or force between bodies a and b (-1 = ground): points s and frames C (columns x, y, z) in each of them."""
+    """A joint or force between bodies a and b (-1 = ground): points s, frames C (columns x, y, z) in each."""
 
     kind: str
     a: int
@@ -101,9 +102,17 @@ class Mechanism:
         handles.append(model.ground)  # index -1
         for joint in self.joints:
             add = getattr(model, joint.kind)
-            add(handles[joint.a], handles[joint.b], frames="body", name=joint.name, **_arguments(JOINTS, joint))
+            add(
+                handles[joint.a],
+                handles[joint.b],
+                frames="body",
+                name=joint.name,
+                **_arguments(JOINTS, joint),
+            )
         for force in self.forces:
-            model.forces(force.kind, handles[force.a], handles[force.b], frames="body", **_arguments(FORCES, force))
+            model.forces(
+                force.kind, handles[force.a], handles[force.b], frames="body", **_arguments(FORCES, force)
+            )
         return model
 
     def dynamics(self, **options: Any) -> _core.Dynamics:
@@ -139,7 +148,7 @@ def _arguments(kinds: dict[str, Any], element: Element) -> dict[str, Any]:
     return place | dict(zip(kind.parameters, element.parameters, strict=True))
 
 
-# --- the equations as dense matrices --------------------------------------------------------------------------------
+# --- the equations as dense matrices ------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -189,7 +198,9 @@ class Equations:
         """(v_dot, lambda) by dense LU of the KKT matrix, refined with residuals in extended precision."""
         n, m = len(self.M), len(self.D)
         K = np.block([[self.M, self.D.T], [self.D, np.zeros((m, m))]])
-        weight = 1 / np.sqrt(np.concatenate([np.diag(self.M), np.einsum("ij,ij->i", self.D, self.D @ np.linalg.inv(self.M))]))
+        weight = 1 / np.sqrt(
+            np.concatenate([np.diag(self.M), np.einsum("ij,ij->i", self.D, self.D @ np.linalg.inv(self.M))])
+        )
         long_K, right = K.astype(np.longdouble), np.concatenate([self.g, self.gamma]).astype(np.longdouble)
         scaled_inverse = np.linalg.inv(weight[:, None] * K * weight)
         x = np.zeros(n + m, np.longdouble)
@@ -213,7 +224,7 @@ def dense(csr: dict[str, Any], shape: tuple[int, int]) -> Floats:
     return out
 
 
-# --- how mechanisms are drawn ---------------------------------------------------------------------------------------
+# --- how mechanisms are drawn -------------------------------------------------------------------------------
 
 
 class Maker:
@@ -277,7 +288,9 @@ class Maker:
         if choice == 1:
             return lw.functions.polynomial(distance, self.rng.uniform(-1, 1), self.rng.uniform(-1, 1))
         amplitude, phase = self.rng.uniform(0, 0.3), self.rng.uniform(-3, 3)
-        return lw.functions.harmonic(amplitude, self.rng.uniform(0, 5), phase, distance - amplitude * np.sin(phase))
+        return lw.functions.harmonic(
+            amplitude, self.rng.uniform(0, 5), phase, distance - amplitude * np.sin(phase)
+        )
 
     def force(self, kind: Any, a: int, b: int) -> Element:
         size = {"stiffness": 100.0, "damping": 10.0, "free_angle": 1.0, "free_length": 1.0}
@@ -290,7 +303,9 @@ class Maker:
         if what.startswith(("force", "torque")):
             value *= self.rng.choice([-1, 1])
             if self.rng.random() < 1 / 3:
-                return lw.functions.harmonic(value, self.rng.uniform(0, 10), self.rng.uniform(-3, 3), value / 2)
+                return lw.functions.harmonic(
+                    value, self.rng.uniform(0, 10), self.rng.uniform(-3, 3), value / 2
+                )
         return float(value)
 
 
@@ -307,7 +322,9 @@ def mechanisms(
     forces: Sequence[str] = tuple(FORCES),
     **choices: Any,
 ) -> Mechanism:
-    """2 to `most` bodies in a tree of joints of every kind, with loops where they keep full row rank, consistent.
+    """2 to `most` bodies in a tree of joints of every kind, with loops where they keep full row rank.
+
+    The initial state is consistent.
 
     floating  without any joint to the ground; None: either
     forces    kinds of force elements         choices  see `make`
@@ -335,7 +352,7 @@ def make(
     driven: bool = True,
     isolated: bool = False,
 ) -> Mechanism:
-    """A mechanism with one body for each of `joints`, by their kinds; those of the `loops` that keep full row rank.
+    """A mechanism with one body for each of the kinds in `joints`, and those `loops` that keep full row rank.
 
     floating  the first body is free, and nothing else is joined to the ground
     driven    distances may change in time
@@ -352,7 +369,9 @@ def make(
     mechanism = Mechanism(gravity, tuple(maker.bodies), tuple(tree), tuple(elements), origin)
     for kind in loops:
         loop = maker.element(JOINTS[kind], *_two_bodies(maker, 0 if floating else -1))
-        closed = replace(mechanism, joints=(*mechanism.joints, replace(loop, name=f"joint {len(mechanism.joints)}")))
+        closed = replace(
+            mechanism, joints=(*mechanism.joints, replace(loop, name=f"joint {len(mechanism.joints)}"))
+        )
         if Equations.of(closed).smallest_singular_value > RANK:
             mechanism = closed
     if not driven:
@@ -361,11 +380,13 @@ def make(
 
 
 def _tree(maker: Maker, kinds: Sequence[str], floating: bool) -> list[Element]:
-    """Each body hangs on an earlier one (half of the time the last) or the ground, by a joint of either direction."""
+    """Each body hangs on an earlier one, half of the time the last, or the ground; in either direction."""
     joints: list[Element] = []
     for k, kind in enumerate(kinds):
         root = k == 0
-        parent = k - 1 if maker.rng.random() < 0.5 else int(maker.rng.integers(0 if floating else -1, max(k, 1)))
+        parent = (
+            k - 1 if maker.rng.random() < 0.5 else int(maker.rng.integers(0 if floating else -1, max(k, 1)))
+        )
         parent = -1 if root else parent
         maker.body(parent)
         if root and floating:
@@ -388,7 +409,9 @@ def _at_rest(joint: Element) -> Element:
 
 def consistent(mechanism: Mechanism, maker: Maker) -> Mechanism:
     """With random velocities projected on D v + Phi_t = 0 in the metric M."""
-    moving = mechanism.with_velocity(np.concatenate([maker.vector(1.0) for _ in range(2 * len(mechanism.bodies))]))
+    moving = mechanism.with_velocity(
+        np.concatenate([maker.vector(1.0) for _ in range(2 * len(mechanism.bodies))])
+    )
     at = Equations.of(moving)
     if not len(at.D):
         return moving

@@ -1,4 +1,4 @@
-"""Reference solutions in tests/python/data: independent computations, with their definition and trusted digits."""
+"""Reference solutions in tests/python/data: independent computations, each with its definition."""
 
 from __future__ import annotations
 

@@ -13,7 +13,12 @@ def spherical_pendulum() -> lw.Model:
     model = lw.Model()
     center, omega = np.array([0.6, 0.2, -0.5]), np.array([2.0, -4.0, 6.0])
     bob = model.body(
-        "bob", mass=2.0, inertia=(0.3, 0.2, 0.1), position=center, omega=omega, velocity=np.cross(omega, center)
+        "bob",
+        mass=2.0,
+        inertia=(0.3, 0.2, 0.1),
+        position=center,
+        omega=omega,
+        velocity=np.cross(omega, center),
     )
     model.spherical(model.ground, bob, at=(0, 0, 0), name="pivot")
     return model
@@ -31,7 +36,7 @@ def two_body_loop() -> lw.Model:
 
 
 def slider_crank(speed: float = 6.0) -> lw.Model:
-    """A crank of 1 m about x, a rod, and a slider along x: one degree of freedom; proportions of a textbook."""
+    """A crank of 1 m about x, a rod, and a slider along x, in the proportions of a textbook."""
     model = lw.Model()
     bearing, pin, piston = np.array([0, 0.3, 0]), np.array([0, 0.3, 1.0]), np.array([2.5, 0, 0])
     rod = piston - pin
@@ -51,7 +56,9 @@ def slider_crank(speed: float = 6.0) -> lw.Model:
         "rod", mass=1.0, inertia=(0.1, 0.8, 0.8), position=(pin + piston) / 2, orientation=along,
         velocity=(pin_velocity + slider_velocity) / 2, omega=A.T @ omega,
     )  # fmt: skip
-    slider = model.body("slider", mass=1.0, inertia=(0.1, 0.1, 0.1), position=piston, velocity=slider_velocity)
+    slider = model.body(
+        "slider", mass=1.0, inertia=(0.1, 0.1, 0.1), position=piston, velocity=slider_velocity
+    )
     model.revolute(model.ground, crank, at=bearing, axis=X, name="bearing")
     model.spherical(crank, coupler, at=pin, name="crank pin")
     model.universal(coupler, slider, at=piston, axes=(across, Y), name="piston pin")

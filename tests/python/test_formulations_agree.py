@@ -1,7 +1,7 @@
 """All ways of solving M v_dot - D^T lambda = g, D v_dot = gamma give the same answer, on random mechanisms.
 
-The reference is a dense solution of the KKT system, refined in extended precision. Accelerations are measured against
-those of the mechanism and of its bodies without joints, M^-1 g: a mechanism that cannot move has none of its own.
+The reference is a dense solution of the KKT system, refined in extended precision. Accelerations are measured
+against those of the mechanism and of its bodies without joints, M^-1 g: some mechanisms cannot move.
 """
 
 from __future__ import annotations
@@ -13,7 +13,9 @@ from linkwork import _core
 from random_mechanisms import Equations, Floats, Mechanism, examples, make, mechanisms
 
 #: (matrix, linear solver): "normal" is M + D^T a D of the augmented Lagrangian.
-CHOICES = [(form, solver.name) for solver in _core.linear_solvers() if solver.available for form in solver.systems]
+CHOICES = [
+    (form, solver.name) for solver in _core.linear_solvers() if solver.available for form in solver.systems
+]
 
 
 def options(form: str, solver: str) -> dict[str, str]:
@@ -31,9 +33,11 @@ def solve(mechanism: Mechanism, **options: object) -> tuple[Floats, Floats]:
 
 
 @pytest.mark.parametrize(("form", "solver"), CHOICES)
-@examples(40)
+@examples(20)
 @given(mechanism=mechanisms())
-def test_every_solver_finds_the_accelerations_and_joint_forces(mechanism: Mechanism, form: str, solver: str) -> None:
+def test_every_solver_finds_the_accelerations_and_joint_forces(
+    mechanism: Mechanism, form: str, solver: str
+) -> None:
     at = Equations.of(mechanism)
     v_dot, multipliers = solve(mechanism, **options(form, solver))
     exact_v_dot, exact_multipliers = at.solution()
@@ -45,7 +49,7 @@ def test_every_solver_finds_the_accelerations_and_joint_forces(mechanism: Mechan
 
 
 @pytest.mark.parametrize(("form", "solver"), CHOICES)
-@examples(40)
+@examples(20)
 @given(mechanism=mechanisms())
 def test_every_solution_satisfies_its_equations(mechanism: Mechanism, form: str, solver: str) -> None:
     at = Equations.of(mechanism)
@@ -58,13 +62,13 @@ def test_every_solution_satisfies_its_equations(mechanism: Mechanism, form: str,
     assert violation <= 1e-9 * scale
 
 
-# The penalty method solves S lambda + a^-1 lambda = gamma - D M^-1 g instead of S lambda = ..., S = D M^-1 D^T, so with
-# sigma the eigenvalues of a^1/2 S a^1/2 its accelerations are off by M^-1 D^T (lambda_penalty - lambda), in which each
-# part of M^-1 D^T lambda shrinks to 1 / (1 + sigma):
+# The penalty method solves (S + a^-1) lambda = gamma - D M^-1 g instead of S lambda = ..., S = D M^-1 D^T.
+# With sigma the eigenvalues of a^1/2 S a^1/2, its v_dot is off by M^-1 D^T (lambda_penalty - lambda), in which
+# each part of M^-1 D^T lambda shrinks to 1 / (1 + sigma):
 #   ||v_dot_penalty - v_dot||_M <= ||M^-1 D^T lambda||_M / (1 + sigma_min)
 @pytest.mark.parametrize("solver", [solver for form, solver in CHOICES if form == "normal"])
 @pytest.mark.parametrize("penalty", ({"penalty": 1e5}, {"penalty_scale": 1e4}), ids=("uniform", "scaled"))
-@examples(25)
+@examples(12)
 @given(mechanism=mechanisms())
 def test_penalty_is_off_by_what_its_smallest_eigenvalue_predicts(
     mechanism: Mechanism, solver: str, penalty: dict[str, float]
@@ -89,11 +93,12 @@ def energy_norm(at: Equations, x: Floats) -> float:
 
 
 def test_slow_convergence_of_the_augmented_lagrangian_is_not_taken_for_its_end() -> None:
-    """A light train of fifteen bodies with heavy ones at its end: changes below 1e-7 still shrink slowly there."""
+    """Its error is halved in each iteration here, also where it is small already."""
     mechanism = make(
         980,
-        joints=["universal", "distance", "revolute", "distance", "universal", "translational", "fixed", "fixed",
-                "translational", "cylindrical", "distance", "fixed", "distance", "universal", "cylindrical"],
+        joints=["universal", "distance", "revolute", "distance", "universal", "translational", "fixed",
+                "fixed", "translational", "cylindrical", "distance", "fixed", "distance", "universal",
+                "cylindrical"],
         loops=["universal", "translational", "spherical"],
         forces=["applied", "applied", "spring_damper", "applied"],
         floating=True,
@@ -108,7 +113,7 @@ def test_slow_convergence_of_the_augmented_lagrangian_is_not_taken_for_its_end()
     assert force_error <= 1e-9
 
 
-@examples(40)
+@examples(20)
 @given(mechanism=mechanisms())
 def test_random_mechanisms_are_consistent(mechanism: Mechanism) -> None:
     """Of the strategy itself: the initial state satisfies the joints, driven ones included."""

@@ -1,4 +1,4 @@
-"""Every integrator keeps its order with constraints and sampled stabilization: positions, velocities and reactions.
+"""Every integrator keeps its order with constraints and sampled stabilization: motion and reactions.
 
 The order is that of the finest pair of steps, h and h/2, whose error is still above roundoff.
 """
@@ -82,7 +82,12 @@ def test_continuous_gains_proportional_to_the_step_take_the_order_of_rk4(name: s
         step = MECHANISMS[name][1] / steps
         with pytest.warns(lw.LinkworkWarning, match="loses its order 4"):
             found = run(
-                name, steps, "rk4", stabilization="baumgarte", baumgarte_alpha=1 / step, baumgarte_beta=2**0.5 / step
+                name,
+                steps,
+                "rk4",
+                stabilization="baumgarte",
+                baumgarte_alpha=1 / step,
+                baumgarte_beta=2**0.5 / step,
             )
         for what, of_steps in observed.items():
             of_steps.append(root_mean_square(getattr(found, what), getattr(reference(name), what)))
@@ -93,7 +98,9 @@ def test_continuous_gains_proportional_to_the_step_take_the_order_of_rk4(name: s
 def violated(displacement: float, speed: float) -> lw.Model:
     """A weightless body beside its ball joint, moving away from it."""
     model = lw.Model(gravity=(0, 0, 0))
-    body = model.body("body", mass=2.0, inertia=(0.3, 0.2, 0.1), position=(1, 0, 0), velocity=(speed, 0, -speed))
+    body = model.body(
+        "body", mass=2.0, inertia=(0.3, 0.2, 0.1), position=(1, 0, 0), velocity=(speed, 0, -speed)
+    )
     point = np.array([-1.0 + displacement, displacement, 0])
     model.spherical(model.ground, body, at=((0, 0, 0), point), frames="body")
     return model
@@ -102,7 +109,7 @@ def violated(displacement: float, speed: float) -> lw.Model:
 @pytest.mark.filterwarnings("ignore:initial")
 @pytest.mark.parametrize("method", METHODS)
 def test_sampled_stabilization_annuls_a_violation_in_two_steps(method: str) -> None:
-    """Of positions and velocities, up to terms of second order in it; Adams methods first forget how they started."""
+    """Of positions and velocities, to second order in it; Adams methods first forget how they started."""
     step, size = 1e-3, 1e-6
     order = METHODS[method].order
     annulled = order + 2 if hasattr(METHODS[method], "predictor") else 2

@@ -1,4 +1,4 @@
-"""Dependent constraints and massless bodies: solved by the methods that can, refused by name by those that cannot."""
+"""Dependent constraints and massless bodies: solved by the methods that can, refused by the others."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def body(model: lw.Model, name: str, position: tuple[float, ...], mass: float = 
     return model.body(name, mass=mass, inertia=(0.1 * mass, 0.2 * mass, 0.25 * mass), position=position)
 
 
-# --- dependent constraints ------------------------------------------------------------------------------------------
+# --- dependent constraints ----------------------------------------------------------------------------------
 
 
 def doubled(kind: str) -> lw.Model:
@@ -70,7 +70,9 @@ def test_the_standard_formulation_refuses_dependent_constraints_naming_the_joint
 
 @pytest.mark.parametrize(("system", "solver"), STANDARD)
 @pytest.mark.parametrize("name", REDUNDANT)
-def test_no_linear_solver_returns_accelerations_of_dependent_constraints(name: str, system: str, solver: str) -> None:
+def test_no_linear_solver_returns_accelerations_of_dependent_constraints(
+    name: str, system: str, solver: str
+) -> None:
     model = REDUNDANT[name][0]()
     state = model.compiled()
     with pytest.raises(lw.SingularSystemError):
@@ -117,13 +119,13 @@ def without_second(kind: str) -> lw.Model:
     model.spherical(model.ground, bodies[0], at=(0, 0, 0), name="pivot")
     values = arrays["parameters"][:1] if JOINTS[kind].parameters else np.zeros(0)
     model.compiled().add_joints(
-        kind, ["first"], arrays["bodies"][1:2], arrays["origin"][1:2], arrays["frame"][1:2], values.reshape(1, -1),
-        np.full((1, len(values)), -1, np.int32),
+        kind, ["first"], arrays["bodies"][1:2], arrays["origin"][1:2], arrays["frame"][1:2],
+        values.reshape(1, -1), np.full((1, len(values)), -1, np.int32),
     )  # fmt: skip
     return model
 
 
-# --- massless bodies ------------------------------------------------------------------------------------------------
+# --- massless bodies ----------------------------------------------------------------------------------------
 
 
 def two_arms(connect: Callable[[lw.Model, lw.Body, lw.Body], object]) -> lw.Model:
@@ -169,7 +171,10 @@ EQUIVALENT = {
         massless_cross,
         weightless_joint("universal", at=(1, 0.5, 0.25), axes=((0, 1, 0), (1, 0, 1))),
     ),
-    "sleeve is cylindrical": (massless_sleeve, weightless_joint("cylindrical", at=(1, 0.5, 0.25), axis=(0, 2, 1))),
+    "sleeve is cylindrical": (
+        massless_sleeve,
+        weightless_joint("cylindrical", at=(1, 0.5, 0.25), axis=(0, 2, 1)),
+    ),
 }
 
 
@@ -192,7 +197,9 @@ def test_a_mass_without_inertia_on_a_hinge_is_the_simple_pendulum() -> None:
     bob = model.body("bob", mass=1.0, inertia=(0, 0, 0), position=(-1, 0, 0))
     model.revolute(model.ground, bob, at=(0, 0, 0), axis=(0, 0, 1))
     every = round(reference.interval / 1e-3)
-    result = lw.simulate(model, 10.0, 1e-3, formulation="augmented_lagrangian", record_every=every, progress=False)
+    result = lw.simulate(
+        model, 10.0, 1e-3, formulation="augmented_lagrangian", record_every=every, progress=False
+    )
     assert np.abs(result.position[:, 0, :2] - reference("x", "y")).max() <= 1e-8
 
 
