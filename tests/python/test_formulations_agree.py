@@ -63,8 +63,8 @@ def test_every_solution_satisfies_its_equations(mechanism: Mechanism, form: str,
 
 
 # The penalty method solves (S + a^-1) lambda = gamma - D M^-1 g instead of S lambda = ..., S = D M^-1 D^T.
-# With sigma the eigenvalues of a^1/2 S a^1/2, v_dot is off by M^-1 D^T (lambda_penalty - lambda), in which each
-# part of M^-1 D^T lambda shrinks to 1 / (1 + sigma):
+# With sigma the eigenvalues of a^1/2 S a^1/2, v_dot is off by M^-1 D^T (lambda_penalty - lambda), in which
+# each part of M^-1 D^T lambda shrinks to 1 / (1 + sigma):
 #   ||v_dot_penalty - v_dot||_M <= ||M^-1 D^T lambda||_M / (1 + sigma_min)
 @pytest.mark.parametrize("solver", [solver for form, solver in CHOICES if form == "normal"])
 @pytest.mark.parametrize("penalty", ({"penalty": 1e5}, {"penalty_scale": 1e4}), ids=("uniform", "scaled"))
