@@ -104,15 +104,28 @@ VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y) {
   return y_dot.head(y.size());
 }
 
-py::tuple reactions(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& lambda) {
+/// Reactions of one frame or, with a leading axis, of many.
+py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q, const Doubles& multipliers) {
   const System& system = dynamics.system();
-  check_size(q, system.q_size(), "q");
-  check_size(lambda, system.row_count(), "multipliers");
+  const py::ssize_t frames = t.size(), joints = system.joint_count();
+  if (q.size() != frames * system.q_size() || multipliers.size() != frames * system.row_count())
+    throw OptionError("shape", "q and multipliers need " + std::to_string(system.q_size()) + " and " +
+                                   std::to_string(system.row_count()) + " entries for each of the " +
+                                   std::to_string(frames) + " times");
+  std::vector<py::ssize_t> shape = {joints, 3};
+  if (t.ndim() > 0) shape.insert(shape.begin(), frames);
+  py::array_t<double> force(shape), torque(shape);
   Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);
-  Eigen::Matrix3Xd force(3, system.joint_count()), torque(3, system.joint_count());
-  system.reactions(at, lambda, force, torque);
-  return py::make_tuple(Eigen::MatrixX3d(force.transpose()), Eigen::MatrixX3d(torque.transpose()));
+  const VectorXd rest = VectorXd::Zero(system.v_size());
+  using Vector = Eigen::Map<const VectorXd>;
+  using Columns = Eigen::Map<Eigen::Matrix3Xd>;
+  for (py::ssize_t k = 0; k < frames; ++k) {
+    system.evaluate_constraints(t.data()[k], Vector(q.data() + k * system.q_size(), system.q_size()), rest, at);
+    system.reactions(at, Vector(multipliers.data() + k * system.row_count(), system.row_count()),
+                     Columns(force.mutable_data() + 3 * k * joints, 3, joints),
+                     Columns(torque.mutable_data() + 3 * k * joints, 3, joints));
+  }
+  return py::make_tuple(force, torque);
 }
 
 py::array_t<double> joint_frames(const Dynamics& dynamics, const ConstVector& q) {
@@ -187,6 +200,7 @@ py::dict statistics(const Dynamics& dynamics) {
   out["factor_nonzeros"] = dynamics.factor_nonzeros();
   out["iterations"] = iterations.iterations;
   out["most_iterations"] = iterations.most;
+  out["raised_penalties"] = iterations.raised;
   out["stagnations"] = iterations.stagnations;
   out["iteration_change"] = iterations.last_change;
   out["iteration_residual"] = iterations.last_residual;
@@ -216,9 +230,9 @@ void bind_formulation(py::module_& module) {
       .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"),
            "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", &derivative, py::arg("t"), py::arg("y"), "y_dot for y = (q, v).")
-      .def(
-          "reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"),
-          "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes.")
+      .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"),
+           "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "
+           "axes; (k, joints, 3) for k times, states and multipliers.")
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
       .def("rank", &Dynamics::rank, py::call_guard<py::gil_scoped_release>())
       .def("statistics", &statistics);

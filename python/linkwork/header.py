@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-#: reactions(t, q (7n,), multipliers (m,)) -> force [N], torque [N m] (joints, 3): see Result.reaction.
-Reactions = Callable[[float, Floats, Floats], tuple[Floats, Floats]]
+#: reactions(t (k,), q (k, 7n), multipliers (k, m)) -> force [N], torque [N m] (k, joints, 3): see Result.reaction.
+Reactions = Callable[[Floats, Floats, Floats], tuple[Floats, Floats]]
 
 
 @dataclass(frozen=True)
@@ -107,12 +107,10 @@ def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[st
     if "reaction_force" in values:
         return values
     count = len(values["t"])
-    force, torque = np.zeros((count, header.joint_count, 3)), np.zeros((count, header.joint_count, 3))
-    if header.joint_count:
+    force = torque = np.zeros((count, header.joint_count, 3))
+    if header.joint_count and count:
         assert header.reactions is not None, "frames without reactions need the dynamics that compute them"
-        q, multipliers = values["q"].reshape(count, -1), values["lambda"]
-        for k, t in enumerate(values["t"]):
-            force[k], torque[k] = header.reactions(float(t), q[k], multipliers[k])
+        force, torque = header.reactions(values["t"], values["q"].reshape(count, -1), values["lambda"])
     return {**values, "reaction_force": force, "reaction_torque": torque}
 
 

@@ -48,6 +48,6 @@ def frames(header: Header, first: int, count: int) -> dict[str, Floats]:
     return values
 
 
-def _reactions(t: float, q: Floats, multipliers: Floats) -> tuple[Floats, Floats]:
-    force = multipliers.reshape(-1, 5)[:, :3] + t
-    return force, force - q[-1]
+def _reactions(t: Floats, q: Floats, multipliers: Floats) -> tuple[Floats, Floats]:
+    force = multipliers.reshape(len(t), -1, 5)[:, :, :3] + t[:, None, None]
+    return force, force - q[:, None, -1:]

@@ -13,6 +13,8 @@ constexpr double roundoff_change = 1e-7;  // above it, a change that no longer s
 // to its size: so begin small, and raise it only while the iteration is slow on this model.
 constexpr double first_scale = 1e4, last_scale = 1e8, scale_factor = 10.0;
 constexpr int slow_iterations = 15;
+constexpr double raise_factor = 100.0, most_raised = 1e6;
+constexpr int patience = 10;  // times max_iterations, in the few evaluations where the penalty is raised
 
 /// The iteration (12.16)-(12.18),
 ///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b),   lambda_{k+1} = lambda_k + alpha (b - D
@@ -41,7 +43,8 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
-    if (!iterate(a, b, v_dot, lambda, options_.max_iterations)) throw_not_converged();
+    if (iterate(a, b, v_dot, lambda, options_.max_iterations)) return;
+    if (!raise_penalties(a, b, v_dot, lambda)) throw_not_converged();
   }
 
   const SaddleSolver& saddle() const override { return *saddle_; }
@@ -58,6 +61,22 @@ class AugmentedLagrangian final : public Formulation {
       if (iterate(typical.g.head(system_->v_size()), typical.gamma, v_dot, lambda, slow_iterations)) break;
     }
     iterations_ = {};
+  }
+
+  /// Near a singular pose a constraint hardly moves anything and the iteration is slow: a larger penalty for this
+  /// evaluation alone. False where it did not help, or where the penalty is the user's.
+  bool raise_penalties(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+    if (options_.penalty || options_.penalty_scale) return false;
+    const VectorXd usual = compliance_;
+    bool converged = false;
+    iterations_.raised += 1;
+    for (double raised = raise_factor; !converged && raised <= most_raised; raised *= raise_factor) {
+      compliance_ = usual / raised;
+      saddle_->factorize(*at_, compliance_);
+      converged = iterate(a, b, v_dot, lambda, patience * options_.max_iterations);
+    }
+    compliance_ = usual;
+    return converged;
   }
 
   /// False where `most` iterations were not enough.

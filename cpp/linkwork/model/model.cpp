@@ -42,8 +42,11 @@ void check_finite(const Eigen::MatrixBase<Derived>& values, const char* quantity
 /// Principal moments of a real body satisfy J_1 + J_2 >= J_3 for every order, and none is negative.
 void check_inertia(const Mat3<double>& J, const std::string& name) {
   const double scale = J.cwiseAbs().maxCoeff();
-  if ((J - J.transpose()).cwiseAbs().maxCoeff() > tolerance * scale)
-    refuse("inertia_not_symmetric", "body '" + name + "': the inertia is not symmetric", name);
+  if (const double gap = (J - J.transpose()).cwiseAbs().maxCoeff(); gap > tolerance * scale)
+    refuse("inertia_not_symmetric",
+           "body '" + name + "': the inertia is not symmetric: entries across the diagonal differ by " + text(gap) +
+               " kg m^2",
+           name);
   Vec3<double> moments = J.diagonal();
   if (!J.isDiagonal(0.0))
     moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(J, Eigen::EigenvaluesOnly).eigenvalues();
