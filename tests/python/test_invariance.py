@@ -15,8 +15,8 @@ from random_mechanisms import FORCES, Element, Floats, Maker, Mechanism, example
 #: Relative; two descriptions differ by roundoff only, which the worst random mechanisms magnify by 1e6.
 EXACT = {"standard": 1e-9, "augmented_lagrangian": 1e-9}
 
-#: The penalty method solves with a matrix that contains its penalties: that magnifies roundoff by 1e4.
-SAME_EQUATIONS = EXACT | {"penalty": 1e-7}
+#: The penalty method's reactions are its penalty, 1e7 times scaled, by which roundoff is magnified, too.
+SAME_EQUATIONS = EXACT | {"penalty": 1e-6}
 
 #: Where the equations of a joint become combinations of the old ones, each has another penalty, and answers
 #: of the penalty method differ by its own error, 1 / (1 + sigma_min): see test_formulations_agree.
