@@ -316,14 +316,6 @@ TEST_CASE("every solver works again after a failure") {
   });
 }
 
-TEST_CASE("every solver accepts an empty matrix, that of a mechanism without joints") {
-  for_every_solver([&](const LinearSolverInfo& info, Storage storage) {
-    const SparseMatrix matrix = compress(0, {}, storage);
-    const auto solver = info.make(storage);
-    CHECK_NOTHROW(solver->analyze(matrix));
-  });
-}
-
 TEST_CASE("the pivot ratio of a positive definite solver does not change under diagonal scaling") {
   Random random(92);
   for_every_solver([&](const LinearSolverInfo& info, Storage storage) {

@@ -7,12 +7,13 @@
 namespace linkwork {
 namespace {
 
-constexpr double roundoff_change = 1e-7;  // above it, a change that no longer shrinks is slow convergence, not roundoff
+constexpr double stagnation = 0.95, roundoff_change = 1e-7;  // a change that no longer shrinks, and is small: roundoff
 
 // Off the constraints, redundant rows contradict each other a little, and a penalty resolves that noise in proportion
 // to its size: so begin small, and raise it only while the iteration is slow on this model.
 constexpr double first_scale = 1e4, last_scale = 1e8, scale_factor = 10.0;
 constexpr int slow_iterations = 15;
+constexpr double quick_change = 1e-10;
 constexpr double raise_factor = 100.0, most_raised = 1e6;
 constexpr int patience = 10;  // times max_iterations, in the few evaluations where the penalty is raised
 
@@ -58,7 +59,8 @@ class AugmentedLagrangian final : public Formulation {
       compliance_ = row_penalties(*system_, typical, options_.penalty, scale).cwiseInverse();
       if (given || scale >= last_scale) break;
       factorize(typical);
-      if (iterate(typical.g.head(system_->v_size()), typical.gamma, v_dot, lambda, slow_iterations)) break;
+      const bool quick = iterate(typical.g.head(system_->v_size()), typical.gamma, v_dot, lambda, slow_iterations);
+      if (quick && iterations_.last_change < quick_change) break;
     }
     iterations_ = {};
   }
@@ -89,7 +91,7 @@ class AugmentedLagrangian final : public Formulation {
       v_dot += dv_;
       lambda += dlambda_;
       const double change = dv_.norm() / (1.0 + v_dot.norm());
-      const bool stagnated = change > 0.5 * last_change && change < roundoff_change;
+      const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;
       if (change > options_.tolerance && !stagnated) continue;
       count(iteration, change > options_.tolerance);

@@ -88,7 +88,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   check_masses(info);
   check_rank(info);
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
-  formulation_->analyze(system_, at_);
+  if (system_.row_count() > 0) formulation_->analyze(system_, at_);
 }
 
 void Dynamics::check_masses(const FormulationInfo& info) const {
@@ -167,7 +167,7 @@ void Dynamics::evaluate(double t, const ConstVector& y) {
     statistics_.evaluations += 1;
   }
   const Stopwatch watch(statistics_.factorize_time);
-  if (system_.row_count() > 0 || !system_.massless_bodies().empty()) factorize();
+  if (system_.row_count() > 0) factorize();
   statistics_.factorizations += 1;
   statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, formulation_->saddle().smallest_pivot());
 }

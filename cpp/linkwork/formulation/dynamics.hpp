@@ -30,7 +30,9 @@ class Dynamics {
   const Evaluation& evaluation() const { return at_; }
   const DynamicsStatistics& statistics() const { return statistics_; }
   const IterationStatistics& iterations() const { return formulation_->iterations(); }
-  std::int64_t factor_nonzeros() const { return formulation_->saddle().factor_nonzeros(); }
+  std::int64_t factor_nonzeros() const {
+    return system_.row_count() > 0 ? formulation_->saddle().factor_nonzeros() : 0;
+  }
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
   RankReport rank() const;  ///< at the initial pose

@@ -9,6 +9,8 @@
 namespace linkwork {
 namespace {
 
+constexpr double zero_row = 1e-9;
+
 /// M^-1/2 as a scale per velocity; massless directions take the mean of the others.
 VectorXd velocity_scale(const System& system) {
   const int n = system.body_count();
@@ -29,10 +31,11 @@ VectorXd velocity_scale(const System& system) {
   return mass.cwiseSqrt().cwiseInverse();
 }
 
-/// The blocks of D M^-1/2 with every row of D scaled to unit length.
+/// The blocks of D M^-1/2 with every row of D scaled to unit length; a row that is roundoff of zero becomes zero (the
+/// equations of joints have natural size 1).
 std::vector<double> scaled_D(const System& system, const Evaluation& at) {
   const VectorXd scale = velocity_scale(system);
-  VectorXd norms = VectorXd::Zero(system.row_count());
+  VectorXd norms = VectorXd::Zero(system.row_count()), largest = norms;
   std::vector<double> D = at.D;
   const auto for_each_entry = [&](auto visit) {
     for (const ConstraintBlock& block : system.blocks())
@@ -41,12 +44,12 @@ std::vector<double> scaled_D(const System& system, const Evaluation& at) {
           visit(D[static_cast<std::size_t>(block.offset + 6 * k + c)], block.row + k, 6 * block.body + c);
   };
   for_each_entry([&](double& value, int row, int velocity) {
+    largest[row] = std::max(largest[row], std::abs(value));
     value *= scale[velocity];
     norms[row] += value * value;
   });
-  for_each_entry([&](double& value, int row, int) {
-    if (norms[row] > 0.0) value /= std::sqrt(norms[row]);
-  });
+  for_each_entry(
+      [&](double& value, int row, int) { value = largest[row] > zero_row ? value / std::sqrt(norms[row]) : 0.0; });
   return D;
 }
 

@@ -7,6 +7,8 @@
 namespace linkwork {
 namespace {
 
+constexpr double same_step = 1e-6;  // t + h - t has the roundoff of t
+
 void check(const MultistepCoefficients& method) {
   const auto refuse = [&](const std::string& why) {
     throw OptionError("multistep", "multistep method '" + method.name + "': " + why);
@@ -43,7 +45,7 @@ class Multistep final : public Integrator {
   }
 
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
-    if (filled_ > 0 && std::abs(h - last_step_) > 1e-12 * h) filled_ = 0;  // another step: begin anew
+    if (filled_ > 0 && std::abs(h - last_step_) > same_step * h) filled_ = 0;  // another step: begin anew
     last_step_ = h;
     remember(dynamics);
     if (filled_ < f_.size()) return starter_->step(dynamics, t, h, y);

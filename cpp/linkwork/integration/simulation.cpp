@@ -22,7 +22,12 @@ void append(std::vector<double>& list, const ConstVector& values) {
   for (int body = 0; body < system.body_count() && details.bodies.empty(); ++body)
     if (!y.segment<7>(7 * body).allFinite() || !y.segment<6>(system.q_size() + 6 * body).allFinite())
       details.bodies = {system.model().body_name(body)};
-  const std::string who = details.bodies.empty() ? "the work of the forces" : "body '" + details.bodies.front() + "'";
+  if (details.bodies.empty()) {  // only the work is not finite: the fastest body is where it happened
+    Eigen::Index fastest = 0;
+    y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
+    details.bodies = {system.model().body_name(static_cast<int>(fastest / velocity_size))};
+  }
+  const std::string who = "body '" + details.bodies.front() + "'";
   throw NotFiniteError("not_finite", who + " became infinite or undefined: the run diverged; use a smaller step",
                        details);
 }

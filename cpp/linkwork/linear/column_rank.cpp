@@ -54,7 +54,12 @@ std::vector<int> dead_columns(Matrix& A, double tolerance) {
     cholmod_l_finish(&common);
     throw std::bad_alloc();
   }
+  // Columns with a pivot among the singletons are live; SPQR marks the dead ones of the rest.
+  std::vector<char> live(static_cast<std::size_t>(A.cols()), 0);
+  for (SuiteSparse_long k = 0; k < qr->n1rows; ++k) live[static_cast<std::size_t>(qr->R1j[qr->R1p[k]])] = 1;
   std::vector<int> dead;
+  for (SuiteSparse_long k = 0; k < qr->n1cols; ++k)
+    if (!live[static_cast<std::size_t>(k)]) dead.push_back(static_cast<int>(qr->Q1fill ? qr->Q1fill[k] : k));
   if (qr->rank < A.cols())
     for (SuiteSparse_long k = qr->n1cols; k < A.cols(); ++k)
       if (qr->QRnum->Rdead[k - qr->n1cols]) dead.push_back(static_cast<int>(qr->Q1fill ? qr->Q1fill[k] : k));

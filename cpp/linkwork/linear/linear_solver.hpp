@@ -25,7 +25,7 @@ inline void keep_smallest(Pivot& smallest, double ratio, int row) {
   if (ratio < smallest.ratio) smallest = {ratio, row};
 }
 
-/// Direct solver of A x = b for a sparse symmetric A with a fixed pattern.
+/// Direct solver of A x = b for a sparse symmetric A with a fixed pattern and at least one row.
 ///
 /// analyze once for the pattern (symbolic work, memory); factorize as often as the values change; solve as often as
 /// wanted after a factorize. A solver reads only the entries that its `storage` names.

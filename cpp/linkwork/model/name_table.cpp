@@ -6,48 +6,65 @@
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
+namespace {
+
+/// k of a name "prefix[k]", or -1.
+int number_in(const std::string& name, const std::string& prefix) {
+  const std::size_t begin = prefix.size() + 1;
+  if (name.size() < begin + 2 || name.compare(0, prefix.size(), prefix) != 0 || name[prefix.size()] != '[') return -1;
+  const char* last = name.data() + name.size() - 1;
+  int number = -1;
+  const auto [end, error] = std::from_chars(name.data() + begin, last, number);
+  return error == std::errc() && end == last && *last == ']' ? number : -1;
+}
+
+}  // namespace
 
 void NameTable::check_free(const std::string& name) const {
   if (name.empty()) throw ModelError("empty_name", std::string(what_) + ": the name is empty; give it one");
-  if (find(name) >= 0 || index_.count(name))
-    throw ModelError("duplicate_name", std::string(what_) + " '" + name + "' exists already; choose another name");
+  if (find(name) >= 0 || index_.count(name)) throw_taken(name);
+}
+
+void NameTable::throw_taken(const std::string& name) const {
+  throw ModelError("duplicate_name", std::string(what_) + " '" + name + "' exists already; choose another name");
 }
 
 void NameTable::add(const std::string& name) {
   check_free(name);
   index_.emplace(name, static_cast<int>(groups_.size()));
-  groups_.push_back({name, size_, 0});
+  groups_.push_back({name, size_, 1, true});
+  if (name.back() == ']') bracketed_.push_back(name);
   size_ += 1;
 }
 
 void NameTable::add_group(const std::string& prefix, int count) {
   check_free(prefix);
+  for (const std::string& name : bracketed_)
+    if (const int k = number_in(name, prefix); k >= 0 && k < count) throw_taken(name);
   index_.emplace(prefix, static_cast<int>(groups_.size()));
-  groups_.push_back({prefix, size_, count});
+  groups_.push_back({prefix, size_, count, false});
   size_ += count;
 }
 
 std::string NameTable::name(int index) const {
   const auto starts_after = [](int value, const Group& group) { return value < group.first; };
   auto group = std::upper_bound(groups_.begin(), groups_.end(), index, starts_after) - 1;
-  if (group->count == 0) return group->prefix;
+  if (group->single) return group->prefix;
   return group->prefix + "[" + std::to_string(index - group->first) + "]";
 }
 
 int NameTable::find(const std::string& name) const {
   if (const auto found = index_.find(name); found != index_.end()) {
     const Group& group = groups_[static_cast<std::size_t>(found->second)];
-    return group.count == 0 ? group.first : -1;
+    return group.single ? group.first : -1;
   }
   const std::size_t bracket = name.rfind('[');
   if (bracket == std::string::npos || name.back() != ']') return -1;
   const auto found = index_.find(name.substr(0, bracket));
   if (found == index_.end()) return -1;
-  int number = -1;
-  const auto [end, error] = std::from_chars(name.data() + bracket + 1, name.data() + name.size() - 1, number);
   const Group& group = groups_[static_cast<std::size_t>(found->second)];
-  const bool valid = error == std::errc() && end == name.data() + name.size() - 1 && number >= 0;
-  return valid && number < group.count ? group.first + number : -1;
+  const int number = group.single ? -1 : number_in(name, group.prefix);
+  return number >= 0 && number < group.count ? group.first + number : -1;
 }
 
 }  // namespace linkwork

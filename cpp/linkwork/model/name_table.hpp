@@ -24,14 +24,17 @@ class NameTable {
  private:
   struct Group {
     std::string prefix;
-    int first, count;  ///< count 0: a single name
+    int first, count;
+    bool single;  ///< one name, not a prefix
   };
   void check_free(const std::string& name) const;
+  [[noreturn]] void throw_taken(const std::string& name) const;
 
   const char* what_;
   int size_ = 0;
   std::vector<Group> groups_;
   std::unordered_map<std::string, int> index_;  ///< name or prefix -> place in groups_
+  std::vector<std::string> bracketed_;          ///< single names that end in ], which a group could repeat
 };
 
 }  // namespace linkwork

@@ -3,6 +3,7 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 namespace linkwork {
@@ -82,7 +83,7 @@ class Cholmod final : public LinearSolver {
     const int last = A.column_begin[static_cast<std::size_t>(row) + 1];
     const int first = A.column_begin[static_cast<std::size_t>(row)];
     const auto at = std::lower_bound(A.row.begin() + first, A.row.begin() + last, row);
-    keep_smallest(smallest, d / A.value[static_cast<std::size_t>(at - A.row.begin())], row);
+    keep_smallest(smallest, d / std::abs(A.value[static_cast<std::size_t>(at - A.row.begin())]), row);
   }
 
   Pivot simplicial_pivot(const SparseMatrix& A) const {

@@ -65,6 +65,7 @@ class DenseLu final : public LinearSolver {
     lu_.compute(matrix_);
     const auto pivots = lu_.matrixLU().diagonal().cwiseAbs();
     if (pivots.size() == 0) return {};
+    if (!lu_.matrixLU().allFinite()) return {-1.0, -1};
     return {pivots.minCoeff() / pivots.maxCoeff(), -1};
   }
 

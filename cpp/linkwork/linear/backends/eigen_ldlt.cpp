@@ -1,5 +1,6 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
+#include <cmath>
 
 #include "linkwork/linear/linear_solver.hpp"
 
@@ -24,14 +25,14 @@ class EigenLdlt final : public LinearSolver {
     Pivot smallest;
     for (Eigen::Index k = 0; k < d.size(); ++k) {
       const int row = original[k];
-      keep_smallest(smallest, d[k] / copy_.coeff(row, row), row);
+      keep_smallest(smallest, d[k] / std::abs(copy_.coeff(row, row)), row);
     }
     return smallest;
   }
 
   void solve(Eigen::Ref<MatrixXd> x) override { x = ldlt_.solve(x).eval(); }
 
-  std::int64_t factor_nonzeros() const override { return ldlt_.matrixL().nestedExpression().nonZeros(); }
+  std::int64_t factor_nonzeros() const override { return ldlt_.matrixL().nestedExpression().nonZeros() + copy_.rows(); }
 
  private:
   Eigen::SparseMatrix<double> copy_;

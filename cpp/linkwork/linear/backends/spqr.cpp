@@ -30,6 +30,8 @@ class Spqr final : public LinearSolver {
   }
 
   Pivot factorize(const SparseMatrix& matrix) override {
+    if (!VectorXd::Map(matrix.value.data(), static_cast<Eigen::Index>(matrix.value.size())).allFinite())
+      return {-1.0, -1};
     cholmod_sparse A = view(matrix);
     if (!SuiteSparseQR_numeric<double>(SPQR_DEFAULT_TOL, &A, qr_, &common_)) throw std::bad_alloc();
     return {qr_->rank < matrix.size ? 0.0 : 1.0, -1};
