@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-#: reactions(t (k,), q (k, 7n), multipliers (k, m)) -> force [N], torque [N m] (k, joints, 3): see Result.reaction.
+#: reactions(t (k,), q (k, 7n), multipliers (k, m)) -> force [N], torque [N m] (k, joints, 3).
 Reactions = Callable[[Floats, Floats, Floats], tuple[Floats, Floats]]
 
 

@@ -1,0 +1,447 @@
+"""
+The compiled core of linkwork: models, evaluation, formulations and the drivers of the integrators.
+"""
+
+from __future__ import annotations
+
+import collections.abc
+import typing
+
+import numpy
+import numpy.typing
+
+__all__ = [
+    "Dynamics",
+    "FormulationInfo",
+    "KindInfo",
+    "Model",
+    "Multistep",
+    "Options",
+    "RankReport",
+    "SemiImplicitEuler",
+    "Simulation",
+    "SolverInfo",
+    "StabilizationInfo",
+    "Tableau",
+    "TimeFunction",
+    "force_kinds",
+    "formulations",
+    "joint_kinds",
+    "linear_solvers",
+    "stabilizations",
+]
+
+class Dynamics:
+    """
+    A model with a formulation, a stabilization and a linear solver.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(self, model: Model, options: Options) -> None: ...
+    def accelerations(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        (v_dot, multipliers) of the mechanism itself, without stabilization.
+        """
+    def derivative(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        y_dot for y = (q, v).
+        """
+    def evaluate(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> dict:
+        """
+        M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.
+        """
+    def initial_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        y = (q, v), 13 per body.
+        """
+    def joint_frames(
+        self, q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Inertial axes of the joint frames, fixed in the first body.
+        """
+    def rank(self) -> RankReport: ...
+    def reactions(
+        self,
+        t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        multipliers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    ) -> tuple:
+        """
+        Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes; (k, joints, 3) for k times, states and multipliers.
+        """
+    def statistics(self) -> dict: ...
+    @property
+    def body_count(self) -> int: ...
+    @property
+    def joint_count(self) -> int: ...
+    @property
+    def linear_solver(self) -> str: ...
+    @property
+    def options(self) -> Options: ...
+    @property
+    def row_count(self) -> int: ...
+    @property
+    def system(self) -> str: ...
+
+class FormulationInfo:
+    """
+    A registered formulation.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def documentation(self) -> str: ...
+    @property
+    def has_penalty(self) -> bool: ...
+    @property
+    def iterative(self) -> bool: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def needs_full_rank(self) -> bool: ...
+    @property
+    def needs_mass(self) -> bool: ...
+    @property
+    def systems(self) -> list[str]: ...
+
+class KindInfo:
+    """
+    A registered kind of joint or force.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def differentiated(self) -> list[str]: ...
+    @property
+    def documentation(self) -> str: ...
+    @property
+    def equations(self) -> list[str]: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def parameters(self) -> list[str]: ...
+    @property
+    def placement(self) -> str: ...
+    @property
+    def rows(self) -> int: ...
+
+class Model:
+    """
+    The constant description of a mechanism; see linkwork.Model.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self, gravity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"] = ...
+    ) -> None: ...
+    def add_bodies(
+        self,
+        names: str | collections.abc.Sequence[str],
+        mass: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        inertia: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        position: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        orientation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        omega: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    ) -> int:
+        """
+        Adds bodies under a prefix (str) or names (list); returns the first index.
+        """
+    def add_forces(
+        self,
+        kind: str,
+        names: str | collections.abc.Sequence[str],
+        bodies: typing.Annotated[numpy.typing.ArrayLike, numpy.int32],
+        origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        parameters: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        signals: typing.Annotated[numpy.typing.ArrayLike, numpy.int32],
+    ) -> int:
+        """
+        Adds force elements; returns the first index.
+        """
+    def add_joints(
+        self,
+        kind: str,
+        names: str | collections.abc.Sequence[str],
+        bodies: typing.Annotated[numpy.typing.ArrayLike, numpy.int32],
+        origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        parameters: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        signals: typing.Annotated[numpy.typing.ArrayLike, numpy.int32],
+    ) -> int:
+        """
+        Adds joints; returns the first index.
+        """
+    def add_signal(self, function: TimeFunction) -> int: ...
+    def body_name(self, body: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def describe_row(self, row: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def find_body(self, name: str) -> int:
+        """
+        Index of a name, -1 where there is none.
+        """
+    def find_force(self, name: str) -> int:
+        """
+        Index of a name, -1 where there is none.
+        """
+    def find_joint(self, name: str) -> int:
+        """
+        Index of a name, -1 where there is none.
+        """
+    def force_arrays(self) -> dict:
+        """
+        kind, bodies, origin, frame, first_parameter, parameters, signals: what add_forces took.
+        """
+    def force_name(self, force: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def joint_arrays(self) -> dict:
+        """
+        kind, bodies, origin, frame, first_parameter, parameters, signals: what add_joints took.
+        """
+    def joint_kind(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def joint_name(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    @property
+    def body_count(self) -> int: ...
+    @property
+    def force_count(self) -> int: ...
+    @property
+    def gravity(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]: ...
+    @property
+    def inertia(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def joint_count(self) -> int: ...
+    @property
+    def joint_rows(self) -> numpy.typing.NDArray[numpy.int32]: ...
+    @property
+    def mass(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def q0(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]: ...
+    @property
+    def row_count(self) -> int: ...
+    @property
+    def v0(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]: ...
+
+class Multistep:
+    """
+    An Adams method; coefficients of the newest value first.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        name: str,
+        order: typing.SupportsInt | typing.SupportsIndex,
+        predictor: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        corrector: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        starter: Tableau,
+    ) -> None: ...
+
+class Options:
+    """
+    The choices of a run.
+    """
+
+    formulation: str
+    linear_solver: str
+    stabilization: str
+    system: str
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(self) -> None: ...
+    @property
+    def baumgarte_alpha(self) -> float | None: ...
+    @baumgarte_alpha.setter
+    def baumgarte_alpha(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
+    @property
+    def baumgarte_beta(self) -> float | None: ...
+    @baumgarte_beta.setter
+    def baumgarte_beta(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
+    @property
+    def max_iterations(self) -> int: ...
+    @max_iterations.setter
+    def max_iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    @property
+    def penalty(self) -> float | None: ...
+    @penalty.setter
+    def penalty(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
+    @property
+    def penalty_scale(self) -> float | None: ...
+    @penalty_scale.setter
+    def penalty_scale(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
+    @property
+    def tolerance(self) -> float: ...
+    @tolerance.setter
+    def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+
+class RankReport:
+    """
+    Rank of the constraint matrix D.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def degrees_of_freedom(self) -> int: ...
+    @property
+    def dependent_rows(self) -> list[int]: ...
+    @property
+    def rank(self) -> int: ...
+    @property
+    def rows(self) -> int: ...
+
+class SemiImplicitEuler:
+    """
+    v' = v + h v_dot, q' = q + h N(q) v'.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(self) -> None: ...
+
+class Simulation:
+    """
+    A run with a fixed step, advanced in pieces.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        dynamics: Dynamics,
+        integrator: typing.Any,
+        t_end: typing.SupportsFloat | typing.SupportsIndex,
+        step: typing.SupportsFloat | typing.SupportsIndex,
+        record_every: typing.SupportsInt | typing.SupportsIndex = 1,
+    ) -> None: ...
+    def accept(self, y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> None: ...
+    def advance(
+        self,
+        max_frames: typing.SupportsInt | typing.SupportsIndex,
+        max_seconds: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> dict:
+        """
+        Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.
+        """
+    def begin_step(
+        self,
+    ) -> tuple[float, typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], float]:
+        """
+        (t, y, h) of the step that begins; h = 0 at the end.
+        """
+    def statistics(self) -> dict: ...
+    def take_frames(self) -> dict: ...
+    @property
+    def finished(self) -> bool: ...
+    @property
+    def steps_done(self) -> int: ...
+    @property
+    def steps_total(self) -> int: ...
+    @property
+    def t(self) -> float: ...
+
+class SolverInfo:
+    """
+    A registered linear solver.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def available(self) -> bool: ...
+    @property
+    def documentation(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def systems(self) -> list[str]: ...
+
+class StabilizationInfo:
+    """
+    A registered stabilization.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def documentation(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+
+class Tableau:
+    """
+    An explicit Runge-Kutta method.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        name: str,
+        order: typing.SupportsInt | typing.SupportsIndex,
+        A: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+        b: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        c: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+    ) -> None: ...
+
+class TimeFunction:
+    """
+    A quantity as a function of time [s], with two derivatives.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @staticmethod
+    def callback(
+        value: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex],
+        rate: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex] = None,
+        acceleration: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex] = None,
+    ) -> TimeFunction:
+        """
+        Python functions of t.
+        """
+    @staticmethod
+    def constant(value: typing.SupportsFloat | typing.SupportsIndex) -> TimeFunction: ...
+    @staticmethod
+    def harmonic(
+        amplitude: typing.SupportsFloat | typing.SupportsIndex,
+        frequency: typing.SupportsFloat | typing.SupportsIndex,
+        phase: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+        offset: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+    ) -> TimeFunction:
+        """
+        offset + amplitude sin(frequency t + phase); frequency in rad/s.
+        """
+    @staticmethod
+    def piecewise_polynomial(
+        breaks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        coefficients: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    ) -> TimeFunction:
+        """
+        Rows of ascending coefficients in t - breaks[i], flattened.
+        """
+    @staticmethod
+    def polynomial(
+        coefficients: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    ) -> TimeFunction:
+        """
+        sum c_k t^k, ascending powers.
+        """
+    def evaluate(self, t: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float]:
+        """
+        (value, rate, acceleration) at t.
+        """
+    @property
+    def has_derivatives(self) -> bool: ...
+
+def force_kinds() -> list[KindInfo]: ...
+def formulations() -> list[FormulationInfo]: ...
+def joint_kinds() -> list[KindInfo]: ...
+def linear_solvers() -> list[SolverInfo]: ...
+def stabilizations() -> list[StabilizationInfo]: ...
