@@ -143,7 +143,7 @@ void bind_information(py::module_& module) {
   py::class_<LinearSolverInfo>(module, "SolverInfo", "A registered linear solver.")
       .def_readonly("name", &LinearSolverInfo::name)
       .def_readonly("documentation", &LinearSolverInfo::documentation)
-      .def_property_readonly("available", [](const LinearSolverInfo& info) { return info.make != nullptr; })
+      .def_property_readonly("available", [](const LinearSolverInfo& info) { return info.available(); })
       .def_property_readonly("systems", [](const LinearSolverInfo& info) {
         std::vector<std::string> out;
         for (const char* form : {"kkt", "schur", "normal"})

@@ -9,7 +9,6 @@ namespace linkwork {
 namespace {
 
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
-constexpr double hub_fill = 10.0;    // S this much fuller than the kkt matrix: a body with very many joints
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
@@ -24,18 +23,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Entries of S and of the kkt matrix, before factorization.
-bool schur_is_too_full(const System& system) {
-  double schur = 0.0, kkt = 36.0 * system.body_count();
-  for (int body = 0; body < system.body_count(); ++body) {
-    double rows = 0.0;
-    for (const int block : system.body_blocks(body)) rows += system.blocks()[static_cast<std::size_t>(block)].rows;
-    schur += rows * rows;
-    kkt += 12.0 * rows;
-  }
-  return schur > hub_fill * kkt;
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
   for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
@@ -44,11 +31,11 @@ std::string joined(const std::vector<std::string>& words) {
 
 bool available(const std::string& solver) {
   const auto& all = linear_solvers();
-  return std::any_of(all.begin(), all.end(), [&](const auto& info) { return info.name == solver && info.make; });
+  return std::any_of(all.begin(), all.end(), [&](const auto& info) { return info.name == solver && info.available(); });
 }
 
 /// The matrix of the formulation: as asked for, or the first that the linear solver can factorize.
-std::string choose_form(const FormulationInfo& info, const Options& options, const System& system) {
+std::string choose_form(const FormulationInfo& info, const Options& options) {
   const bool given = options.system != "auto";
   if (given && std::find(info.forms.begin(), info.forms.end(), options.system) == info.forms.end()) {
     const std::string choices =
@@ -58,13 +45,15 @@ std::string choose_form(const FormulationInfo& info, const Options& options, con
   }
   if (given) return options.system;
   if (info.name != "standard") return info.forms.front();
-  if (options.linear_solver == "auto") return schur_is_too_full(system) ? "kkt" : "schur";
+  if (options.linear_solver == "auto") return "kkt";
   return linear_solver_info(options.linear_solver).positive_definite || options.linear_solver == "dense" ? "schur"
                                                                                                          : "kkt";
 }
 
+/// "block" needs a regular mass matrix, and is asked for no form in particular.
 std::string choose_solver(const std::string& form, const Options& options, const System& system) {
   if (options.linear_solver != "auto") return linear_solver_info(options.linear_solver).name;
+  if (options.system == "auto" && system.massless_bodies().empty()) return "block";
   const int size = form == "schur" ? system.row_count() : system.v_size() + (form == "kkt" ? system.row_count() : 0);
   if (size <= dense_rows) return "dense";
   if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
@@ -79,7 +68,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
       kind_(stabilization_kind(options.stabilization)),
       at_(system_.make_evaluation()) {
   const FormulationInfo& info = formulation_info(options.formulation);
-  options_.system = choose_form(info, options, system_);
+  options_.system = choose_form(info, options);
   options_.linear_solver = choose_solver(options_.system, options, system_);
   for (VectorXd* rows : {&held_u_, &b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
@@ -166,29 +155,33 @@ void Dynamics::evaluate(double t, const ConstVector& y) {
     system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
     statistics_.evaluations += 1;
   }
-  const Stopwatch watch(statistics_.factorize_time);
-  if (system_.row_count() > 0) factorize();
-  statistics_.factorizations += 1;
-  statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, formulation_->saddle().smallest_pivot());
+  factorized_ = false;
 }
 
-/// A state that is not finite makes the matrix singular: say which of the two it is.
-void Dynamics::factorize() {
+/// The first solve after an evaluation factorizes; a state that is not finite makes the matrix singular: say which it
+/// is.
+void Dynamics::factorize_and_solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot,
+                                   MutableVector lambda) {
+  const Stopwatch watch(statistics_.factorize_time);
   try {
-    formulation_->factorize(at_);
+    formulation_->factorize_and_solve(at_, a, b, v_dot, lambda);
   } catch (const SingularSystemError&) {
     if (y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
     throw NotFiniteError("not_finite",
                          "the state became infinite or undefined within a step: the run diverged; use a "
                          "smaller step");
   }
+  factorized_ = true;
+  statistics_.factorizations += 1;
+  statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, formulation_->saddle().smallest_pivot());
 }
 
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
-  const Stopwatch watch(statistics_.solve_time);
   statistics_.solves += 1;
-  if (system_.row_count() > 0) formulation_->solve(a, b, v_dot, lambda);
-  else system_.multiply_inverse_mass(a, v_dot);
+  if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
+  if (!factorized_) return factorize_and_solve(a, b, v_dot, lambda);
+  const Stopwatch watch(statistics_.solve_time);
+  formulation_->solve(a, b, v_dot, lambda);
 }
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {

@@ -15,7 +15,9 @@ namespace linkwork {
 /// What a run cost. Times in s.
 struct DynamicsStatistics {
   std::int64_t evaluations = 0, factorizations = 0, solves = 0;
-  double evaluate_time = 0.0, factorize_time = 0.0, solve_time = 0.0;
+  double evaluate_time = 0.0;
+  double factorize_time = 0.0;  ///< with the first solution, which may be part of it
+  double solve_time = 0.0;      ///< of all further solutions
   double smallest_pivot = 1.0;  ///< over the run; see Pivot
 };
 
@@ -61,7 +63,7 @@ class Dynamics {
 
  private:
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
-  void factorize();
+  void factorize_and_solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void check_masses(const FormulationInfo& info) const;
   void check_rank(const FormulationInfo& info) const;
   Gains gains_or(Gains defaults) const;
@@ -75,7 +77,7 @@ class Dynamics {
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, x_, lambda_, v_dot_;
   VectorXd y_;  ///< the state of the last evaluate
-  bool held_ = false;
+  bool held_ = false, factorized_ = false;
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
 };

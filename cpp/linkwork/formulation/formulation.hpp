@@ -30,6 +30,12 @@ class Formulation {
   /// After factorize, for any number of right-hand sides.
   virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) = 0;
 
+  virtual void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b,
+                                   MutableVector v_dot, MutableVector lambda) {
+    factorize(at);
+    solve(a, b, v_dot, lambda);
+  }
+
   virtual const SaddleSolver& saddle() const = 0;
   const IterationStatistics& iterations() const { return iterations_; }
 

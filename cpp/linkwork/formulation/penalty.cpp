@@ -21,6 +21,10 @@ class Penalty final : public Formulation {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
     saddle_->solve(a, b, v_dot, lambda);
   }
+  void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector v_dot,
+                           MutableVector lambda) override {
+    saddle_->factorize_and_solve(at, compliance_, a, b, v_dot, lambda);
+  }
   const SaddleSolver& saddle() const override { return *saddle_; }
 
  private:

@@ -23,7 +23,7 @@ const LinearSolverInfo& linear_solver_info(const std::string& name) {
     for (const LinearSolverInfo& solver : solvers) known += (known.empty() ? "" : ", ") + solver.name;
     throw OptionError("unknown_linear_solver", "linear solver '" + name + "' does not exist; there are: " + known);
   }
-  if (!found->make)
+  if (!found->available())
     throw OptionError("linear_solver_not_built", "linear solver '" + name +
                                                      "' is not in this build (it is GPL: LINKWORK_WITH_GPL=OFF); "
                                                      "use klu or eigen_ldlt");

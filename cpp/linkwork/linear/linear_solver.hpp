@@ -40,12 +40,18 @@ class LinearSolver {
   virtual std::int64_t factor_nonzeros() const = 0;
 };
 
+class SaddleSolver;
+
 struct LinearSolverInfo {
   std::string name;
   std::string documentation;
   /// True: needs a positive definite matrix and reads its upper triangle; false: any matrix, all entries.
   bool positive_definite = false;
-  std::unique_ptr<LinearSolver> (*make)(Storage) = nullptr;  ///< null: not in this build
+  std::unique_ptr<LinearSolver> (*make)(Storage) = nullptr;
+  /// Instead of `make`: a solver that works on the blocks of the equations themselves, without a sparse matrix.
+  std::unique_ptr<SaddleSolver> (*make_saddle)() = nullptr;
+
+  bool available() const { return make || make_saddle; }  ///< in this build
 };
 
 /// All registered solvers, in the order of solvers.def, those missing in this build included.

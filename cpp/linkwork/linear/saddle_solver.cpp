@@ -15,6 +15,7 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const 
     throw OptionError("linear_solver", "linear solver '" + solver.name +
                                            "' needs a positive definite matrix and the kkt matrix is indefinite; use "
                                            "system 'schur', or linear solver 'umfpack'");
+  if (solver.make_saddle) return solver.make_saddle();
   if (form == "kkt") return detail::make_kkt(solver.make(Storage::full));
   const bool symmetric = solver.positive_definite || solver.name == "dense";
   const Storage storage = symmetric ? Storage::upper : Storage::full;

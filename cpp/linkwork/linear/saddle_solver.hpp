@@ -26,6 +26,13 @@ class SaddleSolver {
   virtual void factorize(const Evaluation& at, const VectorXd& e) = 0;
   virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) = 0;
 
+  /// Both in one: a solver may carry the right-hand side through its factorization.
+  virtual void factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
+                                   MutableVector x, MutableVector lambda) {
+    factorize(at, e);
+    solve(a, b, x, lambda);
+  }
+
   /// Of the last factorization; see Pivot.
   double smallest_pivot() const { return smallest_pivot_.ratio; }
   virtual std::int64_t factor_nonzeros() const = 0;

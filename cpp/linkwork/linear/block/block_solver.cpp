@@ -1,0 +1,104 @@
+#include "linkwork/linear/block/block_solver.hpp"
+
+#include <algorithm>
+
+#include "linkwork/linear/block/schedule.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork::block {
+namespace {
+
+constexpr double singular_pivot = 1e-15;
+constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
+
+class BlockSolver final : public SaddleSolver {
+ public:
+  explicit BlockSolver(const Kernels& kernels) : kernels_(&kernels) {}
+
+  void analyze(const System& system, const Evaluation&) override {
+    system_ = &system;
+    refuse_massless();
+    schedule_ = std::make_unique<Schedule>(system);
+    factors_.assign(static_cast<std::size_t>(schedule_->factor_size) + slack, 0.0);
+    accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
+    panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
+    updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
+    diagonal_.assign(static_cast<std::size_t>(system.row_count()), 0.0);
+    mass_.clear();
+    for (int body = 0; body < system.body_count(); ++body) {
+      MassBlock block{system.mass(body), {}};
+      Eigen::Map<Mat3<double>>(block.J) = system.inertia(body);
+      mass_.push_back(block);
+    }
+    no_a_.setZero(system.v_size());
+    no_b_.setZero(system.row_count());
+  }
+
+  void factorize(const Evaluation& at, const VectorXd& e) override { factorize(at, e, no_a_, no_b_); }
+
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
+    kernels_->forward(data_, a.data(), b.data());
+    kernels_->backward(data_, x.data(), lambda.data());
+  }
+
+  void factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
+                           MutableVector x, MutableVector lambda) override {
+    factorize(at, e, a, b);
+    kernels_->backward(data_, x.data(), lambda.data());
+  }
+
+  std::int64_t factor_nonzeros() const override { return schedule_->nonzeros; }
+
+ private:
+  void refuse_massless() const {
+    if (system_->massless_bodies().empty()) return;
+    const std::string name = system_->model().body_name(system_->massless_bodies().front());
+    ErrorDetails details;
+    details.bodies = {name};
+    throw OptionError("massless_body",
+                      "body '" + name +
+                          "' has no mass or a singular inertia: linear solver 'block' needs a regular mass "
+                          "matrix; use linear solver 'cholmod'",
+                      details);
+  }
+
+  void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
+    e_ = e;
+    diagonal_.assign(e.data(), e.data() + e.size());
+    data_ = {schedule_->steps.data(),
+             static_cast<std::ptrdiff_t>(schedule_->steps.size()),
+             schedule_->fronts.data(),
+             static_cast<std::ptrdiff_t>(schedule_->fronts.size()),
+             schedule_->segments.data(),
+             schedule_->blocks.data(),
+             schedule_->unknowns.data(),
+             mass_.data(),
+             at.D.data(),
+             e_.data(),
+             factors_.data(),
+             accumulators_.data(),
+             panels_.data(),
+             updates_.data(),
+             diagonal_.data()};
+    const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
+    smallest_pivot_ = {smallest.ratio, smallest.row};
+    if (!(smallest_pivot_.ratio > singular_pivot))
+      detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
+  }
+
+  const System* system_ = nullptr;
+  const Kernels* kernels_;
+  std::unique_ptr<Schedule> schedule_;
+  std::vector<MassBlock> mass_;
+  std::vector<double> factors_, accumulators_, panels_, updates_, diagonal_;
+  VectorXd e_, no_a_, no_b_;
+  Data data_{};
+};
+
+}  // namespace
+
+std::unique_ptr<SaddleSolver> make_block_solver(const Kernels& kernels) {
+  return std::make_unique<BlockSolver>(kernels);
+}
+
+}  // namespace linkwork::block

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "linkwork/linear/block/kernels.hpp"
+#include "linkwork/linear/saddle_solver.hpp"
+
+namespace linkwork::block {
+
+/// Factorizes [M D^T; D -E] by dense blocks on a static schedule; see Schedule. M must be regular.
+std::unique_ptr<SaddleSolver> make_block_solver(const Kernels& kernels = best_kernels());
+
+}  // namespace linkwork::block

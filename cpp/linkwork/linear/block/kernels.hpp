@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+
+/// The inner loops of the block solver, compiled once per instruction set (kernels.cpp) and chosen at run time. They
+/// use nothing but plain arrays, so that no inline function of a library is compiled for a processor that may be
+/// absent.
+namespace linkwork::block {
+
+constexpr int lanes = 8;            ///< storage is padded to vectors of 8 doubles on every instruction set
+constexpr int right_hand_side = 6;  ///< lane that carries the right-hand side beside the 6 rows of a body
+
+/// A body at the end of an open branch and the joint that holds it, eliminated together.
+struct TreeStep {
+  int body;
+  int parent;          ///< the joint's other body, or -1 for the ground (or where there is no joint)
+  int row, rows;       ///< of the joint; rows = 0 for a body without joints
+  int slot;            ///< accumulator of the body, or -1 while it has only its own mass
+  int parent_slot;     ///< accumulator of the parent
+  bool parent_begins;  ///< the parent's accumulator is filled with its own mass here
+  std::ptrdiff_t D_body, D_parent;
+  std::ptrdiff_t storage;  ///< place of the factors
+};
+
+/// Mass matrix of a body: m, then J row by row.
+struct MassBlock {
+  double m, J[9];
+};
+
+/// Doubles of factor storage of a step: 6 + 2 rows vectors.
+constexpr std::ptrdiff_t step_storage(int rows) { return (6 + 2 * rows) * lanes; }
+/// Doubles of an accumulator: 6 columns of [M; a].
+constexpr std::ptrdiff_t accumulator_size = 6 * lanes;
+
+/// A dense front of the core: `size` unknowns of which the first `width` are eliminated, and the right-hand side as row
+/// `size`. The panel holds the eliminated columns, the update what they leave for the parent.
+struct Front {
+  int width, size;
+  int parent;              ///< front that takes the update, or -1
+  double sign;             ///< of the update in the parent: -1 for a body (its Schur complement), +1 for joints
+  int body;                ///< the body, or -1 for a front of joints
+  int slot;                ///< accumulator of the body, or -1
+  bool begins_parent;      ///< the first child: the parent is cleared before its update is added
+  std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in x (body) or lambda (joints)
+  std::ptrdiff_t panel, update;
+  std::ptrdiff_t panel_stride, update_stride;
+  int first_segment, segments;  ///< runs of update rows that stand together in the parent
+  int first_block, blocks;      ///< D blocks of a body
+};
+
+struct Segment {
+  int begin, parent_begin, length;
+};
+
+/// Where a D block of a body stands in its front.
+struct BodyBlock {
+  int front_row, rows;
+  std::ptrdiff_t D;
+};
+
+/// Everything that the sweeps read, and the factors that they write.
+struct Data {
+  const TreeStep* steps;
+  std::ptrdiff_t step_count;
+  const Front* fronts;
+  std::ptrdiff_t front_count;
+  const Segment* segments;
+  const BodyBlock* blocks;
+  const int* unknowns;
+  const MassBlock* mass;
+  const double* D;
+  const double* e;  ///< compliance of each row
+  double* factors;
+  double* accumulators;
+  double* panels;
+  double* updates;
+  double* diagonal;  ///< diag(D M^-1 D^T + E) of the rows in the core
+};
+
+/// The smallest pivot relative to its diagonal entry, and its constraint row or -1.
+struct SmallestPivot {
+  double ratio = 1.0;
+  int row = -1;
+};
+
+struct Kernels {
+  const char* name;
+  /// Factors, with forward substitution of a (6 per body) and b (one per row) on the way.
+  SmallestPivot (*factor)(const Data&, const double* a, const double* b);
+  /// The same forward substitution with factors that are there.
+  void (*forward)(const Data&, const double* a, const double* b);
+  /// x (6 per body) and lambda from what a forward substitution left.
+  void (*backward)(const Data&, double* x, double* lambda);
+};
+
+/// The widest set of kernels that this processor runs.
+const Kernels& best_kernels();
+/// All sets that this processor runs, by rising width.
+int available_kernels(const Kernels* out[3]);
+
+}  // namespace linkwork::block

@@ -1,0 +1,386 @@
+#include "linkwork/linear/block/schedule.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "linkwork/linear/block/joint_order.hpp"
+
+namespace linkwork::block {
+namespace {
+
+constexpr int none = -1;
+
+std::ptrdiff_t padded(std::ptrdiff_t count) { return (count + lanes - 1) / lanes * lanes; }
+
+/// For each body that hangs on an open branch, the D block of the joint that holds it, or none.
+struct Branches {
+  std::vector<int> holding_block;  ///< per body; none for the core
+  std::vector<char> peeled;        ///< per body
+  std::vector<char> joint_peeled;  ///< per joint
+};
+
+Branches find_branches(const System& system) {
+  Branches out;
+  const auto n = static_cast<std::size_t>(system.body_count());
+  out.holding_block.assign(n, none);
+  out.peeled.assign(n, 0);
+  out.joint_peeled.assign(static_cast<std::size_t>(system.joint_count()), 0);
+  std::vector<int> left(n), leaves;
+  for (int body = 0; body < system.body_count(); ++body) {
+    const BlockRange blocks = system.body_blocks(body);
+    left[static_cast<std::size_t>(body)] = static_cast<int>(blocks.end() - blocks.begin());
+    if (left[static_cast<std::size_t>(body)] <= 1) leaves.push_back(body);
+  }
+  while (!leaves.empty()) {
+    const int body = leaves.back();
+    leaves.pop_back();
+    if (out.peeled[static_cast<std::size_t>(body)]) continue;
+    out.peeled[static_cast<std::size_t>(body)] = 1;
+    for (const int index : system.body_blocks(body)) {
+      const int joint = system.blocks()[static_cast<std::size_t>(index)].joint;
+      if (out.joint_peeled[static_cast<std::size_t>(joint)]) continue;
+      out.joint_peeled[static_cast<std::size_t>(joint)] = 1;
+      out.holding_block[static_cast<std::size_t>(body)] = index;
+      for (const int other : system.joint_blocks(joint)) {
+        const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
+        if (neighbor != body && --left[static_cast<std::size_t>(neighbor)] <= 1) leaves.push_back(neighbor);
+      }
+    }
+  }
+  return out;
+}
+
+/// The other body of a joint, or none.
+int other_body(const System& system, const ConstraintBlock& block) {
+  for (const int index : system.joint_blocks(block.joint))
+    if (system.blocks()[static_cast<std::size_t>(index)].body != block.body)
+      return system.blocks()[static_cast<std::size_t>(index)].body;
+  return none;
+}
+
+/// Places that are given out and taken back; places of equal size are used again.
+class Places {
+ public:
+  std::ptrdiff_t take(std::ptrdiff_t size) {
+    size = std::max<std::ptrdiff_t>(size, lanes);  // places are told apart by where they begin
+    if (const auto found = free_.lower_bound(size); found != free_.end() && found->first <= 2 * size) {
+      const std::ptrdiff_t place = found->second;
+      taken_[place] = found->first;
+      free_.erase(found);
+      return place;
+    }
+    const std::ptrdiff_t place = total_;
+    taken_[place] = size;
+    total_ += size;
+    return place;
+  }
+  void give_back(std::ptrdiff_t place) {
+    const auto found = taken_.find(place);
+    free_.emplace(found->second, place);
+    taken_.erase(found);
+  }
+  std::ptrdiff_t total() const { return total_; }
+
+ private:
+  std::multimap<std::ptrdiff_t, std::ptrdiff_t> free_;
+  std::map<std::ptrdiff_t, std::ptrdiff_t> taken_;
+  std::ptrdiff_t total_ = 0;
+};
+
+/// Fills the tree part; returns the accumulator of each body that has one when the tree is done (the core's).
+class TreeBuilder {
+ public:
+  TreeBuilder(const System& system, const Branches& branches, Schedule& out)
+      : system_(system), branches_(branches), out_(out), slot_(static_cast<std::size_t>(system.body_count()), none) {
+    group_children();
+    std::vector<int> roots;
+    for (int body = 0; body < system.body_count(); ++body)
+      if (!branches.peeled[static_cast<std::size_t>(body)] || parent(body) == none) roots.push_back(body);
+    for (const int root : roots) visit(root);
+    out_.accumulator_count = slots_;
+  }
+  int slot(int body) const { return slot_[static_cast<std::size_t>(body)]; }
+
+ private:
+  int parent(int body) const {
+    const int index = branches_.holding_block[static_cast<std::size_t>(body)];
+    if (!branches_.peeled[static_cast<std::size_t>(body)] || index == none) return none;
+    return other_body(system_, system_.blocks()[static_cast<std::size_t>(index)]);
+  }
+
+  void group_children() {
+    const int n = system_.body_count();
+    child_begin_.assign(static_cast<std::size_t>(n) + 1, 0);
+    for (int body = 0; body < n; ++body)
+      if (const int p = parent(body); p != none) child_begin_[static_cast<std::size_t>(p) + 1] += 1;
+    std::partial_sum(child_begin_.begin(), child_begin_.end(), child_begin_.begin());
+    child_.resize(static_cast<std::size_t>(child_begin_.back()));
+    std::vector<int> next(child_begin_.begin(), child_begin_.end() - 1);
+    for (int body = 0; body < n; ++body)
+      if (const int p = parent(body); p != none)
+        child_[static_cast<std::size_t>(next[static_cast<std::size_t>(p)]++)] = body;
+  }
+
+  /// Depth first, children before parents.
+  void visit(int root) {
+    std::vector<std::pair<int, int>> path = {{root, child_begin_[static_cast<std::size_t>(root)]}};
+    while (!path.empty()) {
+      auto& [body, next] = path.back();
+      if (next < child_begin_[static_cast<std::size_t>(body) + 1]) {
+        const int child = child_[static_cast<std::size_t>(next++)];
+        path.emplace_back(child, child_begin_[static_cast<std::size_t>(child)]);
+        continue;
+      }
+      const int done = body;
+      path.pop_back();
+      if (branches_.peeled[static_cast<std::size_t>(done)]) append(done);
+    }
+  }
+
+  void append(int body) {
+    TreeStep step{};
+    step.body = body;
+    step.parent = parent(body);
+    step.slot = slot(body);
+    step.parent_slot = none;
+    step.storage = out_.factor_size;
+    if (const int index = branches_.holding_block[static_cast<std::size_t>(body)]; index != none) {
+      const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
+      step.row = block.row;
+      step.rows = block.rows;
+      step.D_body = block.offset;
+      for (const int other : system_.joint_blocks(block.joint))
+        if (other != index) step.D_parent = system_.blocks()[static_cast<std::size_t>(other)].offset;
+    }
+    if (step.parent != none) {
+      step.parent_begins = slot(step.parent) == none;
+      if (step.parent_begins) slot_[static_cast<std::size_t>(step.parent)] = take_slot();
+      step.parent_slot = slot(step.parent);
+    }
+    if (step.slot != none) free_slots_.push_back(step.slot);
+    out_.factor_size += step_storage(step.rows);
+    out_.nonzeros += 21 + step.rows * (step.rows + 1) / 2 + 6 * step.rows;
+    const double m = step.rows;
+    out_.flops += 91.0 + m * (36.0 + 6.0 * (m + 1.0) + 6.0 * m + 21.0 * 2.0) + m * m * m / 3.0 + 24.0 * m + 72.0;
+    out_.steps.push_back(step);
+  }
+
+  // The parent's slot is taken before the body's own is given back: the two are read and written in one step.
+  int take_slot() {
+    if (free_slots_.empty()) return slots_++;
+    const int slot = free_slots_.back();
+    free_slots_.pop_back();
+    return slot;
+  }
+
+  const System& system_;
+  const Branches& branches_;
+  Schedule& out_;
+  std::vector<int> slot_, free_slots_, child_begin_, child_;
+  int slots_ = 0;
+};
+
+/// Fills the core: fronts of its bodies and of supernodes of joints.
+class CoreBuilder {
+ public:
+  CoreBuilder(const System& system, const Branches& branches, const TreeBuilder& tree, Schedule& out)
+      : system_(system), branches_(branches), tree_(tree), out_(out) {
+    for (int joint = 0; joint < system.joint_count(); ++joint)
+      if (!branches.joint_peeled[static_cast<std::size_t>(joint)]) joints_.push_back(joint);
+    if (joints_.empty()) return;
+    order_joints();
+    place_bodies();
+    append_fronts();
+    connect();
+    out_.update_size = updates_.total();
+  }
+
+ private:
+  int rows_of(int joint) const {
+    const auto& rows = system_.model().joint_rows();
+    return rows[static_cast<std::size_t>(joint) + 1] - rows[static_cast<std::size_t>(joint)];
+  }
+
+  void order_joints() {
+    core_index_.assign(static_cast<std::size_t>(system_.joint_count()), none);
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      core_index_[static_cast<std::size_t>(joints_[k])] = static_cast<int>(k);
+    JointGraph graph;
+    graph.weight.reserve(joints_.size());
+    for (const int joint : joints_) graph.weight.push_back(rows_of(joint));
+    for (int body = 0; body < system_.body_count(); ++body) {
+      std::vector<int> clique = core_joints(body);
+      if (!clique.empty()) graph.cliques.push_back(std::move(clique));
+    }
+    elimination_ = order_joint_graph(graph);
+    position_.resize(joints_.size());
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      position_[static_cast<std::size_t>(elimination_.order[k])] = static_cast<int>(k);
+  }
+
+  /// Core indices of the joints in loops on a body.
+  std::vector<int> core_joints(int body) const {
+    std::vector<int> out;
+    for (const int index : system_.body_blocks(body)) {
+      const int core = core_index_[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].joint)];
+      if (core != none) out.push_back(core);
+    }
+    return out;
+  }
+
+  /// Each body stands before the supernode of its first joint.
+  void place_bodies() {
+    bodies_of_.resize(elimination_.supernodes.size());
+    for (int body = 0; body < system_.body_count(); ++body) {
+      int first = none;
+      for (const int core : core_joints(body))
+        if (first == none || position_[static_cast<std::size_t>(core)] < first)
+          first = position_[static_cast<std::size_t>(core)];
+      if (first != none)
+        bodies_of_[static_cast<std::size_t>(elimination_.supernode_of[static_cast<std::size_t>(first)])].push_back(
+            body);
+    }
+  }
+
+  void append_fronts() {
+    front_of_.assign(elimination_.supernodes.size(), none);
+    for (std::size_t s = 0; s < elimination_.supernodes.size(); ++s) {
+      for (const int body : bodies_of_[s]) append_body(body, static_cast<int>(s));
+      append_joints(static_cast<int>(s));
+    }
+  }
+
+  void append_body(int body, int supernode) {
+    Front front{};
+    front.width = 6;
+    front.sign = -1.0;
+    front.body = body;
+    front.slot = tree_.slot(body);
+    front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
+    front.first_block = static_cast<int>(out_.blocks.size());
+    for (int k = 0; k < 6; ++k) out_.unknowns.push_back(6 * body + k);
+    std::vector<std::pair<int, int>> blocks;  // (position of the joint, block)
+    for (const int index : system_.body_blocks(body)) {
+      const int core = core_index_[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].joint)];
+      if (core != none) blocks.emplace_back(position_[static_cast<std::size_t>(core)], index);
+    }
+    std::sort(blocks.begin(), blocks.end());
+    int row = 6;
+    std::vector<int> positions;
+    for (const auto& [position, index] : blocks) {
+      const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
+      out_.blocks.push_back({row, block.rows, block.offset});
+      for (int k = 0; k < block.rows; ++k) out_.unknowns.push_back(block.row + k);
+      row += block.rows;
+      positions.push_back(position);
+    }
+    front.blocks = static_cast<int>(blocks.size());
+    finish(front, row, supernode, std::move(positions));
+  }
+
+  void append_joints(int s) {
+    const Supernode& node = elimination_.supernodes[static_cast<std::size_t>(s)];
+    Front front{};
+    front.sign = 1.0;
+    front.body = none;
+    front.slot = none;
+    front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
+    int size = 0;
+    for (int k = node.first; k < node.last; ++k) size += append_rows(k);
+    front.width = size;
+    for (const int k : node.below) size += append_rows(k);
+    front_of_[static_cast<std::size_t>(s)] = static_cast<int>(out_.fronts.size());
+    finish(front, size, node.parent, node.below);
+  }
+
+  int append_rows(int position) {
+    const int joint = joints_[static_cast<std::size_t>(elimination_.order[static_cast<std::size_t>(position)])];
+    const int rows = rows_of(joint), first = system_.model().joint_rows()[static_cast<std::size_t>(joint)];
+    for (int k = 0; k < rows; ++k) out_.unknowns.push_back(first + k);
+    return rows;
+  }
+
+  void finish(Front& front, int size, int parent_supernode, std::vector<int> below) {
+    front.size = size;
+    front.panel_stride = padded(size + 1);
+    front.update_stride = padded(size + 1 - front.width);
+    front.panel = out_.panel_size;
+    out_.panel_size += front.width * front.panel_stride;
+    parent_supernode_.push_back(parent_supernode);
+    below_.push_back(std::move(below));
+    const double w = front.width, r = size + 1.0 - w;
+    out_.flops += w * w * w / 3.0 + w * w * r + w * r * r;
+    out_.nonzeros += front.width * (front.width + 1) / 2 + front.width * (size - front.width);
+    out_.fronts.push_back(front);
+  }
+
+  /// Parents, runs of rows in them, and the places of the updates over their lifetimes.
+  void connect() {
+    std::vector<char> begun(out_.fronts.size(), 0);
+    for (std::size_t f = 0; f < out_.fronts.size(); ++f) {
+      Front& front = out_.fronts[f];
+      const std::ptrdiff_t size = (front.size - front.width) * front.update_stride;
+      if (!begun[f]) front.update = updates_.take(size);
+      const int s = parent_supernode_[f];
+      front.parent = s == none ? none : front_of_[static_cast<std::size_t>(s)];
+      front.first_segment = static_cast<int>(out_.segments.size());
+      if (front.parent != none) {
+        Front& parent = out_.fronts[static_cast<std::size_t>(front.parent)];
+        front.begins_parent = !begun[static_cast<std::size_t>(front.parent)];
+        if (front.begins_parent) parent.update = updates_.take((parent.size - parent.width) * parent.update_stride);
+        begun[static_cast<std::size_t>(front.parent)] = 1;
+        append_segments(below_[f], elimination_.supernodes[static_cast<std::size_t>(s)]);
+      }
+      front.segments = static_cast<int>(out_.segments.size()) - front.first_segment;
+      updates_.give_back(front.update);
+    }
+  }
+
+  void append_segments(const std::vector<int>& below, const Supernode& parent) {
+    int row = 0, parent_row = 0, position = parent.first;
+    auto next = parent.below.begin();
+    const auto advance = [&] {  // to the next joint of the parent
+      parent_row += rows_at(position);
+      if (position + 1 < parent.last) position += 1;
+      else if (position < parent.last) position = next == parent.below.end() ? none : *next++;
+      else position = next == parent.below.end() ? none : *next++;
+    };
+    bool joined = false;
+    for (const int joint : below) {
+      while (position != joint) {
+        advance();
+        joined = false;
+      }
+      const int rows = rows_at(joint);
+      if (joined) out_.segments.back().length += rows;
+      else out_.segments.push_back({row, parent_row, rows});
+      joined = true;
+      row += rows;
+      advance();
+    }
+  }
+
+  int rows_at(int position) const {
+    return rows_of(joints_[static_cast<std::size_t>(elimination_.order[static_cast<std::size_t>(position)])]);
+  }
+
+  const System& system_;
+  const Branches& branches_;
+  const TreeBuilder& tree_;
+  Schedule& out_;
+  std::vector<int> joints_, core_index_, position_, front_of_, parent_supernode_;
+  std::vector<std::vector<int>> bodies_of_, below_;
+  Elimination elimination_;
+  Places updates_;
+};
+
+}  // namespace
+
+Schedule::Schedule(const System& system) {
+  const Branches branches = find_branches(system);
+  const TreeBuilder tree(system, branches, *this);
+  const CoreBuilder core(system, branches, tree, *this);
+}
+
+}  // namespace linkwork::block

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "linkwork/assembly/system.hpp"
+#include "linkwork/linear/block/kernels.hpp"
+
+namespace linkwork::block {
+
+/// The symbolic phase: which body and joint is eliminated when, and where every number stands.
+///
+/// Open branches go leaf to root, each body with the joint that holds it: no fill, and no cancellation, because
+/// inertias only add up on the way. What is left are closed loops, the core: its bodies first, then its joints in a
+/// fill-reducing order of the graph "joints that share a body", gathered into supernodes (multifrontal method, Duff and
+/// Reid 1983).
+struct Schedule {
+  explicit Schedule(const System& system);
+
+  std::vector<TreeStep> steps;
+  std::vector<Front> fronts;
+  std::vector<Segment> segments;
+  std::vector<BodyBlock> blocks;
+  std::vector<int> unknowns;
+  std::ptrdiff_t factor_size = 0;  ///< doubles of tree factors
+  std::ptrdiff_t accumulator_count = 0;
+  std::ptrdiff_t panel_size = 0, update_size = 0;
+  double flops = 0.0;         ///< of one factorization
+  std::int64_t nonzeros = 0;  ///< of the factors
+};
+
+}  // namespace linkwork::block

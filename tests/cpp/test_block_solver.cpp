@@ -1,0 +1,253 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/LU>
+
+#include "linkwork/linear/block/block_solver.hpp"
+#include "linkwork/linear/block/schedule.hpp"
+#include "linkwork/math/error.hpp"
+#include "support.hpp"
+
+using namespace support;
+
+namespace {
+
+/// Runs a check with the kernels of every instruction set that this processor has.
+template <class Check>
+void for_every_instruction_set(Check check) {
+  const block::Kernels* all[3];
+  const int count = block::available_kernels(all);
+  for (int k = 0; k < count; ++k) {
+    INFO("kernels of ", std::string(all[k]->name));
+    const auto solver = block::make_block_solver(*all[k]);
+    check(*solver);
+  }
+}
+
+/// A square net of n x n nodes, rods between neighbours joined by balls, the first node on the ground.
+Model net(Random& random, int n) {
+  Model model;
+  std::vector<std::vector<std::pair<int, double>>> rods_at(static_cast<std::size_t>(n * n));  // (body, end along its x)
+  std::vector<Vec3<double>> nodes;
+  for (int k = 0; k < n * n; ++k) nodes.emplace_back(k % n, k / n, 0.3 * random.number());
+  const auto add_rod = [&](int a, int b) {
+    const Vec3<double> along = nodes[static_cast<std::size_t>(b)] - nodes[static_cast<std::size_t>(a)];
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3<double>::UnitX(), along);
+    Body rod;
+    rod.inertia = Vec3<double>(0.002, 0.08, 0.08).asDiagonal();
+    rod.position = 0.5 * (nodes[static_cast<std::size_t>(a)] + nodes[static_cast<std::size_t>(b)]);
+    rod.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
+    const int body = model.add_body("rod" + std::to_string(model.bodies().size()), rod);
+    rods_at[static_cast<std::size_t>(a)].emplace_back(body, -0.5 * along.norm());
+    rods_at[static_cast<std::size_t>(b)].emplace_back(body, 0.5 * along.norm());
+  };
+  for (int k = 0; k < n * n; ++k) {
+    if (k % n + 1 < n) add_rod(k, k + 1);
+    if (k + n < n * n) add_rod(k, k + n);
+  }
+  for (std::size_t node = 0; node < rods_at.size(); ++node)
+    for (std::size_t k = node == 0 ? 0 : 1; k < rods_at[node].size(); ++k) {
+      const auto& [body, end] = rods_at[node][k];
+      const bool grounded = node == 0 && k == 0;
+      const auto& [other, other_end] = grounded ? std::pair<int, double>(ground, 0.0) : rods_at[node].front();
+      Attachment<double> at{Vec3<double>(other_end, 0, 0), Vec3<double>(end, 0, 0), Mat3<double>::Identity(),
+                            Mat3<double>::Identity()};
+      if (grounded) at.s_i = nodes[0];
+      model.add_joint("spherical", "ball" + std::to_string(model.joints().size()), other, body, at);
+    }
+  return model;
+}
+
+/// A tree with loops closed by every kind of joint.
+Model loops(Random& random, int bodies) {
+  Model model = random_tree(random, bodies);
+  for (std::size_t kind = 0; kind < joint_kinds().size(); ++kind) {
+    const int i = random.integer(0, bodies - 1), j = random.integer(ground, bodies - 1);
+    if (i != j) add_joint(model, random, joint_kinds()[kind].info.name, "closing" + std::to_string(kind), i, j);
+  }
+  return model;
+}
+
+/// Largest residuals of the two block rows, each relative to its largest term.
+std::pair<double, double> residuals(const System& system, const Evaluation& at, const VectorXd& e, const VectorXd& a,
+                                    const VectorXd& b, const VectorXd& x, const VectorXd& lambda) {
+  VectorXd Mx(a.size()), Dx(b.size()), Dl = VectorXd::Zero(a.size());
+  system.multiply_mass(x, Mx);
+  system.multiply_D(at, x, Dx);
+  system.add_D_transposed(at, lambda, Dl);
+  const double first = (Mx - Dl - a).cwiseAbs().maxCoeff();
+  const double second = b.size() ? (Dx + e.cwiseProduct(lambda) - b).cwiseAbs().maxCoeff() : 0.0;
+  const double size = std::max({Mx.cwiseAbs().maxCoeff(), Dl.cwiseAbs().maxCoeff(), a.cwiseAbs().maxCoeff()});
+  return {first / size, second / std::max(b.size() ? b.cwiseAbs().maxCoeff() : 1.0, x.cwiseAbs().maxCoeff())};
+}
+
+void check_solves(SaddleSolver& solver, const System& system, Random& random, bool compliant) {
+  const Evaluation at = evaluate_initially(system);
+  const VectorXd e = compliant ? VectorXd(1e-3 * (random.vector(system.row_count()).array() + 1.5))
+                               : VectorXd(VectorXd::Zero(system.row_count()));
+  const VectorXd a = random.vector(system.v_size()), b = random.vector(system.row_count());
+  VectorXd x(a.size()), lambda(b.size()), x_again(a.size()), lambda_again(b.size());
+  solver.analyze(system, at);
+  solver.factorize_and_solve(at, e, a, b, x, lambda);
+  const auto [first, second] = residuals(system, at, e, a, b, x, lambda);
+  CHECK(first < 1e-11);
+  CHECK(second < 1e-11);
+  solver.solve(2.0 * a, 2.0 * b, x_again, lambda_again);  // the separate forward substitution
+  CHECK(relative_error(x_again, 2.0 * x) < 1e-10);
+  CHECK(relative_error(lambda_again, 2.0 * lambda) < 1e-9);
+  solver.factorize(at, e);
+  solver.solve(a, b, x_again, lambda_again);
+  CHECK(relative_error(x_again, x) < 1e-10);
+}
+
+}  // namespace
+
+TEST_CASE("open branches of every kind of joint are solved on every instruction set") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(11);
+    for (const JointKind& kind : joint_kinds()) {
+      INFO(kind.info.name);
+      const System system(random_chain(random, 12, kind.info.name));
+      check_solves(solver, system, random, false);
+      check_solves(solver, system, random, true);
+    }
+    const System tree(random_tree(random, 60));
+    check_solves(solver, tree, random, false);
+  });
+}
+
+TEST_CASE("loops closed by every kind of joint, dependent rows included, are solved with compliance") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(12);
+    for (int trial = 0; trial < 20; ++trial) {
+      const System system(loops(random, random.integer(3, 25)));
+      check_solves(solver, system, random, true);
+    }
+  });
+}
+
+TEST_CASE("nets, whose fronts are wider than a vector, are solved exactly") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    for (const int n : {2, 3, 5, 9, 14}) {
+      INFO("net ", n);
+      Random random(static_cast<std::uint64_t>(n));
+      const System system(net(random, n));
+      check_solves(solver, system, random, false);
+      check_solves(solver, system, random, true);
+    }
+  });
+}
+
+TEST_CASE("accelerations agree with dense elimination where masses are spread over six decades") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(13);
+    Model model = net(random, 3);
+    Model scaled;
+    for (std::size_t k = 0; k < model.bodies().size(); ++k) {
+      Body body = model.bodies()[k];
+      const double factor = std::pow(10.0, random.number(-3.0, 3.0));
+      body.mass *= factor;
+      body.inertia *= factor;
+      scaled.add_body(model.body_name(static_cast<int>(k)), body);
+    }
+    for (const Element& joint : model.joints())
+      scaled.add_joint("spherical", "j" + std::to_string(scaled.joints().size()), joint.i, joint.j, joint.at);
+    const System system(scaled);
+    const Evaluation at = evaluate_initially(system);
+    const MatrixXd M = dense_M(scaled), D = dense_D(system, at);
+    const VectorXd a = M * random.vector(system.v_size()), b = random.vector(system.row_count());
+    const MatrixXd S = D * M.inverse() * D.transpose();
+    const VectorXd l = S.ldlt().solve(b - D * M.inverse() * a), exact = M.inverse() * (a + D.transpose() * l);
+    VectorXd x(a.size()), lambda(b.size());
+    solver.analyze(system, at);
+    solver.factorize_and_solve(at, VectorXd::Zero(b.size()), a, b, x, lambda);
+    CHECK(relative_error(x, exact) < 1e-10);
+  });
+}
+
+TEST_CASE("a body without joints falls freely") {
+  Random random(14);
+  Model model;
+  model.add_body("free", random_body(random));
+  const System system(model);
+  const Evaluation at = evaluate_initially(system);
+  const VectorXd a = random.vector(6);
+  VectorXd x(6), lambda(0), exact(6);
+  system.multiply_inverse_mass(a, exact);
+  for_every_instruction_set([&](SaddleSolver& solver) {
+    solver.analyze(system, at);
+    solver.factorize_and_solve(at, VectorXd(0), a, VectorXd(0), x, lambda);
+    CHECK(relative_error(x, exact) < 1e-14);
+  });
+}
+
+TEST_CASE("a hub with many arms costs in proportion to its arms") {
+  const auto flops = [](int arms) {
+    Random random(15);
+    Model model;
+    model.add_body("hub", random_body(random));
+    for (int arm = 1; arm <= arms; ++arm) {
+      model.add_body("arm" + std::to_string(arm), random_body(random));
+      add_joint(model, random, "revolute", "pin" + std::to_string(arm), 0, arm);
+    }
+    const System system(model);
+    return block::Schedule(system).flops;
+  };
+  CHECK(flops(1000) / flops(100) < 10.1);
+}
+
+TEST_CASE("a doubled joint is refused and named, and so is a body without mass") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(16);
+    Model model = random_chain(random, 3, "revolute");
+    const Element& pin = model.joints()[1];
+    model.add_joint("revolute", "again", pin.i, pin.j, pin.at);
+    const System system(model);
+    const Evaluation at = evaluate_initially(system);
+    solver.analyze(system, at);
+    try {
+      solver.factorize(at, VectorXd::Zero(system.row_count()));
+      FAIL("a doubled joint was factorized");
+    } catch (const SingularSystemError& error) {
+      REQUIRE(error.details.joints.size() == 1);
+      const std::string& joint = error.details.joints.front();
+      CHECK((joint == "again" || joint == "revolute1"));
+    }
+  });
+  Model model;
+  Body massless;
+  massless.mass = 0.0;
+  model.add_body("ghost", massless);
+  const System system(model);
+  CHECK_THROWS_WITH_AS(block::make_block_solver()->analyze(system, evaluate_initially(system)),
+                       doctest::Contains("ghost"), OptionError);
+}
+
+TEST_CASE("the same numbers give the same factors to the last bit") {
+  Random random(18);
+  const System system(net(random, 6));
+  const Evaluation at = evaluate_initially(system);
+  const VectorXd e = VectorXd::Zero(system.row_count()), a = random.vector(system.v_size()),
+                 b = random.vector(system.row_count());
+  for_every_instruction_set([&](SaddleSolver& solver) {
+    VectorXd x(a.size()), lambda(b.size()), x_again(a.size()), lambda_again(b.size());
+    solver.analyze(system, at);
+    solver.factorize_and_solve(at, e, a, b, x, lambda);
+    solver.factorize_and_solve(at, (e.array() + 2.0).matrix(), 3.0 * a, b, x_again, lambda_again);
+    solver.factorize_and_solve(at, e, a, b, x_again, lambda_again);
+    CHECK((x_again.array() == x.array()).all());
+    CHECK((lambda_again.array() == lambda.array()).all());
+  });
+}
+
+TEST_CASE("a state that is not a number never factorizes") {
+  Random random(17);
+  for (const bool open : {true, false}) {
+    const System system(open ? random_chain(random, 4, "revolute") : net(random, 3));
+    Evaluation at = evaluate_initially(system);
+    at.D[static_cast<std::size_t>(system.blocks().back().offset)] = NAN;
+    for_every_instruction_set([&](SaddleSolver& solver) {
+      solver.analyze(system, at);
+      CHECK_THROWS_AS(solver.factorize(at, VectorXd::Zero(system.row_count())), SingularSystemError);
+    });
+  }
+}
