@@ -7,10 +7,15 @@
 namespace linkwork {
 
 bool can_solve(const std::string& form, const LinearSolverInfo& solver) {
+  if (solver.make_saddle) return form != "schur";
   return form != "kkt" || !solver.positive_definite;
 }
 
 std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver) {
+  if (!can_solve(form, solver) && solver.make_saddle)
+    throw OptionError("linear_solver", "linear solver '" + solver.name +
+                                           "' works on the blocks of the kkt matrix and forms no other; use system "
+                                           "'kkt' or 'auto', or linear solver 'cholmod'");
   if (!can_solve(form, solver))
     throw OptionError("linear_solver", "linear solver '" + solver.name +
                                            "' needs a positive definite matrix and the kkt matrix is indefinite; use "
