@@ -5,6 +5,7 @@
 #include <Eigen/SparseQR>
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 
 #if LINKWORK_WITH_GPL
@@ -89,14 +90,12 @@ std::vector<int> dead_columns(Matrix& A, double tolerance) {
 
 std::vector<int> dependent_columns(int rows, int columns, std::vector<Entry> entries, double tolerance) {
   if (columns == 0) return {};
-  std::vector<int> dead(static_cast<std::size_t>(columns));
-  if (entries.empty()) {  // a zero matrix: all columns
-    for (int c = 0; c < columns; ++c) dead[static_cast<std::size_t>(c)] = c;
-    return dead;
-  }
   Matrix A = assemble(rows, columns, entries);
   entries = {};
-  dead = dead_columns(A, tolerance * largest_column(A));
+  const double largest = largest_column(A);
+  std::vector<int> dead(static_cast<std::size_t>(columns));
+  std::iota(dead.begin(), dead.end(), 0);
+  if (largest > 0.0) dead = dead_columns(A, tolerance * largest);
   std::sort(dead.begin(), dead.end());
   return dead;
 }
