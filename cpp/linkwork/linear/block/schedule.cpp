@@ -343,7 +343,6 @@ class CoreBuilder {
     const auto advance = [&] {  // to the next joint of the parent
       parent_row += rows_at(position);
       if (position + 1 < parent.last) position += 1;
-      else if (position < parent.last) position = next == parent.below.end() ? none : *next++;
       else position = next == parent.below.end() ? none : *next++;
     };
     bool joined = false;
