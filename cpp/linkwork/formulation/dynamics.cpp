@@ -169,7 +169,7 @@ void Dynamics::factorize_and_solve(const ConstVector& a, const ConstVector& b, M
     if (y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
     throw NotFiniteError("not_finite",
                          "the state became infinite or undefined within a step: the run diverged; use a "
-                         "smaller step");
+                         "smaller step, or see whether the mechanism locks in this pose");
   }
   factorized_ = true;
   statistics_.factorizations += 1;

@@ -28,7 +28,10 @@ void append(std::vector<double>& list, const ConstVector& values) {
     details.bodies = {system.model().body_name(static_cast<int>(fastest / velocity_size))};
   }
   const std::string who = "body '" + details.bodies.front() + "'";
-  throw NotFiniteError("not_finite", who + " became infinite or undefined: the run diverged; use a smaller step",
+  throw NotFiniteError("not_finite",
+                       who +
+                           " became infinite or undefined: the run diverged; use a smaller step, or see whether the "
+                           "mechanism locks in this pose",
                        details);
 }
 
