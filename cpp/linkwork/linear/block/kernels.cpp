@@ -1,174 +1,144 @@
 // Compiled once per instruction set with LINKWORK_ISA = v2, v3, v4; see CMakeLists.txt.
 #include "linkwork/linear/block/kernels.hpp"
+#include "linkwork/math/simd.hpp"
 
 namespace linkwork::block {
 namespace {
 
-typedef double Vector __attribute__((vector_size(8 * lanes)));
-typedef double Unaligned __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
+using namespace simd::LINKWORK_ISA;
 
-#define LINKWORK_INLINE inline __attribute__((always_inline))
+constexpr double right_hand_side_lane[lanes] = {0, 0, 0, 0, 0, 0, 1, 0};
+constexpr double minus_x[lanes] = {-1, -1, -1, -1, -1, -1, 0, 0};
 
-LINKWORK_INLINE Vector splat(double x) { return Vector{x, x, x, x, x, x, x, x}; }
-LINKWORK_INLINE Vector load(const double* p) { return *reinterpret_cast<const Unaligned*>(p); }
-LINKWORK_INLINE void store(double* p, Vector v) { *reinterpret_cast<Unaligned*>(p) = v; }
-LINKWORK_INLINE Vector load6(const double* p) { return Vector{p[0], p[1], p[2], p[3], p[4], p[5], 0.0, 0.0}; }
-LINKWORK_INLINE double sum6(Vector v) { return ((v[0] + v[1]) + (v[2] + v[3])) + (v[4] + v[5]); }
-
-/// Column c of M with a_c in the lane of the right-hand side.
-LINKWORK_INLINE Vector mass_column(const MassBlock& mass, int c, double a_c) {
-  Vector v = splat(0.0);
-  if (c < 3) {
-    v[c] = mass.m;
+/// Columns of a block of D with `rows` rows.
+template <int rows>
+LINKWORK_INLINE void load_columns(const double* D, Vector* columns) {
+  if constexpr (width == 8) {
+    Native square[width];
+    for (int r = 0; r < width; ++r) square[r] = r < rows ? load_first<6>(D + 6 * r).part[0] : Native{};
+    transpose(square);
+    for (int c = 0; c < 6; ++c) columns[c].part[0] = square[c];
   } else {
-    for (int r = 0; r < 3; ++r) v[3 + r] = mass.J[3 * r + c - 3];
+    for (int c = 0; c < 6; ++c) {
+      columns[c] = splat(0.0);
+      for (int r = 0; r < rows; ++r) columns[c].set(r, D[6 * r + c]);
+    }
   }
-  v[right_hand_side] = a_c;
-  return v;
 }
 
-LINKWORK_INLINE void note(SmallestPivot& smallest, double ratio, int row) {
-  if (!(ratio >= smallest.ratio)) smallest = {ratio == ratio ? ratio : -1.0, row};
+/// Column c of M, and a_c in the lane of the right-hand side.
+LINKWORK_INLINE Vector mass_column(const MassBlock& mass, int c, double a_c) {
+  const Vector column = c < 3 ? unit(c) * splat(mass.m) : load_lanes<3, 3>(mass.J + 3 * (c - 3));
+  return column + unit(right_hand_side) * splat(a_c);
 }
 
-// --- open branches
-// -----------------------------------------------------------------------------------------------------
+/// Keeps the smallest pivot relative to its diagonal entry.
+LINKWORK_INLINE void note(SmallestPivot& smallest, double pivot, double diagonal, int row) {
+  if (pivot >= smallest.ratio * diagonal) return;
+  const double ratio = pivot / diagonal;
+  smallest = {ratio == ratio ? ratio : -1.0, row};
+}
+
+// --- open branches ---------------------------------------------------------------------------------------------------
 //
-// A body b held by one joint with rows D_b, D_p (p: the parent):
-//   M_b = L D L^T,  W = D_b L^-T,  S = E + W D^-1 W^T = K D' K^T,  V = K^-1 D_p
-//   M_p += V^T D'^-1 V,  a_p += V^T D'^-1 z,  z = K^-1 (b - W D^-1 y),  y = L^-1 a_b
-// Right-hand sides ride along as a further row of each panel. Stored: unit L with 1/d on its diagonal and y/d in lane
-// 6, the same for K, and V scaled by 1/d' with z/d' in lane 6.
+// A body b held by one joint with rows D_b, D_p (p: the parent). With M_b = L D L^T, W = D_b L^-T and
+// S = E + W D^-1 W^T = K D' K^T, V = K^-1 D_p, z = K^-1 (b - D_b M_b^-1 a_b):
+//   M_p += V^T D'^-1 V,  a_p += V^T D'^-1 z
+// and on the way back, with G = M_b^-1 D_b^T, T = S^-1 D_p (the only numbers that are kept):
+//   lambda = S^-1 K z - T x_p,   x_b = M_b^-1 a_b + G lambda
+// Right-hand sides ride along: a in the lane behind the rows of D, z in the lane behind the columns of D_p.
 
 template <int rows>
 LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
                                  SmallestPivot& smallest) {
   constexpr int n = rows > 0 ? rows : 1;  // arrays of length zero are not C++
+  const Vector in_right_hand_side = unit(right_hand_side);
   Vector M[6], W[6];
-  const double* D_body = data.D + step.D_body;
-  for (int c = 0; c < 6; ++c) {
-    M[c] = step.slot >= 0 ? load(data.accumulators + step.slot * accumulator_size + c * lanes)
-                          : mass_column(data.mass[step.body], c, a[6 * step.body + c]);
-    W[c] = splat(0.0);
-    for (int r = 0; r < rows; ++r) W[c][r] = D_body[6 * r + c];
+  load_columns<rows>(data.D + step.D_body, W);
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+    if (step.slot >= 0) M[c] = load(data.accumulators + step.slot * accumulator_size + c * lanes);
+    else M[c] = mass_column(data.mass[step.body], c, a[6 * step.body + c]);
+    W[c] += M[c] * in_right_hand_side;
+  }
+  Vector L[6], G[6];
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+    const Vector pivot = lane(M[k], k), inverse = splat(1.0 / pivot[0]);
+    L[k] = M[k] * inverse;
+    G[k] = W[k] * inverse;
+    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) {
+      // the next pivot waits for this column: one operation less behind the division
+      if (c == k + 1) M[c] -= (M[k] * lane(M[k], c)) * inverse;
+      else M[c] -= M[k] * lane(L[k], c);
+      W[c] -= W[k] * lane(L[k], c);
+    }
+    if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : -1.0, rows > 0 ? step.row : -1};
   }
   double* factors = data.factors + step.storage;
-  Vector W_scaled[6], z = splat(0.0);
-  for (int r = 0; r < rows; ++r) z[r] = b[step.row + r];
-  for (int k = 0; k < 6; ++k) {
-    const double inverse = 1.0 / M[k][k];
-    Vector L = M[k] * splat(inverse);
-    W_scaled[k] = W[k] * splat(inverse);
-    for (int c = k + 1; c < 6; ++c) {
-      M[c] -= M[k] * splat(L[c]);
-      W[c] -= W[k] * splat(L[c]);
-    }
-    z -= W[k] * splat(L[right_hand_side]);
-    if (!(M[k][k] > 0.0)) note(smallest, M[k][k] == M[k][k] ? 0.0 : -1.0, rows > 0 ? step.row : -1);
-    L[k] = inverse;
-    store(factors + k * lanes, L);
-  }
+  Vector S[n], V[n], T[n];
   if constexpr (rows > 0) {
-    Vector S[n], V[n], V_scaled[n];
-    const double* D_parent = data.D + step.D_parent;
-    for (int c = 0; c < rows; ++c) {
-      Vector sum = splat(0.0);
-      for (int k = 0; k < 6; ++k) sum += W[k] * splat(W_scaled[k][c]);
-      sum[c] += data.e[step.row + c];
-      S[c] = sum;
-      V[c] = step.parent >= 0 ? load6(D_parent + 6 * c) : splat(0.0);
-      V[c][right_hand_side] = z[c];
+    LINKWORK_UNROLL for (int c = 0; c < rows; ++c) {
+      S[c] = unit(c) * splat(data.e[step.row + c]);
+      LINKWORK_UNROLL for (int k = 0; k < 6; ++k) S[c] += W[k] * lane(G[k], c);
+      V[c] = unit(right_hand_side) * (splat(b[step.row + c]) - S[c]);
+      if (step.parent >= 0) V[c] += load_first<6>(data.D + step.D_parent + 6 * c);
     }
     double diagonal[n];
-    for (int k = 0; k < rows; ++k) diagonal[k] = S[k][k];
-    for (int k = 0; k < rows; ++k) {
-      note(smallest, S[k][k] / diagonal[k], step.row + k);
-      const double inverse = 1.0 / S[k][k];
-      Vector K = S[k] * splat(inverse);
-      V_scaled[k] = V[k] * splat(inverse);
-      for (int c = k + 1; c < rows; ++c) {
-        S[c] -= S[k] * splat(K[c]);
-        V[c] -= V[k] * splat(K[c]);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) diagonal[k] = S[k][k];
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
+      const Vector pivot = lane(S[k], k), inverse = splat(1.0 / pivot[0]);
+      note(smallest, pivot[0], diagonal[k], step.row + k);
+      const Vector K = S[k] * inverse;
+      T[k] = V[k] * inverse;
+      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) {
+        if (c == k + 1) S[c] -= (S[k] * lane(S[k], c)) * inverse;
+        else S[c] -= S[k] * lane(K, c);
+        V[c] -= V[k] * lane(K, c);
       }
-      K[k] = inverse;
-      store(factors + (6 + k) * lanes, K);
-      store(factors + (6 + rows + k) * lanes, V_scaled[k]);
+      S[k] = K;
     }
     if (step.parent >= 0) {
       double* accumulator = data.accumulators + step.parent_slot * accumulator_size;
-      for (int c = 0; c < 6; ++c) {
-        Vector sum = step.parent_begins ? mass_column(data.mass[step.parent], c, a[6 * step.parent + c])
-                                        : load(accumulator + c * lanes);
-        for (int k = 0; k < rows; ++k) sum += V[k] * splat(V_scaled[k][c]);
+      LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+        Vector sum;
+        if (step.parent_begins) sum = mass_column(data.mass[step.parent], c, a[6 * step.parent + c]);
+        else sum = load(accumulator + c * lanes);
+        LINKWORK_UNROLL for (int k = 0; k < rows; ++k) sum += V[k] * lane(T[k], c);
         store(accumulator + c * lanes, sum);
       }
     }
+    LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) {
+      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) T[k] -= T[c] * lane(S[k], c);
+      store(factors + (6 + k) * lanes, T[k]);
+    }
+  }
+  LINKWORK_UNROLL for (int k = 5; k >= 0; --k) {
+    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) G[k] -= G[c] * lane(L[k], c);
+    store(factors + k * lanes, G[k]);
   }
 }
 
-/// The right-hand side part of factor_step. Accumulators hold only a here, in the first vector.
-template <int rows>
-LINKWORK_INLINE void forward_step(const TreeStep& step, const Data& data, const double* a, const double* b) {
-  double* factors = data.factors + step.storage;
-  double y[6], t[6];
-  for (int c = 0; c < 6; ++c)
-    y[c] = step.slot >= 0 ? data.accumulators[step.slot * accumulator_size + c] : a[6 * step.body + c];
-  for (int k = 0; k < 6; ++k)
-    for (int c = k + 1; c < 6; ++c) y[c] -= factors[k * lanes + c] * y[k];
-  for (int k = 0; k < 6; ++k) {
-    t[k] = y[k] * factors[k * lanes + k];
-    factors[k * lanes + right_hand_side] = t[k];
-  }
-  if constexpr (rows > 0) {
-    for (int k = 5; k >= 0; --k)
-      for (int c = k + 1; c < 6; ++c) t[k] -= factors[k * lanes + c] * t[c];
-    const double* D_body = data.D + step.D_body;
-    double z[rows];
-    for (int r = 0; r < rows; ++r) {
-      z[r] = b[step.row + r];
-      for (int c = 0; c < 6; ++c) z[r] -= D_body[6 * r + c] * t[c];
-    }
-    double* accumulator = data.accumulators + step.parent_slot * accumulator_size;
-    if (step.parent >= 0 && step.parent_begins)
-      for (int c = 0; c < 6; ++c) accumulator[c] = a[6 * step.parent + c];
-    for (int k = 0; k < rows; ++k) {
-      const double* K = factors + (6 + k) * lanes;
-      double* V = factors + (6 + rows + k) * lanes;
-      for (int c = k + 1; c < rows; ++c) z[c] -= K[c] * z[k];
-      V[right_hand_side] = z[k] * K[k];
-      if (step.parent >= 0)
-        for (int c = 0; c < 6; ++c) accumulator[c] += V[c] * z[k];
-    }
-  }
+/// x of a body as (-x, 1), in the accumulator that the way back no longer needs.
+LINKWORK_INLINE void leave_for_children(Vector x, int slot, const Data& data) {
+  store(data.accumulators + slot * accumulator_size, x * load(minus_x) + unit(right_hand_side));
 }
 
-// lambda = K^-T (D'^-1 z - D'^-1 V x_p),   x_b = L^-T (D^-1 y + D^-1 L^-1 D_b^T lambda)
 template <int rows>
 LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, double* x, double* lambda) {
+  const Vector one = unit(right_hand_side);
   const double* factors = data.factors + step.storage;
-  double c[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  Vector products[6], l = splat(0.0);
   if constexpr (rows > 0) {
-    double l[rows];
-    const Vector x_parent = step.parent >= 0 ? load6(x + 6 * step.parent) : splat(0.0);
-    for (int k = 0; k < rows; ++k) {
-      const Vector V = load(factors + (6 + rows + k) * lanes);
-      l[k] = V[right_hand_side] - sum6(V * x_parent);
-    }
-    for (int k = rows - 1; k >= 0; --k) {
-      const double* K = factors + (6 + k) * lanes;
-      for (int r = k + 1; r < rows; ++r) l[k] -= K[r] * l[r];
-      lambda[step.row + k] = l[k];
-    }
-    const double* D_body = data.D + step.D_body;
-    for (int r = 0; r < rows; ++r)
-      for (int k = 0; k < 6; ++k) c[k] += D_body[6 * r + k] * l[r];
-    for (int k = 0; k < 6; ++k)
-      for (int r = k + 1; r < 6; ++r) c[r] -= factors[k * lanes + r] * c[k];
+    const Vector x_parent =
+        load(step.parent >= 0 ? data.accumulators + step.parent_slot * accumulator_size : right_hand_side_lane);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) products[k] = load(factors + (6 + k) * lanes) * x_parent;
+    l = sums<rows>(products);
+    store_first<rows>(lambda + step.row, l);
   }
-  for (int k = 0; k < 6; ++k) c[k] = c[k] * factors[k * lanes + k] + factors[k * lanes + right_hand_side];
-  for (int k = 5; k >= 0; --k)
-    for (int r = k + 1; r < 6; ++r) c[k] -= factors[k * lanes + r] * c[r];
-  for (int k = 0; k < 6; ++k) x[6 * step.body + k] = c[k];
+  l += one;
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) products[k] = load(factors + k * lanes) * l;
+  const Vector x_body = sums<6>(products);
+  store_first<6>(x + 6 * step.body, x_body);
+  if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
 }
 
 #define LINKWORK_BY_ROWS(FUNCTION, ...) \
@@ -317,9 +287,9 @@ void factor_front(const Front& front, const Data& data, SmallestPivot& smallest)
       column[k] = inverse;
       if (front.body < 0) {
         const int row = data.unknowns[front.unknown + k];
-        note(smallest, pivots[k - k0] / data.diagonal[row], row);
+        note(smallest, pivots[k - k0], data.diagonal[row], row);
       } else if (!(pivots[k - k0] > 0.0)) {
-        note(smallest, pivots[k - k0] == pivots[k - k0] ? 0.0 : -1.0, -1);
+        smallest = {pivots[k - k0] == pivots[k - k0] ? 0.0 : -1.0, -1};
       }
     }
   }
@@ -348,12 +318,16 @@ void extend_add(const Front& front, const Data& data) {
     }
 }
 
-SmallestPivot factor(const Data& data, const double* a, const double* b) {
-  SmallestPivot smallest;
+void factor_branches(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
   for (std::ptrdiff_t s = 0; s < data.step_count; ++s) {
     const TreeStep& step = data.steps[s];
     LINKWORK_BY_ROWS(factor_step, step, data, a, b, smallest)
   }
+}
+
+SmallestPivot factor(const Data& data, const double* a, const double* b) {
+  SmallestPivot smallest;
+  factor_branches(data, a, b, smallest);
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
     const Front& front = data.fronts[f];
     if (front.body >= 0) begin_body(front, data, a);
@@ -377,7 +351,9 @@ void forward_front(const Front& front, const Data& data, const double* a, const 
   for (int k = 0; k < front.width; ++k) {
     double& value = panel[k * front.panel_stride + front.size];
     if (front.body < 0) value += b[data.unknowns[front.unknown + k]];
-    else value = front.slot >= 0 ? data.accumulators[front.slot * accumulator_size + k] : a[6 * front.body + k];
+    else
+      value = front.slot >= 0 ? data.accumulators[front.slot * accumulator_size + k * lanes + right_hand_side]
+                              : a[6 * front.body + k];
   }
   for (int k = 0; k < front.width; ++k) {
     double* L = panel + k * front.panel_stride;
@@ -395,11 +371,10 @@ void forward_front(const Front& front, const Data& data, const double* a, const 
           column_of(front, data, front.width + segments[s].begin + c)[front.size];
 }
 
+/// On open branches a substitution would cost what the factorization does: both wait for the way to the root.
 void forward(const Data& data, const double* a, const double* b) {
-  for (std::ptrdiff_t s = 0; s < data.step_count; ++s) {
-    const TreeStep& step = data.steps[s];
-    LINKWORK_BY_ROWS(forward_step, step, data, a, b)
-  }
+  SmallestPivot unchanged;
+  factor_branches(data, a, b, unchanged);
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) forward_front(data.fronts[f], data, a, b);
 }
 
@@ -417,6 +392,7 @@ void backward(const Data& data, double* x, double* lambda) {
       for (int r = k + 1; r < front.width; ++r) value -= L[r] * own[unknown[r]];
       own[unknown[k]] = value;
     }
+    if (front.slot >= 0) leave_for_children(load_first<6>(x + 6 * front.body), front.slot, data);
   }
   for (std::ptrdiff_t s = data.step_count; s-- > 0;) {
     const TreeStep& step = data.steps[s];

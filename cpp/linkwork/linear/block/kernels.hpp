@@ -27,8 +27,8 @@ struct MassBlock {
   double m, J[9];
 };
 
-/// Doubles of factor storage of a step: 6 + 2 rows vectors.
-constexpr std::ptrdiff_t step_storage(int rows) { return (6 + 2 * rows) * lanes; }
+/// Doubles of factor storage of a step: 6 + rows vectors.
+constexpr std::ptrdiff_t step_storage(int rows) { return (6 + rows) * lanes; }
 /// Doubles of an accumulator: 6 columns of [M; a].
 constexpr std::ptrdiff_t accumulator_size = 6 * lanes;
 

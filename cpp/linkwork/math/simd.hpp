@@ -1,0 +1,196 @@
+#pragma once
+
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
+/// Vectors of doubles for files that are compiled once per instruction set (LINKWORK_ISA = v2, v3, v4, the levels of
+/// x86-64; v2 stands for any other processor). Everything here is inlined or lives in a namespace of its own for each
+/// instruction set, so that nothing compiled for a wider one is ever linked where it must not run.
+namespace linkwork::simd::LINKWORK_ISA {
+
+#define LINKWORK_INLINE inline __attribute__((always_inline))
+/// Before a loop over lanes or columns: only where all indices are known do numbers stay in registers.
+#define LINKWORK_UNROLL _Pragma("GCC unroll 8")
+
+#if defined(__AVX512F__)
+constexpr int width = 8;
+#elif defined(__AVX__)
+constexpr int width = 4;
+#else
+constexpr int width = 2;
+#endif
+
+/// As many doubles as one register holds.
+typedef double Native __attribute__((vector_size(8 * width)));
+typedef double UnalignedNative __attribute__((vector_size(8 * width), aligned(8), may_alias));
+typedef long long NativeIndex __attribute__((vector_size(8 * width)));  // of __builtin_shuffle
+
+LINKWORK_INLINE Native load_native(const double* p) { return *reinterpret_cast<const UnalignedNative*>(p); }
+LINKWORK_INLINE void store_native(double* p, Native v) { *reinterpret_cast<UnalignedNative*>(p) = v; }
+LINKWORK_INLINE Native splat_native(double x) { return x - Native{}; }
+
+/// Transposes a square of width x width numbers: lane c of row r becomes lane r of row c. Two rows give the even and
+/// the odd lanes of both, or quarters of lanes; every step is one instruction.
+LINKWORK_INLINE void transpose(Native* v) {
+#if defined(__AVX512F__)
+  Native pair[8], four[8];
+  for (int k = 0; k < 8; k += 2) {
+    pair[k] = __builtin_shufflevector(v[k], v[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    pair[k + 1] = __builtin_shufflevector(v[k], v[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (int h = 0; h < 8; h += 4)
+    for (int k = 0; k < 2; ++k) {  // columns k, k + 4 and k + 2, k + 6 of four rows
+      four[h + k] = __builtin_shufflevector(pair[h + k], pair[h + 2 + k], 0, 1, 4, 5, 8, 9, 12, 13);
+      four[h + k + 2] = __builtin_shufflevector(pair[h + k], pair[h + 2 + k], 2, 3, 6, 7, 10, 11, 14, 15);
+    }
+  for (int k = 0; k < 4; ++k) {
+    v[k] = __builtin_shufflevector(four[k], four[k + 4], 0, 1, 4, 5, 8, 9, 12, 13);
+    v[k + 4] = __builtin_shufflevector(four[k], four[k + 4], 2, 3, 6, 7, 10, 11, 14, 15);
+  }
+#elif defined(__AVX__)
+  Native pair[4];
+  for (int k = 0; k < 4; k += 2) {
+    pair[k] = __builtin_shufflevector(v[k], v[k + 1], 0, 4, 2, 6);
+    pair[k + 1] = __builtin_shufflevector(v[k], v[k + 1], 1, 5, 3, 7);
+  }
+  for (int k = 0; k < 2; ++k) {
+    v[k] = __builtin_shufflevector(pair[k], pair[k + 2], 0, 1, 4, 5);
+    v[k + 2] = __builtin_shufflevector(pair[k], pair[k + 2], 2, 3, 6, 7);
+  }
+#else
+  const Native low = __builtin_shufflevector(v[0], v[1], 0, 2);
+  v[1] = __builtin_shufflevector(v[0], v[1], 1, 3);
+  v[0] = low;
+#endif
+}
+
+/// The first `count` lanes from memory, zero in the others.
+template <int count>
+LINKWORK_INLINE Native load_some(const double* from) {
+#if defined(__AVX512F__)
+  return (Native)_mm512_maskz_loadu_pd((1 << count) - 1, from);
+#else
+  Native v{};
+  for (int k = 0; k < count; ++k) v[k] = from[k];
+  return v;
+#endif
+}
+template <int count>
+LINKWORK_INLINE void store_some(double* to, Native v) {
+#if defined(__AVX512F__)
+  _mm512_mask_storeu_pd(to, (1 << count) - 1, (__m512d)v);
+#else
+  for (int k = 0; k < count; ++k) to[k] = v[k];
+#endif
+}
+
+/// Eight doubles in as many registers as it takes.
+struct Vector {
+  static constexpr int lanes = 8, parts = lanes / width;
+  Native part[parts];
+
+  LINKWORK_INLINE double operator[](int k) const { return part[k / width][k % width]; }
+  LINKWORK_INLINE void set(int k, double x) { part[k / width][k % width] = x; }
+};
+
+#define LINKWORK_EACH_PART for (int p = 0; p < Vector::parts; ++p)
+
+LINKWORK_INLINE Vector splat(double x) {
+  Vector out;
+  LINKWORK_EACH_PART out.part[p] = splat_native(x);
+  return out;
+}
+LINKWORK_INLINE Vector load(const double* from) {
+  Vector out;
+  LINKWORK_EACH_PART out.part[p] = load_native(from + p * width);
+  return out;
+}
+LINKWORK_INLINE void store(double* to, const Vector& v) { LINKWORK_EACH_PART store_native(to + p * width, v.part[p]); }
+LINKWORK_INLINE Vector operator+(const Vector& a, const Vector& b) {
+  Vector out;
+  LINKWORK_EACH_PART out.part[p] = a.part[p] + b.part[p];
+  return out;
+}
+LINKWORK_INLINE Vector operator-(const Vector& a, const Vector& b) {
+  Vector out;
+  LINKWORK_EACH_PART out.part[p] = a.part[p] - b.part[p];
+  return out;
+}
+LINKWORK_INLINE Vector operator*(const Vector& a, const Vector& b) {
+  Vector out;
+  LINKWORK_EACH_PART out.part[p] = a.part[p] * b.part[p];
+  return out;
+}
+LINKWORK_INLINE Vector& operator+=(Vector& a, const Vector& b) { return a = a + b; }
+LINKWORK_INLINE Vector& operator-=(Vector& a, const Vector& b) { return a = a - b; }
+
+/// Lane k of v in all lanes.
+LINKWORK_INLINE Vector lane(const Vector& v, int k) {
+  const NativeIndex index = k % width - NativeIndex{};
+  const Native all = __builtin_shuffle(v.part[k / width], index);
+  Vector out;
+  LINKWORK_EACH_PART out.part[p] = all;
+  return out;
+}
+
+/// 1 in lane k, 0 in the others.
+LINKWORK_INLINE Vector unit(int k) {
+  constexpr double table[15] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+  return load(table + 7 - k);
+}
+
+/// `count` lanes from `first` on from memory, zero in the others.
+template <int first, int count>
+LINKWORK_INLINE Vector load_lanes(const double* from) {
+#if defined(__AVX512F__)
+  return {(Native)_mm512_maskz_loadu_pd(((1 << count) - 1) << first, from - first)};
+#else
+  Vector out = splat(0.0);
+  for (int k = 0; k < count; ++k) out.set(first + k, from[k]);
+  return out;
+#endif
+}
+
+/// The first `count` lanes from memory, zero in the others.
+template <int count>
+LINKWORK_INLINE Vector load_first(const double* from) {
+  Vector out = splat(0.0);
+  LINKWORK_EACH_PART {
+    if ((p + 1) * width <= count) out.part[p] = load_native(from + p * width);
+    else if (p * width < count) out.part[p] = load_some<count % width>(from + p * width);
+  }
+  return out;
+}
+template <int count>
+LINKWORK_INLINE void store_first(double* to, const Vector& v) {
+  LINKWORK_EACH_PART {
+    if ((p + 1) * width <= count) store_native(to + p * width, v.part[p]);
+    else if (p * width < count) store_some<count % width>(to + p * width, v.part[p]);
+  }
+}
+
+template <int count>
+LINKWORK_INLINE Native total(const Native* v) {
+  if constexpr (count == 1) return v[0];
+  else return total<count / 2>(v) + total<count / 2>(v + count / 2);
+}
+
+/// Lane k of the result is the sum of the lanes of v[k], for the first `count` vectors; zero in the others.
+template <int count>
+LINKWORK_INLINE Vector sums(const Vector* v) {
+  Vector out;
+  LINKWORK_EACH_PART {
+    Native square[width];
+    for (int k = 0; k < width; ++k) {
+      square[k] = Native{};
+      if (p * width + k >= count) continue;
+      for (int q = 0; q < Vector::parts; ++q) square[k] += v[p * width + k].part[q];
+    }
+    transpose(square);
+    out.part[p] = total<width>(square);
+  }
+  return out;
+}
+
+}  // namespace linkwork::simd::LINKWORK_ISA
