@@ -120,8 +120,9 @@ py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q
   using Vector = Eigen::Map<const VectorXd>;
   using Columns = Eigen::Map<Eigen::Matrix3Xd>;
   for (py::ssize_t k = 0; k < frames; ++k) {
-    system.evaluate_constraints(t.data()[k], Vector(q.data() + k * system.q_size(), system.q_size()), rest, at);
-    system.reactions(at, Vector(multipliers.data() + k * system.row_count(), system.row_count()),
+    const Vector position(q.data() + k * system.q_size(), system.q_size());
+    system.evaluate_constraints(t.data()[k], position, rest, at);
+    system.reactions(at, position, Vector(multipliers.data() + k * system.row_count(), system.row_count()),
                      Columns(force.mutable_data() + 3 * k * joints, 3, joints),
                      Columns(torque.mutable_data() + 3 * k * joints, 3, joints));
   }

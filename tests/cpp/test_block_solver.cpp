@@ -14,11 +14,9 @@ namespace {
 /// Runs a check with the kernels of every instruction set that this processor has.
 template <class Check>
 void for_every_instruction_set(Check check) {
-  const block::Kernels* all[3];
-  const int count = block::available_kernels(all);
-  for (int k = 0; k < count; ++k) {
-    INFO("kernels of ", std::string(all[k]->name));
-    const auto solver = block::make_block_solver(*all[k]);
+  for (int level = 0; level < instruction_set_count(); ++level) {
+    INFO("kernels of ", std::string(instruction_set(level).name));
+    const auto solver = block::make_block_solver(instruction_set(level));
     check(*solver);
   }
 }

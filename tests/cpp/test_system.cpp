@@ -35,7 +35,7 @@ struct Hanging {
     const MatrixXd D = dense_D(system, at);
     const VectorXd lambda = D.transpose().colPivHouseholderQr().solve(-at.g.head<6>());  // static: -D^T lambda = g
     CHECK((D.transpose() * lambda + at.g.head<6>()).norm() < 1e-13);
-    system.reactions(at, lambda, force, torque);
+    system.reactions(at, model.initial_q(), lambda, force, torque);
   }
   const Vec3<double> P{0.3, -0.8, 1.1};
   Model model;
@@ -194,7 +194,7 @@ TEST_CASE("the reaction between two bodies is a wrench of D^T lambda on each, ta
     const VectorXd lambda = random.vector(system.row_count());
     const VectorXd wrenches = dense_D(system, at).transpose() * lambda;
     Eigen::Matrix3Xd force(3, 1), torque(3, 1);
-    system.reactions(at, lambda, force, torque);
+    system.reactions(at, model.initial_q(), lambda, force, torque);
     const Vec3<double> F = force.col(0), T = torque.col(0);
     const Body &a = model.bodies()[0], &b = model.bodies()[1];
     const Vec3<double> P = b.position + rotation_matrix<double>(b.orientation) * model.joints()[0].at.s_j;

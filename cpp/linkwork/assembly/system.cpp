@@ -49,43 +49,49 @@ Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
 
 }  // namespace
 
-System::System(const Model& model) : model_(model) {
+System::System(const Model& model, const InstructionSet& instructions) : model_(model), instructions_(instructions) {
   compile_masses();
   compile_joints();
   compile_forces();
 }
 
 void System::compile_masses() {
-  masses_.reserve(model_.bodies().size());
-  for (const Body& body : model_.bodies()) {
+  mass_.resize(model_.bodies().size());
+  inverse_mass_.resize(mass_.size());
+  for (std::size_t k = 0; k < mass_.size(); ++k) {
+    const Body& body = model_.bodies()[k];
     bool singular = false;
-    const Mat3<double> J_inverse = pseudo_inverse(body.inertia, singular);
-    if (singular || body.mass == 0.0) massless_.push_back(static_cast<int>(masses_.size()));
-    masses_.push_back({body.mass, body.mass > 0.0 ? 1.0 / body.mass : 0.0, body.inertia, J_inverse});
+    Eigen::Map<Mat3<double>>(inverse_mass_[k].J) = pseudo_inverse(body.inertia, singular);
+    Eigen::Map<Mat3<double>>(mass_[k].J) = body.inertia;
+    if (singular || body.mass == 0.0) massless_.push_back(static_cast<int>(k));
+    mass_[k].m = body.mass;
+    inverse_mass_[k].m = body.mass > 0.0 ? 1.0 / body.mass : 0.0;
   }
 }
 
 void System::compile_joints() {
   joint_batches_.resize(joint_kinds().size());
-  const int n = body_count();
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
     const KindInfo& info = joint_kinds()[static_cast<std::size_t>(element.kind)].info;
-    Batch& batch = joint_batches_[static_cast<std::size_t>(element.kind)];
+    JointBatch& batch = joint_batches_[static_cast<std::size_t>(element.kind)];
     const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
-    batch.element.push_back(joint);
-    batch.body_i.push_back(element.i == ground ? n : element.i);
-    batch.body_j.push_back(element.j == ground ? n : element.j);
+    batch.body_i.push_back(element.i);
+    batch.body_j.push_back(element.j);
     batch.attachment.push_back(element.at);
     batch.row.push_back(row);
     batch.D.push_back(D_size_);
     for (std::size_t p = 0; p < info.parameters.size(); ++p) {
       batch.parameters.push_back(model_.joint_parameters()[element.first_parameter + p]);
-      time_dependent_constraints_ = time_dependent_constraints_ || batch.parameters.back().signal >= 0;
+      batch.time_dependent = batch.time_dependent || batch.parameters.back().signal >= 0;
     }
     if (element.i != ground) blocks_.push_back({joint, element.i, row, info.rows, D_size_});
     if (element.j != ground) blocks_.push_back({joint, element.j, row, info.rows, D_size_ + 6 * info.rows});
     D_size_ += 12 * info.rows;
+  }
+  for (JointBatch& batch : joint_batches_) {
+    batch.pack(instructions_.width);
+    time_dependent_constraints_ = time_dependent_constraints_ || batch.time_dependent;
   }
   group_blocks(
       blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);
@@ -100,7 +106,6 @@ void System::compile_forces() {
     const Element& element = model_.forces()[k];
     const ForceKind& kind = force_kinds()[static_cast<std::size_t>(element.kind)];
     Batch& batch = force_batches_[static_cast<std::size_t>(element.kind)];
-    batch.element.push_back(static_cast<int>(k));
     batch.body_i.push_back(element.i == ground ? n : element.i);
     batch.body_j.push_back(element.j == ground ? n : element.j);
     batch.attachment.push_back(element.at);
@@ -114,7 +119,8 @@ void System::compile_forces() {
 
 Evaluation System::make_evaluation() const {
   Evaluation out;
-  out.bodies.assign(static_cast<std::size_t>(body_count()) + 1, BodyState<double>::ground());
+  if (!model_.forces().empty())
+    out.bodies.assign(static_cast<std::size_t>(body_count()) + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
   out.D.assign(static_cast<std::size_t>(D_size_), 0.0);
   out.memory.assign(static_cast<std::size_t>(memory_size_), 0.0);
@@ -123,54 +129,45 @@ Evaluation System::make_evaluation() const {
   return out;
 }
 
+// g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
 void System::evaluate(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   evaluate_constraints(t, q, v, out);
-  evaluate_forces(out);
+  out.potential =
+      body_forces(instructions_)(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
+  out.power = 0.0;
+  if (!model_.forces().empty()) evaluate_elements(q, v, out);
 }
 
 void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  evaluate_states(t, q, v, out);
-  const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.gamma.data(), out.D.data()};
-  for (std::size_t kind = 0; kind < joint_batches_.size(); ++kind)
-    if (joint_batches_[kind].size() > 0)
-      joint_kinds()[kind].evaluate(joint_batches_[kind], out.bodies.data(), out.signals.data(), arrays);
-  multiply_D(out, v, out.Phi_dot);
-  if (time_dependent_constraints_) out.Phi_dot += out.Phi_t;
-}
-
-void System::evaluate_states(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   for (std::size_t s = 0; s < out.signals.size(); ++s) out.signals[s] = model_.signals()[s]->evaluate(t);
-  for (int b = 0; b < body_count(); ++b) {
-    const double* position = q.data() + position_size * b;
-    const double* velocity = v.data() + velocity_size * b;
-    BodyState<double>& state = out.bodies[static_cast<std::size_t>(b)];
-    state.r = Vec3<double>(position[0], position[1], position[2]);
-    state.A = rotation_matrix<double>(Vec4<double>(position[3], position[4], position[5], position[6]));
-    state.r_dot = Vec3<double>(velocity[0], velocity[1], velocity[2]);
-    state.omega = Vec3<double>(velocity[3], velocity[4], velocity[5]);
-  }
+  const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
+  for (std::size_t kind = 0; kind < joint_batches_.size(); ++kind)
+    if (!joint_batches_[kind].row.empty())
+      joint_kinds()[kind].evaluate[instructions_.level](joint_batches_[kind].arrays(), q.data(), v.data(),
+                                                        out.signals.data(), arrays);
 }
 
-// g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
-void System::evaluate_forces(Evaluation& out) const {
-  const Vec3<double>& gravity = model_.gravity();
-  double potential = 0.0;
+void System::evaluate_elements(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   for (int b = 0; b < body_count(); ++b) {
-    const Mass& mass = masses_[static_cast<std::size_t>(b)];
-    const BodyState<double>& state = out.bodies[static_cast<std::size_t>(b)];
-    double* g = out.g.data() + velocity_size * b;
-    Eigen::Map<Vec3<double>> force(g), torque(g + 3);
-    force = mass.m * gravity;
-    torque = (mass.J * state.omega).cross(state.omega);
-    potential -= mass.m * gravity.dot(state.r);
+    const auto velocity = v.segment<velocity_size>(velocity_size * b);
+    BodyState<double>& state = out.bodies[static_cast<std::size_t>(b)];
+    state = pose(b, q);
+    state.r_dot = velocity.head<3>();
+    state.omega = velocity.tail<3>();
   }
   out.g.tail<velocity_size>().setZero();
-  out.potential = potential;
-  out.power = 0.0;
   const ForceArrays arrays{out.g.data(), out.memory.data(), &out.potential, &out.power};
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
     if (force_batches_[kind].size() > 0)
       force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), arrays);
+}
+
+BodyState<double> System::pose(int body, const ConstVector& q) const {
+  BodyState<double> state = BodyState<double>::ground();
+  if (body == ground) return state;
+  state.r = q.segment<3>(position_size * body);
+  state.A = rotation_matrix<double>(q.segment<4>(position_size * body + 3));
+  return state;
 }
 
 void System::position_rates(const ConstVector& q, const ConstVector& v, MutableVector q_dot) const {
@@ -204,29 +201,26 @@ MatrixXd System::massless_directions(int body) const {
 
 void System::multiply_mass(const ConstVector& x, MutableVector y) const {
   for (int b = 0; b < body_count(); ++b) {
-    const Mass& mass = masses_[static_cast<std::size_t>(b)];
     const int k = velocity_size * b;
-    y.segment<3>(k) = mass.m * x.segment<3>(k);
-    y.segment<3>(k + 3).noalias() = mass.J * x.segment<3>(k + 3);
+    y.segment<3>(k) = mass(b) * x.segment<3>(k);
+    y.segment<3>(k + 3).noalias() = inertia(b) * x.segment<3>(k + 3);
   }
 }
 
 void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {
   for (int b = 0; b < body_count(); ++b) {
-    const Mass& mass = masses_[static_cast<std::size_t>(b)];
     const int k = velocity_size * b;
-    y.segment<3>(k) = mass.m_inverse * x.segment<3>(k);
-    y.segment<3>(k + 3).noalias() = mass.J_inverse * x.segment<3>(k + 3);
+    y.segment<3>(k) = inverse_mass(b) * x.segment<3>(k);
+    y.segment<3>(k + 3).noalias() = inverse_inertia(b) * x.segment<3>(k + 3);
   }
 }
 
 double System::kinetic_energy(const ConstVector& v) const {
   double twice = 0.0;
   for (int b = 0; b < body_count(); ++b) {
-    const Mass& mass = masses_[static_cast<std::size_t>(b)];
     const auto velocity = v.segment<velocity_size>(velocity_size * b);
     const Vec3<double> omega = velocity.tail<3>();
-    twice += mass.m * velocity.head<3>().squaredNorm() + omega.dot(mass.J * omega);
+    twice += mass(b) * velocity.head<3>().squaredNorm() + omega.dot(inertia(b) * omega);
   }
   return 0.5 * twice;
 }
@@ -262,18 +256,14 @@ VectorXd System::row_mobility(const Evaluation& at) const {
 
 // A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.
 // About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite.
-void System::reactions(const Evaluation& at, const ConstVector& lambda, Eigen::Ref<Eigen::Matrix3Xd> force,
-                       Eigen::Ref<Eigen::Matrix3Xd> torque) const {
+void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
+                       Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
     const BlockRange places = joint_blocks(joint);
     const ConstraintBlock& block = blocks_[static_cast<std::size_t>(*(places.end() - 1))];  // the second body, if any
     const double sign = element.j == ground ? -1.0 : 1.0;
-    const auto state_of = [&](int body) -> const BodyState<double>& {
-      return at.bodies[static_cast<std::size_t>(body == ground ? body_count() : body)];
-    };
-    const BodyState<double>& body = state_of(block.body);
-    const BodyState<double>& second = state_of(element.j);
+    const BodyState<double> body = pose(block.body, q), second = pose(element.j, q);
     const Vec3<double> point = second.r + second.A * element.at.s_j;
     const Eigen::Matrix<double, 6, 1> wrench = block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
     const Vec3<double> F = wrench.head<3>(), n = wrench.tail<3>();

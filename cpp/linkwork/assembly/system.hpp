@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "linkwork/assembly/body_forces.hpp"
 #include "linkwork/math/types.hpp"
 #include "linkwork/model/model.hpp"
 
@@ -28,7 +29,7 @@ struct BlockRange {
 
 /// What an evaluation fills, allocated once by System::make_evaluation.
 struct Evaluation {
-  std::vector<BodyState<double>> bodies;  ///< the last entry is the ground
+  std::vector<BodyState<double>> bodies;  ///< for force elements, empty where there are none; the last is the ground
   std::vector<Signal<double>> signals;
   std::vector<double> D;       ///< blocks of D, see ConstraintBlock
   std::vector<double> memory;  ///< what force elements remember
@@ -43,12 +44,14 @@ struct Evaluation {
 /// at a state (t, q, v). Constant after construction; the numbers live in an Evaluation.
 class System {
  public:
-  explicit System(const Model& model);
+  using ConstMat3 = Eigen::Map<const Mat3<double>>;
+
+  explicit System(const Model& model, const InstructionSet& instructions = best_instruction_set());
   // Large, and never meant to be copied.
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  int body_count() const { return static_cast<int>(masses_.size()); }
+  int body_count() const { return static_cast<int>(mass_.size()); }
   int joint_count() const { return static_cast<int>(model_.joints().size()); }
   int row_count() const { return model_.row_count(); }
   int q_size() const { return position_size * body_count(); }
@@ -60,7 +63,7 @@ class System {
 
   /// Fills everything in `out`. p need not be a unit vector. Does not allocate.
   void evaluate(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
-  /// Only the body states and the constraints: Phi, Phi_t, Phi_dot, gamma, D.
+  /// Only the constraints: Phi, Phi_t, Phi_dot, gamma, D.
   void evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
 
   /// q_dot = N(q) v.
@@ -69,10 +72,11 @@ class System {
   void normalize(MutableVector q) const;
 
   // The mass matrix: blocks diag(m I, J), constant.
-  double mass(int body) const { return masses_[static_cast<std::size_t>(body)].m; }
-  const Mat3<double>& inertia(int body) const { return masses_[static_cast<std::size_t>(body)].J; }
-  double inverse_mass(int body) const { return masses_[static_cast<std::size_t>(body)].m_inverse; }
-  const Mat3<double>& inverse_inertia(int body) const { return masses_[static_cast<std::size_t>(body)].J_inverse; }
+  double mass(int body) const { return mass_[static_cast<std::size_t>(body)].m; }
+  double inverse_mass(int body) const { return inverse_mass_[static_cast<std::size_t>(body)].m; }
+  ConstMat3 inertia(int body) const { return ConstMat3(mass_[static_cast<std::size_t>(body)].J); }
+  ConstMat3 inverse_inertia(int body) const { return ConstMat3(inverse_mass_[static_cast<std::size_t>(body)].J); }
+  const std::vector<MassBlock>& mass_blocks() const { return mass_; }
   /// Bodies whose mass or inertia is singular; their inverses are zero in the singular directions.
   const std::vector<int>& massless_bodies() const { return massless_; }
   /// Basis of the kernel of a body's mass matrix (6 x its dimension).
@@ -92,28 +96,26 @@ class System {
 
   /// What joint k exerts on its second body, for all joints: force and torque about the joint's point on the second
   /// body, inertial axes (3 x joints each).
-  void reactions(const Evaluation& at, const ConstVector& lambda, Eigen::Ref<Eigen::Matrix3Xd> force,
-                 Eigen::Ref<Eigen::Matrix3Xd> torque) const;
+  void reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
+                 Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const;
 
   /// Inertial axes (columns) of a joint's frame, fixed in its first body.
   Mat3<double> joint_frame(int joint, const ConstVector& q) const;
 
  private:
-  struct Mass {
-    double m, m_inverse;
-    Mat3<double> J, J_inverse;
-  };
-
   void compile_masses();
   void compile_joints();
   void compile_forces();
-  void evaluate_states(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
-  void evaluate_forces(Evaluation& out) const;
+  void evaluate_signals(double t, Evaluation& out) const;
+  BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
+  void evaluate_elements(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
 
   Model model_;
-  std::vector<Mass> masses_;
+  InstructionSet instructions_;
+  std::vector<MassBlock> mass_, inverse_mass_;
   std::vector<int> massless_;
-  std::vector<Batch> joint_batches_, force_batches_;  ///< one per registered kind
+  std::vector<JointBatch> joint_batches_;  ///< one per registered kind
+  std::vector<Batch> force_batches_;       ///< likewise
   std::vector<ConstraintBlock> blocks_;
   std::vector<int> joint_block_list_, joint_block_begin_;
   std::vector<int> body_block_list_, body_block_begin_;

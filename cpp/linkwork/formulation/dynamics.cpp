@@ -149,6 +149,7 @@ void Dynamics::poll() {
 
 void Dynamics::evaluate(double t, const ConstVector& y) {
   poll();
+  t_ = t;
   y_ = y;
   {
     const Stopwatch watch(statistics_.evaluate_time);
@@ -166,10 +167,9 @@ void Dynamics::factorize_and_solve(const ConstVector& a, const ConstVector& b, M
   try {
     formulation_->factorize_and_solve(at_, a, b, v_dot, lambda);
   } catch (const SingularSystemError&) {
-    if (y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
-    throw NotFiniteError("not_finite",
-                         "the state became infinite or undefined within a step: the run diverged; use a "
-                         "smaller step, or see whether the mechanism locks in this pose");
+    const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
+    if (pivots && y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
+    throw_not_finite(system_, y_, t_);
   }
   factorized_ = true;
   statistics_.factorizations += 1;
@@ -227,6 +227,25 @@ void Dynamics::rates(MutableVector y_dot) {
   system_.position_rates(y_.head(nq), y_.segment(nq, nv), y_dot.head(nq));
   y_dot.segment(nq, nv) = v_dot_;
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda_.dot(at_.Phi_t) : 0.0);
+}
+
+void throw_not_finite(const System& system, const VectorXd& y, double t) {
+  ErrorDetails details;
+  details.time = t;
+  for (int body = 0; body < system.body_count() && details.bodies.empty(); ++body)
+    if (!y.segment<7>(7 * body).allFinite() || !y.segment<6>(system.q_size() + 6 * body).allFinite())
+      details.bodies = {system.model().body_name(body)};
+  if (details.bodies.empty()) {
+    Eigen::Index fastest = 0;
+    y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
+    details.bodies = {system.model().body_name(static_cast<int>(fastest / velocity_size))};
+  }
+  const std::string who = "body '" + details.bodies.front() + "'";
+  throw NotFiniteError("not_finite",
+                       who +
+                           " became infinite or undefined: the run diverged; use a smaller step, or see whether the "
+                           "mechanism locks in this pose",
+                       details);
 }
 
 }  // namespace linkwork

@@ -76,10 +76,15 @@ class Dynamics {
   Evaluation at_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, x_, lambda_, v_dot_;
+  double t_ = 0.0;
   VectorXd y_;  ///< the state of the last evaluate
   bool held_ = false, factorized_ = false;
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
 };
+
+/// The error for y = (q, v, work) that is not finite, or from which nothing finite follows: names the first body that
+/// is not finite, else the fastest.
+[[noreturn]] void throw_not_finite(const System& system, const VectorXd& y, double t);
 
 }  // namespace linkwork

@@ -16,25 +16,6 @@ void append(std::vector<double>& list, const ConstVector& values) {
   list.insert(list.end(), values.data(), values.data() + values.size());
 }
 
-/// The first body with a non-finite state.
-[[noreturn]] void throw_not_finite(const System& system, const VectorXd& y) {
-  ErrorDetails details;
-  for (int body = 0; body < system.body_count() && details.bodies.empty(); ++body)
-    if (!y.segment<7>(7 * body).allFinite() || !y.segment<6>(system.q_size() + 6 * body).allFinite())
-      details.bodies = {system.model().body_name(body)};
-  if (details.bodies.empty()) {  // only the work is not finite: the fastest body is where it happened
-    Eigen::Index fastest = 0;
-    y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
-    details.bodies = {system.model().body_name(static_cast<int>(fastest / velocity_size))};
-  }
-  const std::string who = "body '" + details.bodies.front() + "'";
-  throw NotFiniteError("not_finite",
-                       who +
-                           " became infinite or undefined: the run diverged; use a smaller step, or see whether the "
-                           "mechanism locks in this pose",
-                       details);
-}
-
 }  // namespace
 
 Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule)
@@ -72,7 +53,7 @@ Frames Simulation::advance(std::int64_t max_frames, double max_seconds) {
       try {
         integrator_->step(dynamics_, t(), h, y_);
       } catch (Error& error) {
-        error.details.time = t();
+        if (std::isnan(error.details.time)) error.details.time = t();  // else the time of a stage
         error.details.step = h;
         throw;
       }
@@ -104,7 +85,7 @@ void Simulation::evaluate_and_record() {
   const System& system = dynamics_.system();
   const int nq = system.q_size(), nv = system.v_size();
   dynamics_.accelerations(v_dot_, lambda_);
-  if (!v_dot_.allFinite() || !lambda_.allFinite()) throw_not_finite(system, y_);
+  if (!v_dot_.allFinite() || !lambda_.allFinite()) throw_not_finite(system, y_, t());
   const Evaluation& at = dynamics_.evaluation();
   VectorXd residual(system.row_count());
   system.multiply_D(at, v_dot_, residual);
@@ -124,7 +105,7 @@ void Simulation::evaluate_and_record() {
 void Simulation::finish_step() {
   if (!y_.allFinite()) {
     try {
-      throw_not_finite(dynamics_.system(), y_);
+      throw_not_finite(dynamics_.system(), y_, t());
     } catch (Error& error) {
       error.details.time = time_of(steps_done_ + 1);
       error.details.step = next_step();

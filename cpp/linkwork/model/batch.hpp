@@ -19,18 +19,41 @@ inline Signal<double> current(const Parameter& parameter, const Signal<double>* 
   return signals[parameter.signal];
 }
 
-/// All joints, or all forces, of one kind in one system: what evaluation reads.
+/// All forces of one kind in one system: what evaluation reads.
 /// Bodies are indices into an array of states whose last entry is the ground.
 struct Batch {
-  std::vector<int> element;  ///< index in the model
   std::vector<int> body_i, body_j;
   std::vector<Attachment<double>> attachment;
   std::vector<Parameter> parameters;   ///< as many per element as the kind has
-  std::vector<int> row;                ///< first constraint row (joints)
-  std::vector<std::ptrdiff_t> D;       ///< place of D_i; D_j follows (joints)
-  std::vector<std::ptrdiff_t> memory;  ///< place of remembered numbers (forces)
+  std::vector<std::ptrdiff_t> memory;  ///< place of remembered numbers
 
   std::size_t size() const { return body_i.size(); }
+};
+
+/// The same for the joints of one kind, which are evaluated `width` at a time: plain arrays, of which bodies and
+/// parameters are filled up to a multiple of the width with copies of the last joint.
+struct JointArrays {
+  int count;
+  const int *body_i, *body_j;   ///< -1 for the ground
+  const double* attachment;     ///< for each `width` joints, number after number of Attachment (24 x width)
+  const Parameter* parameters;  ///< `parameter_count` per joint
+  int parameter_count;
+  bool time_dependent;      ///< else Phi_t is zero and is left alone
+  const int* row;           ///< first constraint row
+  const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
+};
+
+struct JointBatch {
+  std::vector<int> body_i, body_j, row;
+  std::vector<std::ptrdiff_t> D;
+  std::vector<Attachment<double>> attachment;  ///< until it is packed
+  std::vector<double> packed;
+  std::vector<Parameter> parameters;
+  bool time_dependent = false;
+
+  /// Lays the attachments out for evaluation, `width` joints at a time.
+  void pack(int width);
+  JointArrays arrays() const;
 };
 
 }  // namespace linkwork

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "linkwork/math/instruction_set.hpp"
 #include "linkwork/model/batch.hpp"
 #include "linkwork/model/kind_info.hpp"
 #include "linkwork/model/rows.hpp"
@@ -19,36 +20,23 @@ namespace linkwork {
 struct ConstraintArrays {
   double* Phi;
   double* Phi_t;
+  double* Phi_dot;
   double* gamma;
   double* D;
 };
 
+/// Evaluates all joints of a batch at q (7 per body) and v (6 per body): one indirect call per kind.
+using EvaluateJoints = void (*)(const JointArrays&, const double* q, const double* v, const Signal<double>* signals,
+                                const ConstraintArrays&);
+
 struct JointKind {
   KindInfo info;
-  /// Evaluates all joints of a batch: one indirect call per kind.
-  void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals, ConstraintArrays);
+  EvaluateJoints evaluate[max_instruction_sets];  ///< by level of the instruction set
 };
 
 template <class Joint>
-void evaluate_joints(const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
-                     ConstraintArrays out) {
-  constexpr int rows = Joint::rows;
-  const std::size_t count = batch.parameters.size() / (batch.size() ? batch.size() : 1);
-  constexpr std::size_t max_parameters = 8;
-  Signal<double> parameters[max_parameters];
-  for (std::size_t k = 0; k < batch.size(); ++k) {
-    for (std::size_t p = 0; p < count; ++p) parameters[p] = current(batch.parameters[k * count + p], signals);
-    const int row = batch.row[k];
-    double* D_i = out.D + batch.D[k];
-    const Rows<double, rows> place{out.Phi + row, out.Phi_t + row, out.gamma + row, D_i, D_i + 6 * rows};
-    Joint::template evaluate<double>(batch.attachment[k], parameters, bodies[batch.body_i[k]], bodies[batch.body_j[k]],
-                                     place);
-  }
-}
-
-template <class Joint>
-JointKind make_joint_kind() {
-  JointKind kind{Joint::info(), &evaluate_joints<Joint>};
+JointKind make_joint_kind(EvaluateJoints v2, EvaluateJoints v3, EvaluateJoints v4) {
+  JointKind kind{Joint::info(), {v2, v3, v4}};
   kind.info.rows = Joint::rows;
   return kind;
 }
@@ -59,11 +47,45 @@ const std::vector<JointKind>& joint_kinds();
 /// The kind with this name, or an OptionError that names the nearest.
 int joint_kind_index(const std::string& name);
 
+// A joint's file is compiled once for its description and once per instruction set for its evaluation.
+#define LINKWORK_EVALUATE(NAME)                                                                                    \
+  void evaluate_##NAME(const JointArrays& joints, const double* q, const double* v, const Signal<double>* signals, \
+                       const ConstraintArrays& out)
+#if defined(LINKWORK_ISA)
+#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                  \
+  namespace LINKWORK_ISA {                                                   \
+  __attribute__((flatten)) LINKWORK_EVALUATE(NAME) {                         \
+    simd::LINKWORK_ISA::evaluate_joints<STRUCT>(joints, q, v, signals, out); \
+  }                                                                          \
+  }
+#elif LINKWORK_X86
+#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                           \
+  namespace v2 {                                                                                      \
+  LINKWORK_EVALUATE(NAME);                                                                            \
+  }                                                                                                   \
+  namespace v3 {                                                                                      \
+  LINKWORK_EVALUATE(NAME);                                                                            \
+  }                                                                                                   \
+  namespace v4 {                                                                                      \
+  LINKWORK_EVALUATE(NAME);                                                                            \
+  }                                                                                                   \
+  JointKind NAME##_joint() {                                                                          \
+    return make_joint_kind<STRUCT>(&v2::evaluate_##NAME, &v3::evaluate_##NAME, &v4::evaluate_##NAME); \
+  }
+#else
 #define LINKWORK_DEFINE_JOINT(NAME, STRUCT) \
-  JointKind NAME##_joint() { return make_joint_kind<STRUCT>(); }
+  namespace v2 {                            \
+  LINKWORK_EVALUATE(NAME);                  \
+  }                                         \
+  JointKind NAME##_joint() { return make_joint_kind<STRUCT>(&v2::evaluate_##NAME, nullptr, nullptr); }
+#endif
 
 #define LINKWORK_JOINT(NAME) JointKind NAME##_joint();
 #include "linkwork/model/joints.def"
 #undef LINKWORK_JOINT
 
 }  // namespace linkwork
+
+#if defined(LINKWORK_ISA)
+#include "linkwork/model/joint_evaluation.hpp"
+#endif

@@ -13,7 +13,7 @@ constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last col
 
 class BlockSolver final : public SaddleSolver {
  public:
-  explicit BlockSolver(const Kernels& kernels) : kernels_(&kernels) {}
+  explicit BlockSolver(const InstructionSet& instructions) : kernels_(&kernels(instructions)) {}
 
   void analyze(const System& system, const Evaluation&) override {
     system_ = &system;
@@ -24,12 +24,6 @@ class BlockSolver final : public SaddleSolver {
     panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
     updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
     diagonal_.assign(static_cast<std::size_t>(system.row_count()), 0.0);
-    mass_.clear();
-    for (int body = 0; body < system.body_count(); ++body) {
-      MassBlock block{system.mass(body), {}};
-      Eigen::Map<Mat3<double>>(block.J) = system.inertia(body);
-      mass_.push_back(block);
-    }
     no_a_.setZero(system.v_size());
     no_b_.setZero(system.row_count());
   }
@@ -72,7 +66,7 @@ class BlockSolver final : public SaddleSolver {
              schedule_->segments.data(),
              schedule_->blocks.data(),
              schedule_->unknowns.data(),
-             mass_.data(),
+             system_->mass_blocks().data(),
              at.D.data(),
              e_.data(),
              factors_.data(),
@@ -89,7 +83,6 @@ class BlockSolver final : public SaddleSolver {
   const System* system_ = nullptr;
   const Kernels* kernels_;
   std::unique_ptr<Schedule> schedule_;
-  std::vector<MassBlock> mass_;
   std::vector<double> factors_, accumulators_, panels_, updates_, diagonal_;
   VectorXd e_, no_a_, no_b_;
   Data data_{};
@@ -97,8 +90,8 @@ class BlockSolver final : public SaddleSolver {
 
 }  // namespace
 
-std::unique_ptr<SaddleSolver> make_block_solver(const Kernels& kernels) {
-  return std::make_unique<BlockSolver>(kernels);
+std::unique_ptr<SaddleSolver> make_block_solver(const InstructionSet& instructions) {
+  return std::make_unique<BlockSolver>(instructions);
 }
 
 }  // namespace linkwork::block

@@ -7,23 +7,13 @@ extern const Kernels kernels_v2;
 extern const Kernels kernels_v3, kernels_v4;
 #endif
 
-int available_kernels(const Kernels* out[3]) {
-  int count = 0;
-  out[count++] = &kernels_v2;
+const Kernels& kernels(const InstructionSet& instructions) {
 #if LINKWORK_X86
-  __builtin_cpu_init();
-  const bool v3 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
-  if (v3) out[count++] = &kernels_v3;
-  if (v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd"))
-    out[count++] = &kernels_v4;
+  if (instructions.level == 2) return kernels_v4;
+  if (instructions.level == 1) return kernels_v3;
 #endif
-  return count;
-}
-
-const Kernels& best_kernels() {
-  const Kernels* all[3];
-  return *all[available_kernels(all) - 1];
+  static_cast<void>(instructions);
+  return kernels_v2;
 }
 
 }  // namespace linkwork::block

@@ -32,11 +32,13 @@ LINKWORK_INLINE Vector mass_column(const MassBlock& mass, int c, double a_c) {
   return column + unit(right_hand_side) * splat(a_c);
 }
 
+constexpr double not_a_number = -__builtin_inf();  // as a ratio of pivots: the smallest of all
+
 /// Keeps the smallest pivot relative to its diagonal entry.
 LINKWORK_INLINE void note(SmallestPivot& smallest, double pivot, double diagonal, int row) {
   if (pivot >= smallest.ratio * diagonal) return;
   const double ratio = pivot / diagonal;
-  smallest = {ratio == ratio ? ratio : -1.0, row};
+  smallest = {ratio == ratio ? ratio : not_a_number, row};
 }
 
 // --- open branches ---------------------------------------------------------------------------------------------------
@@ -71,7 +73,7 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
       else M[c] -= M[k] * lane(L[k], c);
       W[c] -= W[k] * lane(L[k], c);
     }
-    if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : -1.0, rows > 0 ? step.row : -1};
+    if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, rows > 0 ? step.row : -1};
   }
   double* factors = data.factors + step.storage;
   Vector S[n], V[n], T[n];
@@ -289,7 +291,7 @@ void factor_front(const Front& front, const Data& data, SmallestPivot& smallest)
         const int row = data.unknowns[front.unknown + k];
         note(smallest, pivots[k - k0], data.diagonal[row], row);
       } else if (!(pivots[k - k0] > 0.0)) {
-        smallest = {pivots[k - k0] == pivots[k - k0] ? 0.0 : -1.0, -1};
+        smallest = {pivots[k - k0] == pivots[k - k0] ? 0.0 : not_a_number, -1};
       }
     }
   }
@@ -404,10 +406,8 @@ void backward(const Data& data, double* x, double* lambda) {
 
 #define LINKWORK_JOIN(A, B) A##B
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(kernels_, ISA)
-#define LINKWORK_TEXT(ISA) LINKWORK_STRING(ISA)
-#define LINKWORK_STRING(ISA) #ISA
 
 extern const Kernels LINKWORK_NAME(LINKWORK_ISA);
-const Kernels LINKWORK_NAME(LINKWORK_ISA) = {"x86-64-" LINKWORK_TEXT(LINKWORK_ISA), &factor, &forward, &backward};
+const Kernels LINKWORK_NAME(LINKWORK_ISA) = {&factor, &forward, &backward};
 
 }  // namespace linkwork::block

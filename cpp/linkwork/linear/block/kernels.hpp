@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "linkwork/assembly/body_forces.hpp"
+
 /// The inner loops of the block solver, compiled once per instruction set (kernels.cpp) and chosen at run time. They
 /// use nothing but plain arrays, so that no inline function of a library is compiled for a processor that may be
 /// absent.
@@ -20,11 +22,6 @@ struct TreeStep {
   bool parent_begins;  ///< the parent's accumulator is filled with its own mass here
   std::ptrdiff_t D_body, D_parent;
   std::ptrdiff_t storage;  ///< place of the factors
-};
-
-/// Mass matrix of a body: m, then J row by row.
-struct MassBlock {
-  double m, J[9];
 };
 
 /// Doubles of factor storage of a step: 6 + rows vectors.
@@ -84,7 +81,6 @@ struct SmallestPivot {
 };
 
 struct Kernels {
-  const char* name;
   /// Factors, with forward substitution of a (6 per body) and b (one per row) on the way.
   SmallestPivot (*factor)(const Data&, const double* a, const double* b);
   /// The same forward substitution with factors that are there.
@@ -93,9 +89,6 @@ struct Kernels {
   void (*backward)(const Data&, double* x, double* lambda);
 };
 
-/// The widest set of kernels that this processor runs.
-const Kernels& best_kernels();
-/// All sets that this processor runs, by rising width.
-int available_kernels(const Kernels* out[3]);
+const Kernels& kernels(const InstructionSet& instructions);
 
 }  // namespace linkwork::block

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "linkwork/math/simd.hpp"
+
+/// A number for as many joints or bodies as a register has lanes: the `Real` of templates over the scalar. For files
+/// that are compiled once per instruction set; they also rename Eigen's namespace (see CMakeLists.txt).
+namespace linkwork::simd::LINKWORK_ISA {
+
+struct Pack {
+  Native v;
+
+  Pack() = default;
+  LINKWORK_INLINE Pack(double x) : v(splat_native(x)) {}
+  LINKWORK_INLINE explicit Pack(Native lanes) : v(lanes) {}
+
+  LINKWORK_INLINE Pack& operator+=(const Pack& b) { return *this = Pack(v + b.v); }
+  LINKWORK_INLINE Pack& operator-=(const Pack& b) { return *this = Pack(v - b.v); }
+  LINKWORK_INLINE Pack& operator*=(const Pack& b) { return *this = Pack(v * b.v); }
+  LINKWORK_INLINE Pack& operator/=(const Pack& b) { return *this = Pack(v / b.v); }
+  friend LINKWORK_INLINE Pack operator+(const Pack& a, const Pack& b) { return Pack(a.v + b.v); }
+  friend LINKWORK_INLINE Pack operator-(const Pack& a, const Pack& b) { return Pack(a.v - b.v); }
+  friend LINKWORK_INLINE Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v * b.v); }
+  friend LINKWORK_INLINE Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v / b.v); }
+  friend LINKWORK_INLINE Pack operator-(const Pack& a) { return Pack(-a.v); }
+  friend LINKWORK_INLINE Pack sqrt(const Pack& a) {
+    Pack out;
+    for (int k = 0; k < width; ++k) out.v[k] = __builtin_sqrt(a.v[k]);
+    return out;
+  }
+};
+
+/// Reads `count` numbers at each of `width` places: number k of all places into out[k].
+template <int count>
+LINKWORK_INLINE void gather(const double* const* from, Pack* out) {
+  constexpr int step = count < width ? count : width;
+  LINKWORK_UNROLL for (int c = 0; c < count; c += width) {
+    const int first = c + step > count ? count - step : c;  // the last numbers may be read twice
+    Native square[width];
+    LINKWORK_UNROLL for (int l = 0; l < width; ++l) {
+      if constexpr (count < width) square[l] = load_some<step>(from[l] + first);
+      else square[l] = load_native(from[l] + first);
+    }
+    transpose(square);
+    LINKWORK_UNROLL for (int k = 0; k < step; ++k) out[first + k].v = square[k];
+  }
+}
+
+/// The way back, for the first `used` places.
+template <int count>
+LINKWORK_INLINE void scatter(const Pack* in, double* const* to, int used) {
+  constexpr int step = count < width ? count : width;
+  LINKWORK_UNROLL for (int c = 0; c < count; c += width) {
+    const int first = c + step > count ? count - step : c;
+    Native square[width];
+    LINKWORK_UNROLL for (int k = 0; k < width; ++k) square[k] = k < step ? in[first + k].v : Native{};
+    transpose(square);
+    LINKWORK_UNROLL for (int l = 0; l < width; ++l) {
+      if (l >= used) break;
+      if constexpr (count < width) store_some<step>(to[l] + first, square[l]);
+      else store_native(to[l] + first, square[l]);
+    }
+  }
+}
+
+}  // namespace linkwork::simd::LINKWORK_ISA
+
+template <>
+struct Eigen::NumTraits<linkwork::simd::LINKWORK_ISA::Pack>
+    : Eigen::GenericNumTraits<linkwork::simd::LINKWORK_ISA::Pack> {
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
+};

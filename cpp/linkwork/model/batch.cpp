@@ -1,0 +1,38 @@
+#include "linkwork/model/batch.hpp"
+
+#include <algorithm>
+
+namespace linkwork {
+namespace {
+
+constexpr std::size_t attachment_size = 24;
+
+}  // namespace
+
+void JointBatch::pack(int width) {
+  if (row.empty()) return;
+  const auto step = static_cast<std::size_t>(width);
+  const std::size_t padded = (row.size() + step - 1) / step * step, per_joint = parameters.size() / row.size();
+  packed.resize(attachment_size * padded);
+  for (std::size_t k = 0; k < padded; ++k) {
+    const Attachment<double>& at = attachment[std::min(k, row.size() - 1)];
+    double* to = packed.data() + attachment_size * step * (k / step) + k % step;
+    for (const auto* vector : {&at.s_i, &at.s_j})
+      for (int c = 0; c < 3; ++c, to += step) *to = (*vector)[c];
+    for (const auto* frame : {&at.C_i, &at.C_j})
+      for (int c = 0; c < 9; ++c, to += step) *to = frame->data()[c];
+  }
+  attachment = {};
+  body_i.resize(padded, body_i.back());
+  body_j.resize(padded, body_j.back());
+  while (parameters.size() < per_joint * padded) parameters.push_back(parameters[parameters.size() - per_joint]);
+}
+
+JointArrays JointBatch::arrays() const {
+  const int count = static_cast<int>(row.size());
+  const int per_joint = body_i.empty() ? 0 : static_cast<int>(parameters.size() / body_i.size());
+  return {count,     body_i.data(),  body_j.data(), packed.data(), parameters.data(),
+          per_joint, time_dependent, row.data(),    D.data()};
+}
+
+}  // namespace linkwork

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "linkwork/math/pack.hpp"
+#include "linkwork/math/rotation.hpp"
+#include "linkwork/model/joint_kind.hpp"
+
+/// The loop over the joints of one kind, `width` at a time. Compiled once per instruction set; without contraction to
+/// fused operations, so that all of them give the same numbers to the last bit.
+namespace linkwork::simd::LINKWORK_ISA {
+
+constexpr double ground_q[7] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+constexpr double ground_v[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+
+LINKWORK_INLINE BodyState<Pack> gather_state(const int* body, const double* q, const double* v, Pack* velocity) {
+  const double *positions[width], *velocities[width];
+  for (int l = 0; l < width; ++l) {
+    positions[l] = body[l] < 0 ? ground_q : q + 7 * static_cast<long>(body[l]);
+    velocities[l] = body[l] < 0 ? ground_v : v + 6 * static_cast<long>(body[l]);
+  }
+  Pack position[7];
+  gather<7>(positions, position);
+  gather<6>(velocities, velocity);
+  return {Vec3<Pack>(position[0], position[1], position[2]),
+          rotation_matrix<Pack>(Vec4<Pack>(position[3], position[4], position[5], position[6])),
+          Vec3<Pack>(velocity[0], velocity[1], velocity[2]), Vec3<Pack>(velocity[3], velocity[4], velocity[5])};
+}
+
+LINKWORK_INLINE Attachment<Pack> load_attachment(const double* from) {
+  Attachment<Pack> at;
+  Pack* to[4] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
+  constexpr int count[4] = {3, 3, 9, 9};
+  LINKWORK_UNROLL for (int part = 0; part < 4; ++part) for (int k = 0; k < count[part]; ++k, from += width) to[part][k]
+      .v = load_native(from);
+  return at;
+}
+
+LINKWORK_INLINE Signal<Pack> load_parameter(const Parameter* parameters, int stride, const Signal<double>* signals) {
+  Signal<Pack> out;
+  for (int l = 0; l < width; ++l) {
+    const Parameter& parameter = parameters[l * stride];
+    const bool constant = parameter.signal < 0;
+    out.value.v[l] = constant ? parameter.constant : signals[parameter.signal].value;
+    out.rate.v[l] = constant ? 0.0 : signals[parameter.signal].rate;
+    out.acceleration.v[l] = constant ? 0.0 : signals[parameter.signal].acceleration;
+  }
+  return out;
+}
+
+/// Phi_dot = D v + Phi_t.
+template <int rows>
+LINKWORK_INLINE void multiply(const Pack* D_i, const Pack* D_j, const Pack* v_i, const Pack* v_j, const Pack* Phi_t,
+                              Pack* Phi_dot) {
+  for (int r = 0; r < rows; ++r) {
+    Pack sum = Phi_t[r];
+    for (int c = 0; c < 6; ++c) sum += D_i[6 * r + c] * v_i[c];
+    for (int c = 0; c < 6; ++c) sum += D_j[6 * r + c] * v_j[c];
+    Phi_dot[r] = sum;
+  }
+}
+
+template <class Joint>
+LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q, const double* v,
+                                     const Signal<double>* signals, const ConstraintArrays& out) {
+  constexpr int rows = Joint::rows, max_parameters = 8;
+  Signal<Pack> parameters[max_parameters];
+  for (int first = 0; first < joints.count; first += width) {
+    for (int p = 0; p < joints.parameter_count; ++p)
+      parameters[p] =
+          load_parameter(joints.parameters + first * joints.parameter_count + p, joints.parameter_count, signals);
+    Pack v_i[6], v_j[6], Phi[rows], Phi_t[rows], Phi_dot[rows], gamma[rows], D[12 * rows];
+    const BodyState<Pack> i = gather_state(joints.body_i + first, q, v, v_i);
+    const BodyState<Pack> j = gather_state(joints.body_j + first, q, v, v_j);
+    Joint::template evaluate<Pack>(load_attachment(joints.attachment + 24l * first), parameters, i, j,
+                                   Rows<Pack, rows>{Phi, Phi_t, gamma, D, D + 6 * rows});
+    multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
+
+    const int used = joints.count - first < width ? joints.count - first : width;
+    double* place[width];
+    for (int l = 0; l < used; ++l) place[l] = out.D + joints.D[first + l];
+    scatter<12 * rows>(D, place, used);
+    const auto scatter_rows = [&](const Pack* in, double* to) {
+      for (int l = 0; l < used; ++l) place[l] = to + joints.row[first + l];
+      scatter<rows>(in, place, used);
+    };
+    scatter_rows(Phi, out.Phi);
+    scatter_rows(Phi_dot, out.Phi_dot);
+    scatter_rows(gamma, out.gamma);
+    if (joints.time_dependent) scatter_rows(Phi_t, out.Phi_t);
+  }
+}
+
+}  // namespace linkwork::simd::LINKWORK_ISA
