@@ -31,23 +31,14 @@ struct Pack {
   }
 };
 
-/// Reads `count` numbers at each of `width` places: number k of all places into out[k].
 template <int count>
 LINKWORK_INLINE void gather(const double* const* from, Pack* out) {
-  constexpr int step = count < width ? count : width;
-  LINKWORK_UNROLL for (int c = 0; c < count; c += width) {
-    const int first = c + step > count ? count - step : c;  // the last numbers may be read twice
-    Native square[width];
-    LINKWORK_UNROLL for (int l = 0; l < width; ++l) {
-      if constexpr (count < width) square[l] = load_some<step>(from[l] + first);
-      else square[l] = load_native(from[l] + first);
-    }
-    transpose(square);
-    LINKWORK_UNROLL for (int k = 0; k < step; ++k) out[first + k].v = square[k];
-  }
+  Native numbers[count];
+  gather<count>(from, numbers);
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k) out[k].v = numbers[k];
 }
 
-/// The way back, for the first `used` places.
+/// The way back of gather, for the first `used` places.
 template <int count>
 LINKWORK_INLINE void scatter(const Pack* in, double* const* to, int used) {
   constexpr int step = count < width ? count : width;

@@ -170,6 +170,70 @@ LINKWORK_INLINE void store_first(double* to, const Vector& v) {
   }
 }
 
+/// Lanes after k, and lanes before k, as factors 1 and 0.
+LINKWORK_INLINE Vector lanes_after(int k) {
+  constexpr double table[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+  return load(table + 7 - k);
+}
+LINKWORK_INLINE Vector lanes_before(int k) {
+  constexpr double table[16] = {1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0};
+  return load(table + 8 - k);
+}
+
+/// to[k] += from[k] for k < count.
+LINKWORK_INLINE void add(double* to, const double* from, int count) {
+  for (; count >= width; count -= width, to += width, from += width)
+    store_native(to, load_native(to) + load_native(from));
+#if defined(__AVX512F__)
+  const __mmask8 rest = (1 << count) - 1;
+  _mm512_mask_storeu_pd(to, rest, _mm512_add_pd(_mm512_maskz_loadu_pd(rest, to), _mm512_maskz_loadu_pd(rest, from)));
+#else
+  for (int k = 0; k < count; ++k) to[k] += from[k];
+#endif
+}
+LINKWORK_INLINE void copy(double* to, const double* from, int count) {
+  for (; count >= width; count -= width, to += width, from += width) store_native(to, load_native(from));
+#if defined(__AVX512F__)
+  const __mmask8 rest = (1 << count) - 1;
+  _mm512_mask_storeu_pd(to, rest, _mm512_maskz_loadu_pd(rest, from));
+#else
+  for (int k = 0; k < count; ++k) to[k] = from[k];
+#endif
+}
+
+/// Transposes a square of eight vectors.
+LINKWORK_INLINE void transpose(Vector* v) {
+  LINKWORK_UNROLL for (int p = 0; p < Vector::parts; ++p) LINKWORK_UNROLL for (int q = 0; q <= p; ++q) {
+    Native a[width], b[width];
+    LINKWORK_UNROLL for (int k = 0; k < width; ++k) {
+      a[k] = v[p * width + k].part[q];
+      b[k] = v[q * width + k].part[p];
+    }
+    transpose(a);
+    transpose(b);
+    LINKWORK_UNROLL for (int k = 0; k < width; ++k) {
+      v[p * width + k].part[q] = b[k];
+      v[q * width + k].part[p] = a[k];
+    }
+  }
+}
+
+/// Reads `count` numbers at each of `width` places: number k of all places into out[k].
+template <int count>
+LINKWORK_INLINE void gather(const double* const* from, Native* out) {
+  constexpr int step = count < width ? count : width;
+  LINKWORK_UNROLL for (int c = 0; c < count; c += width) {
+    const int first = c + step > count ? count - step : c;  // the last numbers may be read twice
+    Native square[width];
+    LINKWORK_UNROLL for (int l = 0; l < width; ++l) {
+      if constexpr (count < width) square[l] = load_some<step>(from[l] + first);
+      else square[l] = load_native(from[l] + first);
+    }
+    transpose(square);
+    LINKWORK_UNROLL for (int k = 0; k < step; ++k) out[first + k] = square[k];
+  }
+}
+
 template <int count>
 LINKWORK_INLINE Native total(const Native* v) {
   if constexpr (count == 1) return v[0];

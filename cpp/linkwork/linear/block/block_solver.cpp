@@ -23,6 +23,7 @@ class BlockSolver final : public SaddleSolver {
     accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
     panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
     updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
+    scratch_.assign(static_cast<std::size_t>(schedule_->scratch_size), 0.0);
     diagonal_.assign(static_cast<std::size_t>(system.row_count()), 0.0);
     no_a_.setZero(system.v_size());
     no_b_.setZero(system.row_count());
@@ -64,7 +65,7 @@ class BlockSolver final : public SaddleSolver {
              schedule_->fronts.data(),
              static_cast<std::ptrdiff_t>(schedule_->fronts.size()),
              schedule_->segments.data(),
-             schedule_->blocks.data(),
+             schedule_->D_rows.data(),
              schedule_->unknowns.data(),
              system_->mass_blocks().data(),
              at.D.data(),
@@ -73,6 +74,7 @@ class BlockSolver final : public SaddleSolver {
              accumulators_.data(),
              panels_.data(),
              updates_.data(),
+             scratch_.data(),
              diagonal_.data()};
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};
@@ -83,7 +85,7 @@ class BlockSolver final : public SaddleSolver {
   const System* system_ = nullptr;
   const Kernels* kernels_;
   std::unique_ptr<Schedule> schedule_;
-  std::vector<double> factors_, accumulators_, panels_, updates_, diagonal_;
+  std::vector<double> factors_, accumulators_, panels_, updates_, scratch_, diagonal_;
   VectorXd e_, no_a_, no_b_;
   Data data_{};
 };

@@ -1,5 +1,7 @@
 // Compiled once per instruction set with LINKWORK_ISA = v2, v3, v4; see CMakeLists.txt.
 #include "linkwork/linear/block/kernels.hpp"
+#include <type_traits>
+
 #include "linkwork/math/simd.hpp"
 
 namespace linkwork::block {
@@ -167,157 +169,224 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
       FUNCTION<6>(__VA_ARGS__);         \
   }
 
-// --- the core: closed loops
-// ----------------------------------------------------------------------------------------------
+// --- the core: closed loops ------------------------------------------------------------------------------------------
+//
+// A body is a front of its own: what it keeps are the rows of its joints, and the update is its part of D M^-1 D^T.
+// Joints are eliminated in supernodes. Every front goes through the same steps, 8 columns at a time.
 
-void clear(const Front& front, const Data& data) {
-  double* panel = data.panels + front.panel;
-  for (std::ptrdiff_t k = 0; k < front.width * front.panel_stride; k += lanes) store(panel + k, splat(0.0));
-  double* update = data.updates + front.update;
-  for (std::ptrdiff_t k = 0; k < (front.size - front.width) * front.update_stride; k += lanes)
-    store(update + k, splat(0.0));
+LINKWORK_INLINE double* right_hand_side_of(const Front& front, const Data& data) {
+  return data.panels + front.panel + front.width * static_cast<std::ptrdiff_t>(front.stride());
 }
 
-/// Fills a body's front with [M; a] from its accumulator or its mass, and its rows of D.
+/// The column at a position, such that its entry at position p is [p]: of the panel, or of the update.
+LINKWORK_INLINE double* column_of(const Front& front, const Data& data, int position) {
+  if (position < front.top) return data.panels + front.panel + position * static_cast<std::ptrdiff_t>(front.stride());
+  return data.updates + front.update + (position - front.top) * static_cast<std::ptrdiff_t>(front.kept) - front.top;
+}
+
+/// Zeros where a front's children add: the lower triangle, from the vector on that holds the diagonal.
+void clear(const Front& front, const Data& data) {
+  for (int c = 0; c < front.size; ++c) {
+    const int position = c < front.width ? c : c - front.width + front.top;
+    double* column = column_of(front, data, position);
+    for (int p = position / lanes * lanes; p < front.stride(); p += lanes) store(column + p, splat(0.0));
+  }
+  double* right = right_hand_side_of(front, data);
+  for (int p = 0; p < front.stride(); p += lanes) store(right + p, splat(0.0));
+}
+
+LINKWORK_INLINE Vector body_right_hand_side(const Front& front, const Data& data, const double* a) {
+  if (front.slot < 0) return load_first<6>(a + 6 * front.body);
+  const double* accumulator = data.accumulators + front.slot * accumulator_size;
+  Vector out = splat(0.0);
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) out += unit(c) * splat(accumulator[c * lanes + right_hand_side]);
+  return out;
+}
+
+/// Fills a body's front with [M; D | a].
 void begin_body(const Front& front, const Data& data, const double* a) {
-  clear(front, data);
   double* panel = data.panels + front.panel;
-  for (int c = 0; c < 6; ++c) {
-    const Vector column = front.slot >= 0 ? load(data.accumulators + front.slot * accumulator_size + c * lanes)
-                                          : mass_column(data.mass[front.body], c, a[6 * front.body + c]);
-    double* out = panel + c * front.panel_stride;
-    for (int r = 0; r < 6; ++r) out[r] = column[r];
-    out[front.size] = column[right_hand_side];
+  const std::ptrdiff_t stride = front.stride();
+  const Vector first_six = lanes_before(6);
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+    Vector column;
+    if (front.slot >= 0) column = load(data.accumulators + front.slot * accumulator_size + c * lanes);
+    else column = mass_column(data.mass[front.body], c, 0.0);
+    store(panel + c * stride, column * first_six);
   }
-  for (int k = front.first_block; k < front.first_block + front.blocks; ++k) {
-    const BodyBlock& block = data.blocks[k];
-    for (int r = 0; r < block.rows; ++r)
-      for (int c = 0; c < 6; ++c) panel[c * front.panel_stride + block.front_row + r] = data.D[block.D + 6 * r + c];
+  constexpr double nothing[6] = {};
+  const std::ptrdiff_t* D_rows = data.D_rows + front.D_row;
+  for (int first = 0; first < front.kept; first += width) {
+    const double* rows[width];
+    Native columns[6];
+    for (int l = 0; l < width; ++l) rows[l] = first + l < front.size - 6 ? data.D + D_rows[first + l] : nothing;
+    gather<6>(rows, columns);
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) store_native(panel + c * stride + front.top + first, columns[c]);
   }
+  double* right = panel + 6 * stride;
+  store(right, body_right_hand_side(front, data, a));
+  for (int p = front.top; p < front.stride(); p += lanes) store(right + p, splat(0.0));
 }
 
 void begin_joints(const Front& front, const Data& data, const double* b) {
+  double* right = right_hand_side_of(front, data);
   for (int c = 0; c < front.width; ++c) {
     const int row = data.unknowns[front.unknown + c];
-    double* out = data.panels + front.panel + c * front.panel_stride;
-    out[c] += data.e[row];
-    out[front.size] += b[row];
+    column_of(front, data, c)[c] += data.e[row];
+    right[c] += b[row];
   }
 }
 
-/// y -= x f over whole vectors.
-LINKWORK_INLINE void subtract(double* y, const double* x, double f, std::ptrdiff_t count) {
-  const Vector factor = splat(f);
-  for (std::ptrdiff_t k = 0; k < count; k += lanes) store(y + k, load(y + k) - load(x + k) * factor);
-}
-
-/// C(:, c) -= sum_k A(:, k) B[k][c] for four columns and `depth` terms: 16 rows at a time stay in registers.
-template <int depth>
-LINKWORK_INLINE void rank_update(double* C, std::ptrdiff_t C_stride, const double* A, std::ptrdiff_t A_stride,
-                                 const double (*B)[4], std::ptrdiff_t count) {
-  for (std::ptrdiff_t r = 0; r < count; r += lanes) {
-    Vector c0 = load(C + r), c1 = load(C + C_stride + r), c2 = load(C + 2 * C_stride + r),
-           c3 = load(C + 3 * C_stride + r);
-    for (int k = 0; k < depth; ++k) {
-      const Vector a = load(A + k * A_stride + r);
-      c0 -= a * splat(B[k][0]);
-      c1 -= a * splat(B[k][1]);
-      c2 -= a * splat(B[k][2]);
-      c3 -= a * splat(B[k][3]);
+/// C(:, w) = (C(:, w) or 0) -+ sum_k A(:, k) B(k, w) for `columns` columns, `rows` vectors of rows at a time.
+template <int depth, int columns, int rows, bool fresh>
+LINKWORK_INLINE void multiply_add(double* C, std::ptrdiff_t C_stride, const double* A, std::ptrdiff_t A_stride,
+                                  const double* B, std::ptrdiff_t B_stride) {
+  Vector c[columns][rows];
+  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int r = 0; r < rows; ++r) c[w][r] =
+      fresh ? splat(0.0) : load(C + w * C_stride + r * lanes);
+  LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
+    Vector a[rows];
+    LINKWORK_UNROLL for (int r = 0; r < rows; ++r) a[r] = load(A + k * A_stride + r * lanes);
+    LINKWORK_UNROLL for (int w = 0; w < columns; ++w) {
+      const Vector factor = splat(B[k * B_stride + w]);
+      LINKWORK_UNROLL for (int r = 0; r < rows; ++r) {
+        if constexpr (fresh) c[w][r] += a[r] * factor;
+        else c[w][r] -= a[r] * factor;
+      }
     }
-    store(C + r, c0);
-    store(C + C_stride + r, c1);
-    store(C + 2 * C_stride + r, c2);
-    store(C + 3 * C_stride + r, c3);
+  }
+  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
+      store(C + w * C_stride + r * lanes, c[w][r]);
+}
+
+/// The columns at positions [first, last) of a front, from their diagonal on: C -+= U L^T with `depth` eliminated
+/// columns, U unscaled in the scratch memory and L in the panel.
+template <int depth, bool fresh>
+void update_columns(const Front& front, const Data& data, int k0, int first, int last) {
+  const std::ptrdiff_t stride = front.stride(), C_stride = first < front.top ? stride : front.kept;
+  const double* L = data.panels + front.panel + k0 * stride;
+  const int end = front.stride();
+  for (int c = first; c < last;) {
+    double* C = column_of(front, data, c);
+    const int columns = last - c;
+    int p = c / lanes * lanes;
+    const auto sweep = [&](auto count) {
+      for (; p + lanes < end; p += 2 * lanes)
+        multiply_add<depth, count, 2, fresh>(C + p, C_stride, data.scratch + p, stride, L + c, stride);
+      if (p < end) multiply_add<depth, count, 1, fresh>(C + p, C_stride, data.scratch + p, stride, L + c, stride);
+      c += count;
+    };
+    if (columns >= 4) sweep(std::integral_constant<int, 4>());
+    else if (columns == 3) sweep(std::integral_constant<int, 3>());
+    else if (columns == 2) sweep(std::integral_constant<int, 2>());
+    else sweep(std::integral_constant<int, 1>());
   }
 }
 
-/// Column c of a front from row `from` on (from is a multiple of 8 away from the stored beginning): panel or update.
-LINKWORK_INLINE double* column_of(const Front& front, const Data& data, int c) {
-  if (c < front.width) return data.panels + front.panel + c * front.panel_stride;
-  return data.updates + front.update + (c - front.width) * front.update_stride - front.width;
+/// LDL^T of `depth` columns from k0 on and of the right-hand side, and what they take from the columns that follow. The
+/// panel is left with unit L, 1/d on its diagonal, and D^-1 L^-1 of the right-hand side.
+template <int depth, bool is_body>
+void eliminate(const Front& front, const Data& data, int k0, SmallestPivot& smallest) {
+  const std::ptrdiff_t stride = front.stride();
+  double *panel = data.panels + front.panel + k0 * stride, *right = right_hand_side_of(front, data);
+  Vector T[depth], inverse[depth], z[depth];
+  LINKWORK_UNROLL for (int c = 0; c < depth; ++c) T[c] = load(panel + c * stride + k0);
+  Vector y = load(right + k0), solved = splat(0.0);
+  LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
+    const Vector pivot = lane(T[k], k);
+    if constexpr (is_body) {
+      if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, -1};
+    } else {
+      const int row = data.unknowns[front.unknown + k0 + k];
+      note(smallest, pivot[0], data.diagonal[row], row);
+    }
+    inverse[k] = splat(1.0 / pivot[0]);
+    const Vector L = T[k] * inverse[k];
+    z[k] = lane(y, k) * inverse[k];
+    LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c) {
+      if (c == k + 1) T[c] -= (T[k] * lane(T[k], c)) * inverse[k];
+      else T[c] -= T[k] * lane(L, c);
+    }
+    y -= T[k] * z[k];
+    solved += unit(k) * z[k];
+    T[k] = L;
+    store(panel + k * stride + k0, L * lanes_after(k) + unit(k) * inverse[k]);
+  }
+  store(right + k0, solved);
+  for (int p = k0 + lanes; p < front.stride(); p += lanes) {
+    Vector B[depth], r = load(right + p);
+    LINKWORK_UNROLL for (int c = 0; c < depth; ++c) B[c] = load(panel + c * stride + p);
+    LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
+      LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c) B[c] -= B[k] * lane(T[k], c);
+      r -= B[k] * z[k];
+      store(data.scratch + k * stride + p, B[k]);
+      store(panel + k * stride + p, B[k] * inverse[k]);
+    }
+    store(right + p, r);
+  }
+  if (k0 + lanes < front.width) update_columns<depth, false>(front, data, k0, k0 + lanes, front.width);
+  update_columns<depth, is_body>(front, data, k0, front.top, front.top + front.size - front.width);
 }
 
-constexpr int block_width = 8;
+/// Calls f with the number of columns, 1 to 8, as a constant.
+template <class Function>
+LINKWORK_INLINE void with_depth(int depth, const Function& f) {
+  switch (depth) {
+    case 1:
+      return f(std::integral_constant<int, 1>());
+    case 2:
+      return f(std::integral_constant<int, 2>());
+    case 3:
+      return f(std::integral_constant<int, 3>());
+    case 4:
+      return f(std::integral_constant<int, 4>());
+    case 5:
+      return f(std::integral_constant<int, 5>());
+    case 6:
+      return f(std::integral_constant<int, 6>());
+    case 7:
+      return f(std::integral_constant<int, 7>());
+    default:
+      return f(std::integral_constant<int, 8>());
+  }
+}
 
-/// LDL^T of the panel in place (unit L, 1/d on the diagonal) and the update U -= L D L^T, right-hand side included.
+LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - k0 < lanes ? front.width - k0 : lanes; }
+
 void factor_front(const Front& front, const Data& data, SmallestPivot& smallest) {
-  double* panel = data.panels + front.panel;
-  const std::ptrdiff_t stride = front.panel_stride;
-  double scaled[block_width][4];
-  for (int k0 = 0; k0 < front.width; k0 += block_width) {
-    const int depth = front.width - k0 < block_width ? front.width - k0 : block_width;
-    const std::ptrdiff_t top = k0 / lanes * lanes, rows = stride - top;
-    double pivots[block_width];
-    // the block itself, column after column, unscaled: column k holds L d
-    for (int k = k0; k < k0 + depth; ++k) {
-      const double d = panel[k * stride + k];
-      pivots[k - k0] = d;
-      const double inverse = 1.0 / d;
-      for (int c = k + 1; c < k0 + depth; ++c)
-        subtract(panel + c * stride + top, panel + k * stride + top, panel[k * stride + c] * inverse, rows);
-    }
-    // what follows, four columns at a time: C -= (L d) L^T
-    for (int c = k0 + depth; c < front.size; c += 4) {
-      const int wide = front.size - c < 4 ? front.size - c : 4;
-      for (int k = 0; k < depth; ++k)
-        for (int w = 0; w < 4; ++w) scaled[k][w] = w < wide ? panel[(k0 + k) * stride + c + w] / pivots[k] : 0.0;
-      const bool inside = c + wide <= front.width || c >= front.width;
-      if (wide == 4 && depth == block_width && inside) {
-        double* C = column_of(front, data, c);
-        const std::ptrdiff_t C_stride = c < front.width ? stride : front.update_stride;
-        const std::ptrdiff_t from =
-            c < front.width ? c / lanes * lanes : front.width + (c - front.width) / lanes * lanes;
-        const std::ptrdiff_t until = c < front.width ? stride : front.width + front.update_stride;
-        rank_update<block_width>(C + from, C_stride, panel + k0 * stride + from, stride, scaled, until - from);
-      } else {
-        for (int w = 0; w < wide; ++w) {
-          const int column = c + w;
-          double* C = column_of(front, data, column);
-          const std::ptrdiff_t from =
-              column < front.width ? column / lanes * lanes : front.width + (column - front.width) / lanes * lanes;
-          const std::ptrdiff_t until = column < front.width ? stride : front.width + front.update_stride;
-          for (int k = 0; k < depth; ++k)
-            subtract(C + from, panel + (k0 + k) * stride + from, scaled[k][w], until - from);
-        }
-      }
-    }
-    for (int k = k0; k < k0 + depth; ++k) {
-      const double inverse = 1.0 / pivots[k - k0];
-      double* column = panel + k * stride;
-      for (std::ptrdiff_t r = top; r < stride; r += lanes) store(column + r, load(column + r) * splat(inverse));
-      column[k] = inverse;
-      if (front.body < 0) {
-        const int row = data.unknowns[front.unknown + k];
-        note(smallest, pivots[k - k0], data.diagonal[row], row);
-      } else if (!(pivots[k - k0] > 0.0)) {
-        smallest = {pivots[k - k0] == pivots[k - k0] ? 0.0 : not_a_number, -1};
-      }
-    }
+  if (front.body < 0) {
+    for (int k0 = 0; k0 < front.width; k0 += lanes)
+      with_depth(depth_at(front, k0), [&](auto depth) { eliminate<depth, false>(front, data, k0, smallest); });
+    return;
   }
-  if (front.body >= 0)  // what this body adds to the diagonal of D M^-1 D^T
-    for (int r = front.width; r < front.size; ++r)
-      data.diagonal[data.unknowns[front.unknown + r]] -=
-          data.updates[front.update + (r - front.width) * (front.update_stride + 1)];
+  eliminate<6, true>(front, data, 0, smallest);
+  const double* update = data.updates + front.update;
+  const int* row = data.unknowns + front.unknown + 6;  // what this body adds to the diagonal of D M^-1 D^T
+  for (int r = 0; r < front.size - 6; ++r) data.diagonal[row[r]] += update[r * (front.kept + 1l)];
+}
+
+void add_right_hand_side(const Front& front, const Front& parent, const Data& data) {
+  const double* from = right_hand_side_of(front, data) + front.top;
+  double* to = right_hand_side_of(parent, data);
+  const Segment* segments = data.segments + front.first_segment;
+  for (int s = 0; s < front.segments; ++s)
+    add(to + segments[s].parent_begin, from + segments[s].begin, segments[s].length);
 }
 
 /// Adds a front's update to its parent, run by run.
 void extend_add(const Front& front, const Data& data) {
   const Front& parent = data.fronts[front.parent];
   const Segment* segments = data.segments + front.first_segment;
-  const int rows = front.size - front.width;
   for (int s = 0; s < front.segments; ++s)
     for (int c = 0; c < segments[s].length; ++c) {
-      const int column = segments[s].begin + c;
-      const double* from = data.updates + front.update + column * front.update_stride;
+      const double* from =
+          data.updates + front.update + (segments[s].begin + c) * static_cast<std::ptrdiff_t>(front.kept);
       double* to = column_of(parent, data, segments[s].parent_begin + c);
-      for (int r = c; r < segments[s].length; ++r)
-        to[segments[s].parent_begin + r] += front.sign * from[segments[s].begin + r];
+      add(to + segments[s].parent_begin + c, from + segments[s].begin + c, segments[s].length - c);
       for (int t = s + 1; t < front.segments; ++t)
-        for (int r = 0; r < segments[t].length; ++r)
-          to[segments[t].parent_begin + r] += front.sign * from[segments[t].begin + r];
-      to[parent.size] += from[rows];
+        add(to + segments[t].parent_begin, from + segments[t].begin, segments[t].length);
     }
+  add_right_hand_side(front, parent, data);
 }
 
 void factor_branches(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
@@ -342,35 +411,42 @@ SmallestPivot factor(const Data& data, const double* a, const double* b) {
   return smallest;
 }
 
-/// The right-hand side part of clear, begin_body or begin_joints, factor_front and extend_add.
-void clear_right_hand_side(const Front& front, const Data& data) {
-  for (int c = 0; c < front.size; ++c) column_of(front, data, c)[front.size] = 0.0;
+template <int depth>
+void forward_block(const Front& front, const Data& data, int k0) {
+  const std::ptrdiff_t stride = front.stride();
+  double* right = right_hand_side_of(front, data);
+  const double* panel = data.panels + front.panel + k0 * stride;
+  Vector y = load(right + k0), solved = splat(0.0), y_of[depth];
+  LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
+    const Vector L = load(panel + k * stride + k0);
+    y_of[k] = lane(y, k);
+    solved += unit(k) * L * y_of[k];
+    y -= L * lanes_after(k) * y_of[k];
+  }
+  store(right + k0, solved);
+  for (int p = k0 + lanes; p < front.stride(); p += lanes) {
+    Vector r = load(right + p);
+    LINKWORK_UNROLL for (int k = 0; k < depth; ++k) r -= load(panel + k * stride + p) * y_of[k];
+    store(right + p, r);
+  }
 }
 
+/// The right-hand side part of clear, begin_body or begin_joints, factor_front and extend_add.
 void forward_front(const Front& front, const Data& data, const double* a, const double* b) {
-  double* panel = data.panels + front.panel;
-  if (front.body >= 0) clear_right_hand_side(front, data);
-  for (int k = 0; k < front.width; ++k) {
-    double& value = panel[k * front.panel_stride + front.size];
-    if (front.body < 0) value += b[data.unknowns[front.unknown + k]];
-    else
-      value = front.slot >= 0 ? data.accumulators[front.slot * accumulator_size + k * lanes + right_hand_side]
-                              : a[6 * front.body + k];
+  double* right = right_hand_side_of(front, data);
+  if (front.body >= 0) {
+    store(right, body_right_hand_side(front, data, a));
+    for (int p = front.top; p < front.stride(); p += lanes) store(right + p, splat(0.0));
+  } else {
+    for (int c = 0; c < front.width; ++c) right[c] += b[data.unknowns[front.unknown + c]];
   }
-  for (int k = 0; k < front.width; ++k) {
-    double* L = panel + k * front.panel_stride;
-    const double y = L[front.size];
-    for (int c = k + 1; c < front.size; ++c) column_of(front, data, c)[front.size] -= L[c] * y;
-    L[front.size] = y * L[k];
-  }
+  for (int k0 = 0; k0 < front.width; k0 += lanes)
+    with_depth(depth_at(front, k0), [&](auto depth) { forward_block<depth>(front, data, k0); });
   if (front.parent < 0) return;
   const Front& parent = data.fronts[front.parent];
-  if (front.begins_parent) clear_right_hand_side(parent, data);
-  const Segment* segments = data.segments + front.first_segment;
-  for (int s = 0; s < front.segments; ++s)
-    for (int c = 0; c < segments[s].length; ++c)
-      column_of(parent, data, segments[s].parent_begin + c)[parent.size] +=
-          column_of(front, data, front.width + segments[s].begin + c)[front.size];
+  if (front.begins_parent)
+    for (int p = 0; p < parent.stride(); p += lanes) store(right_hand_side_of(parent, data) + p, splat(0.0));
+  add_right_hand_side(front, parent, data);
 }
 
 /// On open branches a substitution would cost what the factorization does: both wait for the way to the root.
@@ -380,22 +456,51 @@ void forward(const Data& data, const double* a, const double* b) {
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) forward_front(data.fronts[f], data, a, b);
 }
 
-void backward(const Data& data, double* x, double* lambda) {
-  for (std::ptrdiff_t f = data.front_count; f-- > 0;) {
-    const Front& front = data.fronts[f];
-    const double* panel = data.panels + front.panel;
-    const int* unknown = data.unknowns + front.unknown;
-    double* own = front.body >= 0 ? x : lambda;
-    const double sign = front.body >= 0 ? 1.0 : -1.0;  // of the coupling: D^T lambda drives a body
-    for (int k = front.width - 1; k >= 0; --k) {
-      const double* L = panel + k * front.panel_stride;
-      double value = L[front.size];
-      for (int r = front.width; r < front.size; ++r) value += sign * L[r] * lambda[unknown[r]];
-      for (int r = k + 1; r < front.width; ++r) value -= L[r] * own[unknown[r]];
-      own[unknown[k]] = value;
-    }
-    if (front.slot >= 0) leave_for_children(load_first<6>(x + 6 * front.body), front.slot, data);
+/// Leaves the solution where the right-hand side was: own unknowns and those that the front kept.
+template <int depth>
+void backward_block(const Front& front, const Data& data, int k0) {
+  const std::ptrdiff_t stride = front.stride();
+  double* right = right_hand_side_of(front, data);
+  const double* panel = data.panels + front.panel + k0 * stride;
+  Vector products[8];
+  LINKWORK_UNROLL for (int k = 0; k < 8; ++k) products[k] = splat(0.0);
+  for (int p = k0 + lanes; p < front.stride(); p += lanes) {
+    const Vector known = load(right + p);
+    LINKWORK_UNROLL for (int k = 0; k < depth; ++k) products[k] += load(panel + k * stride + p) * known;
   }
+  Vector x = load(right + k0) - sums<depth>(products);
+  Vector L[8];
+  LINKWORK_UNROLL for (int k = 0; k < 8; ++k) L[k] = k < depth ? load(panel + k * stride + k0) : splat(0.0);
+  transpose(L);
+  LINKWORK_UNROLL for (int k = depth - 1; k > 0; --k) x -= (L[k] * lanes_before(k)) * lane(x, k);
+  store(right + k0, x);
+}
+
+void backward_front(const Front& front, const Data& data, double* x, double* lambda) {
+  double* right = right_hand_side_of(front, data);
+  if (front.parent >= 0) {
+    const double* known = right_hand_side_of(data.fronts[front.parent], data);
+    const Segment* segments = data.segments + front.first_segment;
+    for (int s = 0; s < front.segments; ++s)
+      copy(right + front.top + segments[s].begin, known + segments[s].parent_begin, segments[s].length);
+  }
+  for (int p = front.top + front.size - front.width; p < front.stride(); ++p) right[p] = 0.0;
+  if (front.body >= 0) {
+    const Vector minus = splat(-1.0);  // D^T lambda drives a body
+    for (int p = front.top; p < front.stride(); p += lanes) store(right + p, load(right + p) * minus);
+    backward_block<6>(front, data, 0);
+    const Vector solution = load(right);
+    store_first<6>(x + 6 * front.body, solution);
+    if (front.slot >= 0) leave_for_children(solution, front.slot, data);
+    return;
+  }
+  for (int k0 = (front.width - 1) / lanes * lanes; k0 >= 0; k0 -= lanes)
+    with_depth(depth_at(front, k0), [&](auto depth) { backward_block<depth>(front, data, k0); });
+  for (int k = 0; k < front.width; ++k) lambda[data.unknowns[front.unknown + k]] = right[k];
+}
+
+void backward(const Data& data, double* x, double* lambda) {
+  for (std::ptrdiff_t f = data.front_count; f-- > 0;) backward_front(data.fronts[f], data, x, lambda);
   for (std::ptrdiff_t s = data.step_count; s-- > 0;) {
     const TreeStep& step = data.steps[s];
     LINKWORK_BY_ROWS(backward_step, step, data, x, lambda)

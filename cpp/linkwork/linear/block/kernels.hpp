@@ -29,30 +29,30 @@ constexpr std::ptrdiff_t step_storage(int rows) { return (6 + rows) * lanes; }
 /// Doubles of an accumulator: 6 columns of [M; a].
 constexpr std::ptrdiff_t accumulator_size = 6 * lanes;
 
-/// A dense front of the core: `size` unknowns of which the first `width` are eliminated, and the right-hand side as row
-/// `size`. The panel holds the eliminated columns, the update what they leave for the parent.
+/// A dense front of the core: `size` unknowns of which the first `width` are eliminated and the others kept.
+///
+/// Rows have positions: those eliminated from 0 on, those kept from `top` on, both parts filled up to vectors. The
+/// panel holds the eliminated columns and the right-hand side, each over all positions; the update holds the kept
+/// columns over the kept positions, and is added to the parent.
 struct Front {
   int width, size;
+  int top, kept;           ///< positions of the two parts
   int parent;              ///< front that takes the update, or -1
-  double sign;             ///< of the update in the parent: -1 for a body (its Schur complement), +1 for joints
   int body;                ///< the body, or -1 for a front of joints
   int slot;                ///< accumulator of the body, or -1
   bool begins_parent;      ///< the first child: the parent is cleared before its update is added
   std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in x (body) or lambda (joints)
   std::ptrdiff_t panel, update;
-  std::ptrdiff_t panel_stride, update_stride;
-  int first_segment, segments;  ///< runs of update rows that stand together in the parent
-  int first_block, blocks;      ///< D blocks of a body
+  std::ptrdiff_t D_row;         ///< of a body: place in `D_rows`
+  int first_segment, segments;  ///< runs of kept rows that stand together in the parent
+
+  int stride() const { return top + kept; }
 };
 
+/// Kept rows `begin` .. `begin + length` of a front have positions `parent_begin` .. in its parent, all eliminated
+/// there or all kept.
 struct Segment {
   int begin, parent_begin, length;
-};
-
-/// Where a D block of a body stands in its front.
-struct BodyBlock {
-  int front_row, rows;
-  std::ptrdiff_t D;
 };
 
 /// Everything that the sweeps read, and the factors that they write.
@@ -62,7 +62,7 @@ struct Data {
   const Front* fronts;
   std::ptrdiff_t front_count;
   const Segment* segments;
-  const BodyBlock* blocks;
+  const std::ptrdiff_t* D_rows;  ///< for each kept row of a body's front, where its row of D is
   const int* unknowns;
   const MassBlock* mass;
   const double* D;
@@ -71,6 +71,7 @@ struct Data {
   double* accumulators;
   double* panels;
   double* updates;
+  double* scratch;   ///< 8 columns of the highest front
   double* diagonal;  ///< diag(D M^-1 D^T + E) of the rows in the core
 };
 

@@ -254,11 +254,10 @@ class CoreBuilder {
   void append_body(int body, int supernode) {
     Front front{};
     front.width = 6;
-    front.sign = -1.0;
     front.body = body;
     front.slot = tree_.slot(body);
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
-    front.first_block = static_cast<int>(out_.blocks.size());
+    front.D_row = static_cast<std::ptrdiff_t>(out_.D_rows.size());
     for (int k = 0; k < 6; ++k) out_.unknowns.push_back(6 * body + k);
     std::vector<std::pair<int, int>> blocks;  // (position of the joint, block)
     for (const int index : system_.body_blocks(body)) {
@@ -270,19 +269,19 @@ class CoreBuilder {
     std::vector<int> positions;
     for (const auto& [position, index] : blocks) {
       const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
-      out_.blocks.push_back({row, block.rows, block.offset});
-      for (int k = 0; k < block.rows; ++k) out_.unknowns.push_back(block.row + k);
+      for (int k = 0; k < block.rows; ++k) {
+        out_.D_rows.push_back(block.offset + 6 * k);
+        out_.unknowns.push_back(block.row + k);
+      }
       row += block.rows;
       positions.push_back(position);
     }
-    front.blocks = static_cast<int>(blocks.size());
     finish(front, row, supernode, std::move(positions));
   }
 
   void append_joints(int s) {
     const Supernode& node = elimination_.supernodes[static_cast<std::size_t>(s)];
     Front front{};
-    front.sign = 1.0;
     front.body = none;
     front.slot = none;
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
@@ -303,10 +302,11 @@ class CoreBuilder {
 
   void finish(Front& front, int size, int parent_supernode, std::vector<int> below) {
     front.size = size;
-    front.panel_stride = padded(size + 1);
-    front.update_stride = padded(size + 1 - front.width);
+    front.top = static_cast<int>(padded(front.width));
+    front.kept = static_cast<int>(padded(size - front.width));
     front.panel = out_.panel_size;
-    out_.panel_size += front.width * front.panel_stride;
+    out_.panel_size += (front.width + 1) * static_cast<std::ptrdiff_t>(front.stride());
+    out_.scratch_size = std::max(out_.scratch_size, static_cast<std::ptrdiff_t>(lanes * front.stride()));
     parent_supernode_.push_back(parent_supernode);
     below_.push_back(std::move(below));
     const double w = front.width, r = size + 1.0 - w;
@@ -320,24 +320,27 @@ class CoreBuilder {
     std::vector<char> begun(out_.fronts.size(), 0);
     for (std::size_t f = 0; f < out_.fronts.size(); ++f) {
       Front& front = out_.fronts[f];
-      const std::ptrdiff_t size = (front.size - front.width) * front.update_stride;
-      if (!begun[f]) front.update = updates_.take(size);
+      if (!begun[f]) front.update = updates_.take(update_size(front));
       const int s = parent_supernode_[f];
       front.parent = s == none ? none : front_of_[static_cast<std::size_t>(s)];
       front.first_segment = static_cast<int>(out_.segments.size());
       if (front.parent != none) {
         Front& parent = out_.fronts[static_cast<std::size_t>(front.parent)];
         front.begins_parent = !begun[static_cast<std::size_t>(front.parent)];
-        if (front.begins_parent) parent.update = updates_.take((parent.size - parent.width) * parent.update_stride);
+        if (front.begins_parent) parent.update = updates_.take(update_size(parent));
         begun[static_cast<std::size_t>(front.parent)] = 1;
-        append_segments(below_[f], elimination_.supernodes[static_cast<std::size_t>(s)]);
+        append_segments(below_[f], elimination_.supernodes[static_cast<std::size_t>(s)], parent);
       }
       front.segments = static_cast<int>(out_.segments.size()) - front.first_segment;
       updates_.give_back(front.update);
     }
   }
 
-  void append_segments(const std::vector<int>& below, const Supernode& parent) {
+  static std::ptrdiff_t update_size(const Front& front) {
+    return static_cast<std::ptrdiff_t>(front.size - front.width) * front.kept;
+  }
+
+  void append_segments(const std::vector<int>& below, const Supernode& parent, const Front& parent_front) {
     int row = 0, parent_row = 0, position = parent.first;
     auto next = parent.below.begin();
     const auto advance = [&] {  // to the next joint of the parent
@@ -352,8 +355,10 @@ class CoreBuilder {
         joined = false;
       }
       const int rows = rows_at(joint);
+      const bool kept = parent_row >= parent_front.width;
+      if (parent_row == parent_front.width) joined = false;
       if (joined) out_.segments.back().length += rows;
-      else out_.segments.push_back({row, parent_row, rows});
+      else out_.segments.push_back({row, parent_row + (kept ? parent_front.top - parent_front.width : 0), rows});
       joined = true;
       row += rows;
       advance();

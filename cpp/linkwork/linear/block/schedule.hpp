@@ -20,11 +20,11 @@ struct Schedule {
   std::vector<TreeStep> steps;
   std::vector<Front> fronts;
   std::vector<Segment> segments;
-  std::vector<BodyBlock> blocks;
+  std::vector<std::ptrdiff_t> D_rows;
   std::vector<int> unknowns;
   std::ptrdiff_t factor_size = 0;  ///< doubles of tree factors
   std::ptrdiff_t accumulator_count = 0;
-  std::ptrdiff_t panel_size = 0, update_size = 0;
+  std::ptrdiff_t panel_size = 0, update_size = 0, scratch_size = 0;
   double flops = 0.0;         ///< of one factorization
   std::int64_t nonzeros = 0;  ///< of the factors
 };
