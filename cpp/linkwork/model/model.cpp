@@ -92,18 +92,20 @@ int Model::add_body(const std::string& name, const Body& body) {
   check_body(body, name);
   if (name == "ground")
     throw ModelError("duplicate_name", "body 'ground': the name belongs to the ground; choose another");
-  body_names_.add(name);
-  bodies_.push_back(body);
-  bodies_.back().orientation.normalize();
-  return static_cast<int>(bodies_.size()) - 1;
+  body_names_.own().add(name);
+  std::vector<Body>& list = bodies_.own();
+  list.push_back(body);
+  list.back().orientation.normalize();
+  return static_cast<int>(list.size()) - 1;
 }
 
 int Model::add_bodies(const std::string& prefix, const std::vector<Body>& bodies) {
   for (std::size_t k = 0; k < bodies.size(); ++k) check_body(bodies[k], prefix + "[" + std::to_string(k) + "]");
-  body_names_.add_group(prefix, static_cast<int>(bodies.size()));
-  const int first = static_cast<int>(bodies_.size());
-  bodies_.insert(bodies_.end(), bodies.begin(), bodies.end());
-  for (std::size_t k = static_cast<std::size_t>(first); k < bodies_.size(); ++k) bodies_[k].orientation.normalize();
+  body_names_.own().add_group(prefix, static_cast<int>(bodies.size()));
+  std::vector<Body>& list = bodies_.own();
+  const int first = static_cast<int>(list.size());
+  list.insert(list.end(), bodies.begin(), bodies.end());
+  for (std::size_t k = static_cast<std::size_t>(first); k < list.size(); ++k) list[k].orientation.normalize();
   return first;
 }
 
@@ -115,7 +117,7 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
   const auto refuse_element = [&](const char* code, const std::string& why) {
     throw ModelError(code, who + ": " + why, details);
   };
-  const int count = static_cast<int>(bodies_.size());
+  const int count = static_cast<int>(bodies_->size());
   for (const int body : {element.i, element.j})
     if (body < ground || body >= count)
       refuse_element("unknown_body", "body index " + std::to_string(body) + " does not exist; there are " +
@@ -160,17 +162,18 @@ int Model::add_elements(Role role, const std::string& kind, const std::string& n
       std::numeric_limits<int>::max())
     throw ModelError("too_large", "the model would have more constraint rows than 2^31 - 1");
 
-  NameTable& names = joint ? joint_names_ : force_names_;
+  NameTable& names = joint ? joint_names_.own() : force_names_.own();
   if (group) names.add_group(name, static_cast<int>(elements.size()));
   else names.add(name);
-  std::vector<Element>& list = joint ? joints_ : forces_;
-  std::vector<Parameter>& all_parameters = joint ? joint_parameters_ : force_parameters_;
+  std::vector<Element>& list = joint ? joints_.own() : forces_.own();
+  std::vector<Parameter>& all_parameters = joint ? joint_parameters_.own() : force_parameters_.own();
+  std::vector<int>& rows = joint_rows_.own();
   const int first = static_cast<int>(list.size());
   for (std::size_t k = 0; k < elements.size(); ++k) {
     list.push_back(elements[k]);
     list.back().kind = index;
     list.back().first_parameter = all_parameters.size() + k * count;
-    if (joint) joint_rows_.push_back(joint_rows_.back() + info.rows);
+    if (joint) rows.push_back(rows.back() + info.rows);
   }
   all_parameters.insert(all_parameters.end(), parameters.begin(), parameters.end());
   return first;
@@ -202,28 +205,28 @@ int Model::add_signal(TimeFunctionPtr function) {
 }
 
 int Model::joint_of_row(int row) const {
-  return static_cast<int>(std::upper_bound(joint_rows_.begin(), joint_rows_.end(), row) - joint_rows_.begin()) - 1;
+  return static_cast<int>(std::upper_bound(joint_rows_->begin(), joint_rows_->end(), row) - joint_rows_->begin()) - 1;
 }
 
 std::string Model::describe_row(int row) const {
   const int joint = joint_of_row(row);
-  const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joints_[static_cast<std::size_t>(joint)].kind)].info;
-  const int equation = row - joint_rows_[static_cast<std::size_t>(joint)];
+  const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joints()[static_cast<std::size_t>(joint)].kind)].info;
+  const int equation = row - joint_rows()[static_cast<std::size_t>(joint)];
   return info.name + " '" + joint_name(joint) + "', " + info.equations[static_cast<std::size_t>(equation)];
 }
 
 VectorXd Model::initial_q() const {
-  VectorXd q(position_size * static_cast<int>(bodies_.size()));
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    q.segment<position_size>(position_size * static_cast<Eigen::Index>(b)) << bodies_[b].position,
-        bodies_[b].orientation;
+  VectorXd q(position_size * static_cast<int>(bodies_->size()));
+  for (std::size_t b = 0; b < bodies_->size(); ++b)
+    q.segment<position_size>(position_size * static_cast<Eigen::Index>(b)) << bodies()[b].position,
+        bodies()[b].orientation;
   return q;
 }
 
 VectorXd Model::initial_v() const {
-  VectorXd v(velocity_size * static_cast<int>(bodies_.size()));
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    v.segment<velocity_size>(velocity_size * static_cast<Eigen::Index>(b)) << bodies_[b].velocity, bodies_[b].omega;
+  VectorXd v(velocity_size * static_cast<int>(bodies_->size()));
+  for (std::size_t b = 0; b < bodies_->size(); ++b)
+    v.segment<velocity_size>(velocity_size * static_cast<Eigen::Index>(b)) << bodies()[b].velocity, bodies()[b].omega;
   return v;
 }
 

@@ -7,6 +7,7 @@
 #include "linkwork/model/force_kind.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/name_table.hpp"
+#include "linkwork/model/shared.hpp"
 #include "linkwork/model/time_function.hpp"
 
 namespace linkwork {
@@ -31,8 +32,8 @@ struct Element {
   std::size_t first_parameter = 0;  ///< place in the model's list of parameters
 };
 
-/// The constant description of a mechanism. Everything is checked when it is added: bad input is a ModelError that
-/// names the object and the value, and leaves the model as it was.
+/// The constant description of a mechanism, cheap to copy. Everything is checked when it is added: bad input is a
+/// ModelError that names the object and the value, and leaves the model as it was.
 class Model {
  public:
   explicit Model(const Vec3<double>& gravity = {0.0, 0.0, -9.81});
@@ -53,20 +54,20 @@ class Model {
                  const std::vector<Parameter>& parameters);
 
   const Vec3<double>& gravity() const { return gravity_; }
-  const std::vector<Body>& bodies() const { return bodies_; }
-  const std::vector<Element>& joints() const { return joints_; }
-  const std::vector<Element>& forces() const { return forces_; }
-  const std::vector<Parameter>& joint_parameters() const { return joint_parameters_; }
-  const std::vector<Parameter>& force_parameters() const { return force_parameters_; }
+  const std::vector<Body>& bodies() const { return *bodies_; }
+  const std::vector<Element>& joints() const { return *joints_; }
+  const std::vector<Element>& forces() const { return *forces_; }
+  const std::vector<Parameter>& joint_parameters() const { return *joint_parameters_; }
+  const std::vector<Parameter>& force_parameters() const { return *force_parameters_; }
   const std::vector<TimeFunctionPtr>& signals() const { return signals_; }
-  const std::vector<int>& joint_rows() const { return joint_rows_; }  ///< first row of each joint, and the total
-  int row_count() const { return joint_rows_.back(); }
+  const std::vector<int>& joint_rows() const { return *joint_rows_; }  ///< first row of each joint, and the total
+  int row_count() const { return joint_rows_->back(); }
 
-  const NameTable& body_names() const { return body_names_; }
-  const NameTable& joint_names() const { return joint_names_; }
-  const NameTable& force_names() const { return force_names_; }
-  std::string body_name(int body) const { return body == ground ? "ground" : body_names_.name(body); }
-  std::string joint_name(int joint) const { return joint_names_.name(joint); }
+  const NameTable& body_names() const { return *body_names_; }
+  const NameTable& joint_names() const { return *joint_names_; }
+  const NameTable& force_names() const { return *force_names_; }
+  std::string body_name(int body) const { return body == ground ? "ground" : body_names_->name(body); }
+  std::string joint_name(int joint) const { return joint_names_->name(joint); }
   int joint_of_row(int row) const;
   /// Such as "revolute 'pin', rotation about joint x".
   std::string describe_row(int row) const;
@@ -82,12 +83,12 @@ class Model {
                      const Parameter* parameters) const;
 
   Vec3<double> gravity_;
-  std::vector<Body> bodies_;
-  std::vector<Element> joints_, forces_;
-  std::vector<Parameter> joint_parameters_, force_parameters_;
+  Shared<std::vector<Body>> bodies_;
+  Shared<std::vector<Element>> joints_, forces_;
+  Shared<std::vector<Parameter>> joint_parameters_, force_parameters_;
   std::vector<TimeFunctionPtr> signals_;
-  std::vector<int> joint_rows_ = {0};
-  NameTable body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"};
+  Shared<std::vector<int>> joint_rows_{std::size_t{1}, 0};
+  Shared<NameTable> body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"};
 };
 
 }  // namespace linkwork
