@@ -24,12 +24,16 @@ class BlockSolver final : public SaddleSolver {
     panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
     updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
     scratch_.assign(static_cast<std::size_t>(schedule_->scratch_size), 0.0);
-    diagonal_.assign(static_cast<std::size_t>(system.row_count()), 0.0);
-    no_a_.setZero(system.v_size());
-    no_b_.setZero(system.row_count());
+    no_a_.resize(0);
   }
 
-  void factorize(const Evaluation& at, const VectorXd& e) override { factorize(at, e, no_a_, no_b_); }
+  void factorize(const Evaluation& at, const VectorXd& e) override {
+    if (no_a_.size() == 0) {
+      no_a_.setZero(system_->v_size());
+      no_b_.setZero(system_->row_count());
+    }
+    factorize(at, e, no_a_, no_b_);
+  }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
     kernels_->forward(data_, a.data(), b.data());
@@ -59,7 +63,7 @@ class BlockSolver final : public SaddleSolver {
 
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
     e_ = e;
-    diagonal_.assign(e.data(), e.data() + e.size());
+    if (!schedule_->fronts.empty()) diagonal_.assign(e.data(), e.data() + e.size());
     data_ = {schedule_->steps.data(),
              static_cast<std::ptrdiff_t>(schedule_->steps.size()),
              schedule_->fronts.data(),

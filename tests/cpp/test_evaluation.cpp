@@ -1,0 +1,73 @@
+#include <cstring>
+
+#include "support.hpp"
+
+using namespace support;
+
+namespace {
+
+bool same_bits(const double* a, const double* b, Eigen::Index count) {
+  return std::memcmp(a, b, sizeof(double) * static_cast<std::size_t>(count)) == 0;
+}
+
+/// Evaluations of a model on every instruction set that this processor has, at a time when drivers move.
+std::vector<Evaluation> evaluations(const Model& model) {
+  std::vector<Evaluation> out;
+  for (int level = 0; level < instruction_set_count(); ++level) {
+    const System system(model, instruction_set(level));
+    out.push_back(system.make_evaluation());
+    system.evaluate(0.3, model.initial_q(), model.initial_v(), out.back());
+  }
+  return out;
+}
+
+void check_same(const Model& model) {
+  const std::vector<Evaluation> all = evaluations(model);
+  for (std::size_t level = 1; level < all.size(); ++level) {
+    INFO(std::string(instruction_set(static_cast<int>(level)).name));
+    const Evaluation &a = all.front(), &b = all[level];
+    CHECK(same_bits(a.Phi.data(), b.Phi.data(), a.Phi.size()));
+    CHECK(same_bits(a.Phi_t.data(), b.Phi_t.data(), a.Phi.size()));
+    CHECK(same_bits(a.Phi_dot.data(), b.Phi_dot.data(), a.Phi.size()));
+    CHECK(same_bits(a.gamma.data(), b.gamma.data(), a.Phi.size()));
+    CHECK(same_bits(a.D.data(), b.D.data(), static_cast<Eigen::Index>(a.D.size())));
+    CHECK(same_bits(a.g.data(), b.g.data(), 6 * static_cast<Eigen::Index>(model.bodies().size())));
+    CHECK(same_bits(&a.potential, &b.potential, 1));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every instruction set gives the same equations of motion to the last bit") {
+  for (const JointKind& kind : joint_kinds()) {
+    INFO(kind.info.name);
+    for (const int bodies : {1, 2, 7, 8, 9, 21}) {
+      Random random(static_cast<std::uint64_t>(bodies));
+      check_same(random_chain(random, bodies, kind.info.name));
+    }
+  }
+  Random random(5);
+  check_same(random_tree(random, 100));
+}
+
+TEST_CASE("every instruction set gives the same driven joints to the last bit") {
+  Random random(6);
+  Model model;
+  for (int k = 0; k < 11; ++k) {
+    const int signal = model.add_signal(harmonic(0.1 + 0.01 * k, 2.0 + k, 0.1 * k, 2.0));
+    model.add_body("body" + std::to_string(k), random_body(random));
+    model.add_joint("distance", "rod" + std::to_string(k), k - 1, k, random_attachment(random),
+                    {Parameter{1.5, k % 3 == 0 ? -1 : signal}});
+  }
+  check_same(model);
+}
+
+TEST_CASE("Phi_dot is D v + Phi_t, whatever the number of joints of a kind") {
+  for (const int bodies : {1, 3, 8, 13}) {
+    Random random(static_cast<std::uint64_t>(bodies));
+    const System system(random_tree(random, bodies));
+    const Evaluation at = evaluate_initially(system);
+    const VectorXd expected = dense_D(system, at) * system.model().initial_v() + at.Phi_t;
+    CHECK((at.Phi_dot - expected).cwiseAbs().maxCoeff() <= 1e-13 * (1.0 + expected.cwiseAbs().maxCoeff()));
+  }
+}
