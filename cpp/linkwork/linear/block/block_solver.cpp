@@ -23,7 +23,9 @@ class BlockSolver final : public SaddleSolver {
     accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
     panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
     updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
-    scratch_.assign(static_cast<std::size_t>(schedule_->scratch_size), 0.0);
+    scratch_.assign(static_cast<std::size_t>(lanes * schedule_->highest_front), 0.0);
+    pivots_.assign(static_cast<std::size_t>(schedule_->widest_front) + slack, 0.0);
+    factorize_masses();
     no_a_.resize(0);
   }
 
@@ -61,6 +63,26 @@ class BlockSolver final : public SaddleSolver {
                       details);
   }
 
+  /// The constant factors of bodies without branches, in their place in the panels as well.
+  void factorize_masses() {
+    mass_factors_.resize(static_cast<std::size_t>(schedule_->mass_factor_count));
+    for (const Front& front : schedule_->fronts) {
+      if (front.body < 0 || front.mass_factor < 0) continue;
+      const auto J = system_->inertia(front.body);
+      const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
+      const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
+      const double m = 1.0 / system_->mass(front.body);
+      const MassFactor factor{L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}};
+      mass_factors_[static_cast<std::size_t>(front.mass_factor)] = factor;
+      double* panel = panels_.data() + front.panel;
+      const auto entry = [&](int row, int column) -> double& { return panel[column * front.stride() + row]; };
+      for (int k = 0; k < 6; ++k) entry(k, k) = factor.inverse[k];
+      entry(4, 3) = L43;
+      entry(5, 3) = L53;
+      entry(5, 4) = L54;
+    }
+  }
+
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
     e_ = e;
     if (!schedule_->fronts.empty()) diagonal_.assign(e.data(), e.data() + e.size());
@@ -72,6 +94,7 @@ class BlockSolver final : public SaddleSolver {
              schedule_->D_rows.data(),
              schedule_->unknowns.data(),
              system_->mass_blocks().data(),
+             mass_factors_.data(),
              at.D.data(),
              e_.data(),
              factors_.data(),
@@ -79,6 +102,7 @@ class BlockSolver final : public SaddleSolver {
              panels_.data(),
              updates_.data(),
              scratch_.data(),
+             pivots_.data(),
              diagonal_.data()};
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};
@@ -89,7 +113,8 @@ class BlockSolver final : public SaddleSolver {
   const System* system_ = nullptr;
   const Kernels* kernels_;
   std::unique_ptr<Schedule> schedule_;
-  std::vector<double> factors_, accumulators_, panels_, updates_, scratch_, diagonal_;
+  std::vector<double> factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_;
+  std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
   Data data_{};
 };

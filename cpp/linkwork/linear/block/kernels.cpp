@@ -203,6 +203,15 @@ LINKWORK_INLINE Vector body_right_hand_side(const Front& front, const Data& data
   return out;
 }
 
+/// The columns of D^T of as many kept rows as a register holds.
+LINKWORK_INLINE void gather_D(const Front& front, const Data& data, int first, Native* columns) {
+  static constexpr double nothing[6] = {};
+  const std::ptrdiff_t* D_rows = data.D_rows + front.D_row;
+  const double* rows[width];
+  for (int l = 0; l < width; ++l) rows[l] = first + l < front.size - 6 ? data.D + D_rows[first + l] : nothing;
+  gather<6>(rows, columns);
+}
+
 /// Fills a body's front with [M; D | a].
 void begin_body(const Front& front, const Data& data, const double* a) {
   double* panel = data.panels + front.panel;
@@ -214,13 +223,9 @@ void begin_body(const Front& front, const Data& data, const double* a) {
     else column = mass_column(data.mass[front.body], c, 0.0);
     store(panel + c * stride, column * first_six);
   }
-  constexpr double nothing[6] = {};
-  const std::ptrdiff_t* D_rows = data.D_rows + front.D_row;
   for (int first = 0; first < front.kept; first += width) {
-    const double* rows[width];
     Native columns[6];
-    for (int l = 0; l < width; ++l) rows[l] = first + l < front.size - 6 ? data.D + D_rows[first + l] : nothing;
-    gather<6>(rows, columns);
+    gather_D(front, data, first, columns);
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c) store_native(panel + c * stride + front.top + first, columns[c]);
   }
   double* right = panel + 6 * stride;
@@ -259,12 +264,12 @@ LINKWORK_INLINE void multiply_add(double* C, std::ptrdiff_t C_stride, const doub
       store(C + w * C_stride + r * lanes, c[w][r]);
 }
 
-/// The columns at positions [first, last) of a front, from their diagonal on: C -+= U L^T with `depth` eliminated
-/// columns, U unscaled in the scratch memory and L in the panel.
+/// The columns at positions [first, last) of a front, from their diagonal on: C -+= U L^T with the `depth` columns of a
+/// narrow front, U unscaled in the scratch memory and L in the panel.
 template <int depth, bool fresh>
-void update_columns(const Front& front, const Data& data, int k0, int first, int last) {
-  const std::ptrdiff_t stride = front.stride(), C_stride = first < front.top ? stride : front.kept;
-  const double* L = data.panels + front.panel + k0 * stride;
+void update_columns(const Front& front, const Data& data, int first, int last) {
+  const std::ptrdiff_t stride = front.stride();
+  const double* L = data.panels + front.panel;
   const int end = front.stride();
   for (int c = first; c < last;) {
     double* C = column_of(front, data, c);
@@ -272,8 +277,8 @@ void update_columns(const Front& front, const Data& data, int k0, int first, int
     int p = c / lanes * lanes;
     const auto sweep = [&](auto count) {
       for (; p + lanes < end; p += 2 * lanes)
-        multiply_add<depth, count, 2, fresh>(C + p, C_stride, data.scratch + p, stride, L + c, stride);
-      if (p < end) multiply_add<depth, count, 1, fresh>(C + p, C_stride, data.scratch + p, stride, L + c, stride);
+        multiply_add<depth, count, 2, fresh>(C + p, front.kept, data.scratch + p, stride, L + c, stride);
+      if (p < end) multiply_add<depth, count, 1, fresh>(C + p, front.kept, data.scratch + p, stride, L + c, stride);
       c += count;
     };
     if (columns >= 4) sweep(std::integral_constant<int, 4>());
@@ -283,8 +288,51 @@ void update_columns(const Front& front, const Data& data, int k0, int first, int
   }
 }
 
-/// LDL^T of `depth` columns from k0 on and of the right-hand side, and what they take from the columns that follow. The
-/// panel is left with unit L, 1/d on its diagonal, and D^-1 L^-1 of the right-hand side.
+/// C(:, w) -= sum_k A(:, k) B(k, w) over `depth` columns; B row after row.
+template <int columns, int rows>
+LINKWORK_INLINE void subtract_product(double* C, std::ptrdiff_t C_stride, const double* A, std::ptrdiff_t A_stride,
+                                      const double* B, int depth) {
+  Vector c[columns][rows];
+  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int r = 0; r < rows; ++r) c[w][r] =
+      load(C + w * C_stride + r * lanes);
+  for (int k = 0; k < depth; ++k) {
+    Vector a[rows];
+    LINKWORK_UNROLL for (int r = 0; r < rows; ++r) a[r] = load(A + k * A_stride + r * lanes);
+    LINKWORK_UNROLL for (int w = 0; w < columns; ++w) {
+      const Vector factor = splat(B[k * lanes + w]);
+      LINKWORK_UNROLL for (int r = 0; r < rows; ++r) c[w][r] -= a[r] * factor;
+    }
+  }
+  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
+      store(C + w * C_stride + r * lanes, c[w][r]);
+}
+
+/// The same for a wide front, whose first `depth` columns are eliminated, for up to 8 columns from position c on: many
+/// products before a number is stored again.
+void update_eight_columns(const Front& front, const Data& data, int depth, int c, int columns) {
+  const std::ptrdiff_t stride = front.stride();
+  const double* panel = data.panels + front.panel;
+  double* B = data.scratch;  // D L^T, `lanes` columns of it
+  for (int k = 0; k < depth; ++k) store(B + k * lanes, load(panel + k * stride + c) * splat(data.pivots[k]));
+  double* C = column_of(front, data, c);
+  const std::ptrdiff_t C_stride = c < front.top ? stride : front.kept;
+  constexpr int tile = width == 8 ? 8 : width == 4 ? 4 : 2;
+  constexpr int tile_rows = width == 8 ? 2 : 1;  // accumulators fill the registers
+  int w = 0;
+  const auto sweep = [&](auto count) {
+    int p = c;
+    for (; p + tile_rows * lanes <= front.stride(); p += tile_rows * lanes)
+      subtract_product<count, tile_rows>(C + w * C_stride + p, C_stride, panel + p, stride, B + w, depth);
+    for (; p < front.stride(); p += lanes)
+      subtract_product<count, 1>(C + w * C_stride + p, C_stride, panel + p, stride, B + w, depth);
+    w += count;
+  };
+  while (w + tile <= columns) sweep(std::integral_constant<int, tile>());
+  while (w < columns) sweep(std::integral_constant<int, 1>());
+}
+
+/// LDL^T of `depth` columns from k0 on and of the right-hand side. The panel is left with unit L, 1/d on its diagonal,
+/// and D^-1 L^-1 of the right-hand side; the scratch memory with L D.
 template <int depth, bool is_body>
 void eliminate(const Front& front, const Data& data, int k0, SmallestPivot& smallest) {
   const std::ptrdiff_t stride = front.stride();
@@ -300,6 +348,7 @@ void eliminate(const Front& front, const Data& data, int k0, SmallestPivot& smal
       const int row = data.unknowns[front.unknown + k0 + k];
       note(smallest, pivot[0], data.diagonal[row], row);
     }
+    data.pivots[k0 + k] = pivot[0];
     inverse[k] = splat(1.0 / pivot[0]);
     const Vector L = T[k] * inverse[k];
     z[k] = lane(y, k) * inverse[k];
@@ -324,8 +373,35 @@ void eliminate(const Front& front, const Data& data, int k0, SmallestPivot& smal
     }
     store(right + p, r);
   }
-  if (k0 + lanes < front.width) update_columns<depth, false>(front, data, k0, k0 + lanes, front.width);
-  update_columns<depth, is_body>(front, data, k0, front.top, front.top + front.size - front.width);
+}
+
+/// A body without branches: [M; D | a] with constant factors of M.
+void eliminate_constant_mass(const Front& front, const Data& data, const double* a) {
+  const std::ptrdiff_t stride = front.stride();
+  const MassFactor& factor = data.mass_factors[front.mass_factor];
+  double *panel = data.panels + front.panel, *right = panel + 6 * stride;
+  double y[6];
+  for (int k = 0; k < 6; ++k) y[k] = a[6 * front.body + k];
+  y[4] -= factor.L43 * y[3];
+  y[5] -= factor.L53 * y[3] + factor.L54 * y[4];
+  Vector solved = splat(0.0);
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+    y[k] *= factor.inverse[k];
+    solved += unit(k) * splat(y[k]);
+  }
+  store(right, solved);
+  for (int first = 0; first < front.kept; first += width) {
+    Native B[6], r{};
+    gather_D(front, data, first, B);
+    B[4] -= B[3] * splat_native(factor.L43);
+    B[5] -= B[3] * splat_native(factor.L53) + B[4] * splat_native(factor.L54);
+    LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+      r -= B[k] * splat_native(y[k]);
+      store_native(data.scratch + k * stride + front.top + first, B[k]);
+      store_native(panel + k * stride + front.top + first, B[k] * splat_native(factor.inverse[k]));
+    }
+    store_native(right + front.top + first, r);
+  }
 }
 
 /// Calls f with the number of columns, 1 to 8, as a constant.
@@ -353,16 +429,35 @@ LINKWORK_INLINE void with_depth(int depth, const Function& f) {
 
 LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - k0 < lanes ? front.width - k0 : lanes; }
 
-void factor_front(const Front& front, const Data& data, SmallestPivot& smallest) {
-  if (front.body < 0) {
-    for (int k0 = 0; k0 < front.width; k0 += lanes)
-      with_depth(depth_at(front, k0), [&](auto depth) { eliminate<depth, false>(front, data, k0, smallest); });
-    return;
+void factor_body(const Front& front, const Data& data, const double* a, SmallestPivot& smallest) {
+  if (front.mass_factor >= 0) {
+    eliminate_constant_mass(front, data, a);
+  } else {
+    begin_body(front, data, a);
+    eliminate<6, true>(front, data, 0, smallest);
   }
-  eliminate<6, true>(front, data, 0, smallest);
+  update_columns<6, true>(front, data, front.top, front.top + front.size - 6);
   const double* update = data.updates + front.update;
   const int* row = data.unknowns + front.unknown + 6;  // what this body adds to the diagonal of D M^-1 D^T
   for (int r = 0; r < front.size - 6; ++r) data.diagonal[row[r]] += update[r * (front.kept + 1l)];
+}
+
+void factor_joints(const Front& front, const Data& data, const double* b, SmallestPivot& smallest) {
+  begin_joints(front, data, b);
+  const int last = front.top + front.size - front.width;
+  if (front.width <= lanes) {
+    with_depth(front.width, [&](auto depth) {
+      eliminate<depth, false>(front, data, 0, smallest);
+      update_columns<depth, false>(front, data, front.top, last);
+    });
+    return;
+  }
+  for (int k0 = 0; k0 < front.width; k0 += lanes) {
+    if (k0 > 0) update_eight_columns(front, data, k0, k0, depth_at(front, k0));
+    with_depth(depth_at(front, k0), [&](auto depth) { eliminate<depth, false>(front, data, k0, smallest); });
+  }
+  for (int c = front.top; c < last; c += lanes)
+    update_eight_columns(front, data, front.width, c, last - c < lanes ? last - c : lanes);
 }
 
 void add_right_hand_side(const Front& front, const Front& parent, const Data& data) {
@@ -401,9 +496,8 @@ SmallestPivot factor(const Data& data, const double* a, const double* b) {
   factor_branches(data, a, b, smallest);
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
     const Front& front = data.fronts[f];
-    if (front.body >= 0) begin_body(front, data, a);
-    else begin_joints(front, data, b);
-    factor_front(front, data, smallest);
+    if (front.body >= 0) factor_body(front, data, a, smallest);
+    else factor_joints(front, data, b, smallest);
     if (front.parent < 0) continue;
     if (front.begins_parent) clear(data.fronts[front.parent], data);
     extend_add(front, data);

@@ -40,6 +40,7 @@ struct Front {
   int parent;              ///< front that takes the update, or -1
   int body;                ///< the body, or -1 for a front of joints
   int slot;                ///< accumulator of the body, or -1
+  int mass_factor;         ///< of a body without branches, else -1; its part of the panel never changes
   bool begins_parent;      ///< the first child: the parent is cleared before its update is added
   std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in x (body) or lambda (joints)
   std::ptrdiff_t panel, update;
@@ -55,6 +56,12 @@ struct Segment {
   int begin, parent_begin, length;
 };
 
+/// M = L D L^T of a body without branches: constant, and all of L but three numbers is that of a unit matrix.
+struct MassFactor {
+  double L43, L53, L54;
+  double inverse[6];  ///< of D
+};
+
 /// Everything that the sweeps read, and the factors that they write.
 struct Data {
   const TreeStep* steps;
@@ -65,6 +72,7 @@ struct Data {
   const std::ptrdiff_t* D_rows;  ///< for each kept row of a body's front, where its row of D is
   const int* unknowns;
   const MassBlock* mass;
+  const MassFactor* mass_factors;  ///< of the fronts that name one
   const double* D;
   const double* e;  ///< compliance of each row
   double* factors;
@@ -72,6 +80,7 @@ struct Data {
   double* panels;
   double* updates;
   double* scratch;   ///< 8 columns of the highest front
+  double* pivots;    ///< of the widest front
   double* diagonal;  ///< diag(D M^-1 D^T + E) of the rows in the core
 };
 

@@ -256,6 +256,7 @@ class CoreBuilder {
     front.width = 6;
     front.body = body;
     front.slot = tree_.slot(body);
+    front.mass_factor = front.slot == none ? out_.mass_factor_count++ : none;
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
     front.D_row = static_cast<std::ptrdiff_t>(out_.D_rows.size());
     for (int k = 0; k < 6; ++k) out_.unknowns.push_back(6 * body + k);
@@ -306,7 +307,8 @@ class CoreBuilder {
     front.kept = static_cast<int>(padded(size - front.width));
     front.panel = out_.panel_size;
     out_.panel_size += (front.width + 1) * static_cast<std::ptrdiff_t>(front.stride());
-    out_.scratch_size = std::max(out_.scratch_size, static_cast<std::ptrdiff_t>(lanes * front.stride()));
+    out_.highest_front = std::max(out_.highest_front, front.stride());
+    out_.widest_front = std::max(out_.widest_front, front.width);
     parent_supernode_.push_back(parent_supernode);
     below_.push_back(std::move(below));
     const double w = front.width, r = size + 1.0 - w;

@@ -24,7 +24,9 @@ struct Schedule {
   std::vector<int> unknowns;
   std::ptrdiff_t factor_size = 0;  ///< doubles of tree factors
   std::ptrdiff_t accumulator_count = 0;
-  std::ptrdiff_t panel_size = 0, update_size = 0, scratch_size = 0;
+  std::ptrdiff_t panel_size = 0, update_size = 0;
+  int highest_front = 0, widest_front = 0;  ///< stride and width
+  int mass_factor_count = 0;
   double flops = 0.0;         ///< of one factorization
   std::int64_t nonzeros = 0;  ///< of the factors
 };
