@@ -39,13 +39,13 @@ class BlockSolver final : public SaddleSolver {
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
     kernels_->forward(data_, a.data(), b.data());
-    kernels_->backward(data_, x.data(), lambda.data());
+    kernels_->backward(data_, a.data(), x.data(), lambda.data());
   }
 
   void factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
                            MutableVector x, MutableVector lambda) override {
     factorize(at, e, a, b);
-    kernels_->backward(data_, x.data(), lambda.data());
+    kernels_->backward(data_, a.data(), x.data(), lambda.data());
   }
 
   std::int64_t factor_nonzeros() const override { return schedule_->nonzeros; }
@@ -63,23 +63,16 @@ class BlockSolver final : public SaddleSolver {
                       details);
   }
 
-  /// The constant factors of bodies without branches, in their place in the panels as well.
   void factorize_masses() {
     mass_factors_.resize(static_cast<std::size_t>(schedule_->mass_factor_count));
     for (const Front& front : schedule_->fronts) {
-      if (front.body < 0 || front.mass_factor < 0) continue;
+      if (front.mass_factor < 0) continue;
       const auto J = system_->inertia(front.body);
       const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
       const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
       const double m = 1.0 / system_->mass(front.body);
-      const MassFactor factor{L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}};
-      mass_factors_[static_cast<std::size_t>(front.mass_factor)] = factor;
-      double* panel = panels_.data() + front.panel;
-      const auto entry = [&](int row, int column) -> double& { return panel[column * front.stride() + row]; };
-      for (int k = 0; k < 6; ++k) entry(k, k) = factor.inverse[k];
-      entry(4, 3) = L43;
-      entry(5, 3) = L53;
-      entry(5, 4) = L54;
+      mass_factors_[static_cast<std::size_t>(front.mass_factor)] = {
+          L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}};
     }
   }
 

@@ -375,21 +375,23 @@ void eliminate(const Front& front, const Data& data, int k0, SmallestPivot& smal
   }
 }
 
-/// A body without branches: [M; D | a] with constant factors of M.
+/// y = D^-1 L^-1 a of a body without branches.
+LINKWORK_INLINE void solve_lower(const MassFactor& factor, double* y) {
+  y[4] -= factor.L43 * y[3];
+  y[5] -= factor.L53 * y[3] + factor.L54 * y[4];
+  for (int k = 0; k < 6; ++k) y[k] *= factor.inverse[k];
+}
+
+/// A body without branches: what [M; D | a] leaves, with constant factors of M. With `right_hand_side_only` nothing but
+/// the last column.
+template <bool right_hand_side_only>
 void eliminate_constant_mass(const Front& front, const Data& data, const double* a) {
   const std::ptrdiff_t stride = front.stride();
   const MassFactor& factor = data.mass_factors[front.mass_factor];
   double *panel = data.panels + front.panel, *right = panel + 6 * stride;
   double y[6];
   for (int k = 0; k < 6; ++k) y[k] = a[6 * front.body + k];
-  y[4] -= factor.L43 * y[3];
-  y[5] -= factor.L53 * y[3] + factor.L54 * y[4];
-  Vector solved = splat(0.0);
-  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-    y[k] *= factor.inverse[k];
-    solved += unit(k) * splat(y[k]);
-  }
-  store(right, solved);
+  solve_lower(factor, y);
   for (int first = 0; first < front.kept; first += width) {
     Native B[6], r{};
     gather_D(front, data, first, B);
@@ -397,11 +399,33 @@ void eliminate_constant_mass(const Front& front, const Data& data, const double*
     B[5] -= B[3] * splat_native(factor.L53) + B[4] * splat_native(factor.L54);
     LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
       r -= B[k] * splat_native(y[k]);
+      if constexpr (right_hand_side_only) continue;
       store_native(data.scratch + k * stride + front.top + first, B[k]);
       store_native(panel + k * stride + front.top + first, B[k] * splat_native(factor.inverse[k]));
     }
     store_native(right + front.top + first, r);
   }
+}
+
+/// x = M^-1 (a + D^T lambda) of a body without branches.
+void backward_constant_mass(const Front& front, const Data& data, const double* a, double* x, const double* lambda) {
+  const int rows = front.size - 6, *row = data.unknowns + front.unknown + 6;
+  const std::ptrdiff_t* D_rows = data.D_rows + front.D_row;
+  Vector even = load_first<6>(a + 6 * front.body), odd = splat(0.0);
+  int r = 0;
+  for (; r + 1 < rows; r += 2) {
+    even += load_first<6>(data.D + D_rows[r]) * splat(lambda[row[r]]);
+    odd += load_first<6>(data.D + D_rows[r + 1]) * splat(lambda[row[r + 1]]);
+  }
+  if (r < rows) even += load_first<6>(data.D + D_rows[r]) * splat(lambda[row[r]]);
+  even += odd;
+  double y[6];
+  for (int k = 0; k < 6; ++k) y[k] = even[k];
+  const MassFactor& factor = data.mass_factors[front.mass_factor];
+  solve_lower(factor, y);
+  y[4] -= factor.L54 * y[5];
+  y[3] -= factor.L43 * y[4] + factor.L53 * y[5];
+  for (int k = 0; k < 6; ++k) x[6 * front.body + k] = y[k];
 }
 
 /// Calls f with the number of columns, 1 to 8, as a constant.
@@ -431,7 +455,7 @@ LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - 
 
 void factor_body(const Front& front, const Data& data, const double* a, SmallestPivot& smallest) {
   if (front.mass_factor >= 0) {
-    eliminate_constant_mass(front, data, a);
+    eliminate_constant_mass<false>(front, data, a);
   } else {
     begin_body(front, data, a);
     eliminate<6, true>(front, data, 0, smallest);
@@ -528,14 +552,18 @@ void forward_block(const Front& front, const Data& data, int k0) {
 /// The right-hand side part of clear, begin_body or begin_joints, factor_front and extend_add.
 void forward_front(const Front& front, const Data& data, const double* a, const double* b) {
   double* right = right_hand_side_of(front, data);
-  if (front.body >= 0) {
-    store(right, body_right_hand_side(front, data, a));
-    for (int p = front.top; p < front.stride(); p += lanes) store(right + p, splat(0.0));
+  if (front.mass_factor >= 0) {
+    eliminate_constant_mass<true>(front, data, a);
   } else {
-    for (int c = 0; c < front.width; ++c) right[c] += b[data.unknowns[front.unknown + c]];
+    if (front.body >= 0) {
+      store(right, body_right_hand_side(front, data, a));
+      for (int p = front.top; p < front.stride(); p += lanes) store(right + p, splat(0.0));
+    } else {
+      for (int c = 0; c < front.width; ++c) right[c] += b[data.unknowns[front.unknown + c]];
+    }
+    for (int k0 = 0; k0 < front.width; k0 += lanes)
+      with_depth(depth_at(front, k0), [&](auto depth) { forward_block<depth>(front, data, k0); });
   }
-  for (int k0 = 0; k0 < front.width; k0 += lanes)
-    with_depth(depth_at(front, k0), [&](auto depth) { forward_block<depth>(front, data, k0); });
   if (front.parent < 0) return;
   const Front& parent = data.fronts[front.parent];
   if (front.begins_parent)
@@ -570,7 +598,8 @@ void backward_block(const Front& front, const Data& data, int k0) {
   store(right + k0, x);
 }
 
-void backward_front(const Front& front, const Data& data, double* x, double* lambda) {
+void backward_front(const Front& front, const Data& data, const double* a, double* x, double* lambda) {
+  if (front.mass_factor >= 0) return backward_constant_mass(front, data, a, x, lambda);
   double* right = right_hand_side_of(front, data);
   if (front.parent >= 0) {
     const double* known = right_hand_side_of(data.fronts[front.parent], data);
@@ -593,8 +622,8 @@ void backward_front(const Front& front, const Data& data, double* x, double* lam
   for (int k = 0; k < front.width; ++k) lambda[data.unknowns[front.unknown + k]] = right[k];
 }
 
-void backward(const Data& data, double* x, double* lambda) {
-  for (std::ptrdiff_t f = data.front_count; f-- > 0;) backward_front(data.fronts[f], data, x, lambda);
+void backward(const Data& data, const double* a, double* x, double* lambda) {
+  for (std::ptrdiff_t f = data.front_count; f-- > 0;) backward_front(data.fronts[f], data, a, x, lambda);
   for (std::ptrdiff_t s = data.step_count; s-- > 0;) {
     const TreeStep& step = data.steps[s];
     LINKWORK_BY_ROWS(backward_step, step, data, x, lambda)

@@ -40,7 +40,7 @@ struct Front {
   int parent;              ///< front that takes the update, or -1
   int body;                ///< the body, or -1 for a front of joints
   int slot;                ///< accumulator of the body, or -1
-  int mass_factor;         ///< of a body without branches, else -1; its part of the panel never changes
+  int mass_factor;         ///< of a body without branches, else -1
   bool begins_parent;      ///< the first child: the parent is cleared before its update is added
   std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in x (body) or lambda (joints)
   std::ptrdiff_t panel, update;
@@ -48,6 +48,8 @@ struct Front {
   int first_segment, segments;  ///< runs of kept rows that stand together in the parent
 
   int stride() const { return top + kept; }
+  /// A body without branches needs no factors for the way back: D and M are at hand.
+  bool keeps_panel() const { return mass_factor < 0; }
 };
 
 /// Kept rows `begin` .. `begin + length` of a front have positions `parent_begin` .. in its parent, all eliminated
@@ -59,7 +61,7 @@ struct Segment {
 /// M = L D L^T of a body without branches: constant, and all of L but three numbers is that of a unit matrix.
 struct MassFactor {
   double L43, L53, L54;
-  double inverse[6];  ///< of D
+  double inverse[6];  ///< of the pivots
 };
 
 /// Everything that the sweeps read, and the factors that they write.
@@ -95,8 +97,8 @@ struct Kernels {
   SmallestPivot (*factor)(const Data&, const double* a, const double* b);
   /// The same forward substitution with factors that are there.
   void (*forward)(const Data&, const double* a, const double* b);
-  /// x (6 per body) and lambda from what a forward substitution left.
-  void (*backward)(const Data&, double* x, double* lambda);
+  /// x (6 per body) and lambda from what a forward substitution of the same a left.
+  void (*backward)(const Data&, const double* a, double* x, double* lambda);
 };
 
 const Kernels& kernels(const InstructionSet& instructions);

@@ -192,6 +192,7 @@ class CoreBuilder {
     order_joints();
     place_bodies();
     append_fronts();
+    share_panel();
     connect();
     out_.update_size = updates_.total();
   }
@@ -285,6 +286,7 @@ class CoreBuilder {
     Front front{};
     front.body = none;
     front.slot = none;
+    front.mass_factor = none;
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
     int size = 0;
     for (int k = node.first; k < node.last; ++k) size += append_rows(k);
@@ -305,8 +307,13 @@ class CoreBuilder {
     front.size = size;
     front.top = static_cast<int>(padded(front.width));
     front.kept = static_cast<int>(padded(size - front.width));
-    front.panel = out_.panel_size;
-    out_.panel_size += (front.width + 1) * static_cast<std::ptrdiff_t>(front.stride());
+    const std::ptrdiff_t panel_size = (front.width + 1) * static_cast<std::ptrdiff_t>(front.stride());
+    if (front.keeps_panel()) {
+      front.panel = out_.panel_size;
+      out_.panel_size += panel_size;
+    } else {
+      shared_panel_ = std::max(shared_panel_, panel_size);
+    }
     out_.highest_front = std::max(out_.highest_front, front.stride());
     out_.widest_front = std::max(out_.widest_front, front.width);
     parent_supernode_.push_back(parent_supernode);
@@ -315,6 +322,12 @@ class CoreBuilder {
     out_.flops += w * w * w / 3.0 + w * w * r + w * r * r;
     out_.nonzeros += front.width * (front.width + 1) / 2 + front.width * (size - front.width);
     out_.fronts.push_back(front);
+  }
+
+  /// The panels that are not kept are one, before all others.
+  void share_panel() {
+    for (Front& front : out_.fronts) front.panel = front.keeps_panel() ? front.panel + shared_panel_ : 0;
+    out_.panel_size += shared_panel_;
   }
 
   /// Parents, runs of rows in them, and the places of the updates over their lifetimes.
@@ -378,6 +391,7 @@ class CoreBuilder {
   std::vector<int> joints_, core_index_, position_, front_of_, parent_supernode_;
   std::vector<std::vector<int>> bodies_of_, below_;
   Elimination elimination_;
+  std::ptrdiff_t shared_panel_ = 0;
   Places updates_;
 };
 
