@@ -70,8 +70,8 @@ class Row:
 class Comparison:
     """Of the mechanism in `file`; each operation is timed for `seconds`.
 
-    A process may use so many `gigabytes`; an operation that takes more than `limit` seconds with all that it needs
-    is given up.
+    A process may use so many `gigabytes`; an operation that takes more than `limit` seconds with all that it
+    needs is given up.
     """
 
     model: str

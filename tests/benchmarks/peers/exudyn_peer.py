@@ -1,7 +1,7 @@
 """Exudyn: Euler parameters and Lagrange multipliers, implicit; open chains in joint coordinates, explicit.
 
-Its explicit solvers take no joints other than those inside a kinematic tree. Redundant equations make its matrix
-singular, so the ones that linkwork finds are left out of the joints.
+Its explicit solvers take no joints other than those inside a kinematic tree. Redundant equations make its
+matrix singular, so the ones that linkwork finds are left out of the joints.
 """
 
 from __future__ import annotations

@@ -19,8 +19,9 @@ SPAN = 0.01  #: [s] over which `mean_acceleration` is taken
 class Mechanism:
     """n bodies and k joints in motion, at one state. SI units; a body's frame is at its center of mass.
 
-    A joint has a point and a frame in each of its two bodies, the ground being body -1 with the inertial frame;
-    its axis is z. At this state the two points coincide and so do the two frames: joint coordinates are zero.
+    A joint has a point and a frame in each of its two bodies, the ground being body -1 with the inertial
+    frame; its axis is z. At this state the two points coincide and so do the two frames: joint coordinates
+    are zero.
     """
 
     name: str
@@ -73,8 +74,8 @@ class Mechanism:
     def pin_points(self, joint: int, side: int) -> list[Floats]:
         """Points (3,) in body axes that hold the joint when each coincides with its counterpart.
 
-        One for a spherical joint. Two on the axis of a revolute one, half a meter to either side: one equation
-        more than it needs, for engines that have no other way to close a loop with a hinge.
+        One for a spherical joint. Two on the axis of a revolute one, half a meter to either side: one
+        equation more than it needs, for engines that have no other way to close a loop with a hinge.
         """
         origin, axis = self.origin[joint, side], self.frame[joint, side][:, 2]
         return [origin] if self.kind[joint] == "spherical" else [origin + 0.5 * axis, origin - 0.5 * axis]

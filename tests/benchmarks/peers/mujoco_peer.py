@@ -1,7 +1,7 @@
 """MuJoCo: free bodies held by equality constraints, or a tree of joints whose loops are closed by them.
 
-Its constraints are soft by design: the hardest impedance d that it takes, 0.9999, adds (1 - d) / d = 1e-4 of its
-diagonal to D M^-1 D^T. In a long chain or a net that counts: the deviation says what it comes to.
+Its constraints are soft by design: the hardest impedance d that it takes, 0.9999, adds (1 - d) / d = 1e-4 of
+its diagonal to D M^-1 D^T. In a long chain or a net that counts: the deviation says what it comes to.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ STEP = 1e-3  #: of all integrators [s]
 MOST_STEPS = 100  #: from one initial state: every batch is about the same stretch of the motion
 BATCHES = 10
 
-#: Tolerance of first-order methods: twice the h / (2 SPAN) by which velocities half a step late change the mean.
+#: Tolerance of first-order methods: twice the h / (2 SPAN) that velocities half a step late make.
 FIRST_ORDER = 0.1
 
 #: Runs so many calls and returns the seconds that they took.

@@ -2,15 +2,16 @@
 
 python tests/benchmarks/peers/run.py [--models chain,ladder:100] [--peers mujoco] [--rounds 5] [--json]
 
-Every peer builds the mechanism from the same numbers, those of the linkwork model 20 ms into its motion, and its
-accelerations there are compared with linkwork's: `deviation` is the largest difference over the largest
-acceleration, marked ! where it is beyond the tolerance that is stated for the peer's formulation (MuJoCo's soft
-constraints add up in a large net). Steps, of 1 ms, are compared by the mean acceleration over ten of them.
+Every peer builds the mechanism from the same numbers, those of the linkwork model 20 ms into its motion, and
+its accelerations there are compared with linkwork's: `deviation` is the largest difference over the largest
+acceleration, marked ! where it is beyond the tolerance that is stated for the peer's formulation (MuJoCo's
+soft constraints add up in a large net). Steps, of 1 ms, are compared by the mean acceleration over ten of
+them.
 
 Then it is timed, in processor time. In each round every peer runs in turn, in a process of its own with one
-thread; the table has medians over the rounds, and the ratio to linkwork's counterpart in the same round: above 1,
-linkwork is faster. Evaluations are called from Python, less what a call takes that has nothing to do; steps are
-looped in compiled code, beyond the first.
+thread; the table has medians over the rounds, and the ratio to linkwork's counterpart in the same round:
+above 1, linkwork is faster. Evaluations are called from Python, less what a call takes that has nothing to
+do; steps are looped in compiled code, beyond the first.
 
   linkwork   rhs: accelerations and reactions; steps of its driver
   pinocchio  aba, without reactions; constraintDynamics and lcaba, proximal
