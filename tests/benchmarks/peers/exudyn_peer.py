@@ -106,9 +106,9 @@ def _joint(mechanism: Mechanism, joint: int, markers: list[int]) -> object:
 
 def tree(mechanism: Mechanism) -> System | None:
     """An open chain of revolute joints in joint coordinates; None for other mechanisms."""
-    branches, loops = spanning_tree(mechanism)
-    if loops or (mechanism.kind != "revolute").any():
+    if mechanism.has_loops or (mechanism.kind != "revolute").any():
         return None
+    branches, _ = spanning_tree(mechanism)
     number = {GROUND: -1} | {branch.body: k for k, branch in enumerate(branches)}
     carrier = {GROUND: np.eye(4)}  # the frame of the carrying joint in the body's
     transformations, inertias, centers, rates = [], [], [], []

@@ -53,6 +53,10 @@ class Mechanism:
         return len(self.kind)
 
     @property
+    def has_loops(self) -> bool:
+        return self.joint_count > self.body_count
+
+    @property
     def v(self) -> Floats:
         """(n, 6): velocity and omega."""
         return np.concatenate([self.velocity, self.omega], axis=1)

@@ -37,9 +37,12 @@ class Tree:
 
 
 def build(mechanism: Mechanism) -> Tree:
+    """MemoryError at once, not after minutes, where Data has no room for its dense matrices."""
+    branches, loops = spanning_tree(mechanism)
+    size = sum(1 if mechanism.kind[branch.joint] == "revolute" else 3 for branch in branches)
+    np.empty((size, size))
     model = pin.Model()
     model.gravity = pin.Motion(mechanism.gravity, np.zeros(3))
-    branches, loops = spanning_tree(mechanism)
     joints, frames = {GROUND: 0}, {}
     carrier = {GROUND: pin.SE3.Identity()}  # the frame of the carrying joint in the body's
     v = []
@@ -93,9 +96,9 @@ def _seconds(call: Callable[[], object], seconds: float) -> float:
 
 def aba(mechanism: Mechanism) -> Operation | None:
     """Articulated bodies, without reactions: open chains. In world axes, which is the faster of two ways."""
-    tree = build(mechanism)
-    if len(tree.closures) > 0:
+    if mechanism.has_loops:
         return None
+    tree = build(mechanism)
     data = tree.model.createData()
     call = partial(pin.aba, tree.model, data, tree.q, tree.v, tree.tau, pin.Convention.WORLD)
     found = body_accelerations(tree, data, call().copy())
@@ -105,9 +108,9 @@ def aba(mechanism: Mechanism) -> Operation | None:
 
 def constraint_dynamics(mechanism: Mechanism) -> Operation | None:
     """Proximal solution with a factorization of the operational-space matrix."""
-    tree = build(mechanism)
-    if len(tree.closures) == 0:
+    if not mechanism.has_loops:
         return None
+    tree = build(mechanism)
     data, closure_data = tree.model.createData(), _closure_data(tree)
     pin.initConstraintDynamics(tree.model, data, tree.closures, closure_data)
     return _proximal(pin.constraintDynamics, tree, data, closure_data, mechanism)
@@ -115,9 +118,9 @@ def constraint_dynamics(mechanism: Mechanism) -> Operation | None:
 
 def lcaba(mechanism: Mechanism) -> Operation | None:
     """Articulated bodies with loops; not for spherical joints, on whose loops it diverges (pin 4.1)."""
-    tree = build(mechanism)
-    if len(tree.closures) == 0 or (mechanism.kind == "spherical").any():
+    if not mechanism.has_loops or (mechanism.kind == "spherical").any():
         return None
+    tree = build(mechanism)
     data, closure_data = tree.model.createData(), _closure_data(tree)
     pin.computeJointMinimalOrdering(tree.model, data, tree.closures)
     return _proximal(pin.lcaba, tree, data, closure_data, mechanism)

@@ -81,7 +81,10 @@ def main() -> int:
     rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder:
         for model in arguments.models:
-            found = _compare(model, peers, arguments, Path(folder))
+            try:
+                found = _compare(model, peers, arguments, Path(folder))
+            except lw.LinkworkError as error:
+                sys.exit(f"{model}: {error}")
             rows += found
             if not arguments.json:
                 print(table(found), flush=True)

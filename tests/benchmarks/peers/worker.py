@@ -32,7 +32,10 @@ def main() -> None:
             print(json.dumps({"operation": name}), file=lines)
             signal.alarm(int(limit))
             begun = time.perf_counter()
-            found = measure(operations[name], mechanism, float(seconds))
+            try:
+                found = measure(operations[name], mechanism, float(seconds))
+            except MemoryError:
+                found = {"failure": f"needs more than {gigabytes} GiB"}
             signal.alarm(0)
             print(json.dumps({"operation": name, "spent": time.perf_counter() - begun, **found}), file=lines)
 
@@ -50,8 +53,6 @@ def measure(build: Builder, mechanism: Mechanism, seconds: float) -> Mapping[str
             "tolerance": operation.tolerance,
             "note": operation.note,
         }
-    except MemoryError:
-        return {"failure": "out of memory"}
     except (OutOfReach, RuntimeError, ValueError) as error:
         return {"failure": str(error)}
 
