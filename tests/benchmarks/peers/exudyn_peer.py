@@ -6,17 +6,15 @@ matrix singular, so the ones that linkwork finds are left out of the joints.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from statistics import median
 
 import exudyn as exu
 import numpy as np
 from exudyn import itemInterface as items
 from mechanism import GROUND, SPAN, Floats, Mechanism, deviation, spanning_tree
-from operation import MOST_STEPS, STEP, Builders, Operation, OutOfReach, typical
+from operation import STEP, Builders, Operation, OutOfReach, beyond_first, calls, typical
 
 DENSE_BODIES = 10  #: up to here the dense solver, Exudyn's default, is the faster one
 ALIGNED = 0.1  #: a dropped equation along an inertial axis must be along a joint axis as exactly as this
@@ -174,8 +172,13 @@ def tree(mechanism: Mechanism) -> System | None:
     return System(container, system, velocities)
 
 
-def _solve(system: exu.MainSystem, scheme: exu.DynamicSolverType, steps: int, dense: bool) -> float:
-    """Seconds of so many steps from the initial state. RuntimeError: the solver failed."""
+def _solver(mechanism: Mechanism, system: System, scheme: exu.DynamicSolverType) -> Callable[[int], None]:
+    """What makes so many steps from the initial state. RuntimeError: the solver failed."""
+    dense = mechanism.body_count <= DENSE_BODIES
+    return partial(_solve, system.main, scheme, dense)
+
+
+def _solve(system: exu.MainSystem, scheme: exu.DynamicSolverType, dense: bool, steps: int) -> None:
     settings = exu.SimulationSettings()
     settings.timeIntegration.numberOfSteps = steps
     settings.timeIntegration.endTime = steps * STEP
@@ -187,12 +190,8 @@ def _solve(system: exu.MainSystem, scheme: exu.DynamicSolverType, steps: int, de
     settings.parallel.numberOfThreads = 1
     kinds = exu.LinearSolverType
     settings.linearSolver.solverType = kinds.EXUdense if dense else kinds.EigenSparse
-    begun = time.process_time()
-    done = system.SolveDynamic(settings, solverType=scheme)
-    seconds = time.process_time() - begun
-    if not done:
+    if not system.SolveDynamic(settings, solverType=scheme):
         raise RuntimeError(f"Exudyn's {scheme} failed within {steps} steps")
-    return seconds
 
 
 def first_step(build: Build, scheme: exu.DynamicSolverType, mechanism: Mechanism) -> Operation | None:
@@ -200,11 +199,7 @@ def first_step(build: Build, scheme: exu.DynamicSolverType, mechanism: Mechanism
     system = build(mechanism)
     if system is None:
         return None
-    dense = mechanism.body_count <= DENSE_BODIES
-
-    def batch(count: int) -> float:
-        return sum(_solve(system.main, scheme, 1, dense) for _ in range(count))
-
+    batch = calls(partial(_solver(mechanism, system, scheme), 1))
     return Operation(partial(typical, batch), "first step", None, 0.0, "initialization and a step")
 
 
@@ -215,19 +210,16 @@ def step(
     system = build(mechanism)
     if system is None:
         return None
-    solve = partial(_solve, system.main, scheme, dense=mechanism.body_count <= DENSE_BODIES)
-    first = solve(1)
+    solve = _solver(mechanism, system, scheme)
+    first = calls(partial(solve, 1))(1)
     if first > LONGEST_FIRST_STEP:
         raise OutOfReach(f"its first step took {first:.0f} s")
 
     solve(round(SPAN / STEP))
     found = (system.velocities() - mechanism.v) / SPAN
 
-    def batch(count: int) -> float:
-        return solve(1 + count) - median(solve(1) for _ in range(3))
-
     return Operation(
-        partial(typical, batch, most=MOST_STEPS),
+        partial(beyond_first, solve),
         "rk4 step",
         deviation(found, mechanism.mean_acceleration),
         tolerance,

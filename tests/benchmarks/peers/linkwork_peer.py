@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from statistics import median
 from typing import Any
 
 import linkwork as lw
 import numpy as np
 from linkwork import rotation
 from mechanism import SPAN, Floats, Mechanism, deviation
-from operation import FIRST_ORDER, MOST_STEPS, STEP, Builders, Operation, calls, typical, without_call
+from operation import FIRST_ORDER, STEP, Builders, Operation, beyond_first, calls, typical, without_call
 
 JOINTS = ("revolute", "spherical")  # that all peers have
 
@@ -118,14 +117,8 @@ def _accelerations(
 def step(integrator: str, tolerance: float, mechanism: Mechanism) -> Operation:
     """A step of many: what more steps take beyond the first."""
     simulate = partial(_simulate, build(mechanism), mechanism.formulation, 1, integrator=integrator)
-
-    def batch(count: int) -> float:
-        return calls(partial(simulate, 1 + count))(1) - median(
-            calls(partial(simulate, 1))(1) for _ in range(3)
-        )
-
     return Operation(
-        partial(typical, batch, most=MOST_STEPS),
+        partial(beyond_first, simulate),
         f"{integrator} step",
         deviation(_mean_acceleration(simulate(round(SPAN / STEP)), 0), mechanism.mean_acceleration),
         tolerance,

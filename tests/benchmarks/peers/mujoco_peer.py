@@ -13,9 +13,20 @@ import mujoco
 import numpy as np
 from mechanism import GROUND, SPAN, Floats, Mechanism, deviation, spanning_tree
 from mujoco import MjData, MjModel, MjSpec
-from operation import FIRST_ORDER, MOST_STEPS, STEP, Builders, Operation, calls, typical, without_call
+from operation import (
+    FIRST_ORDER,
+    MOST_STEPS,
+    STEP,
+    Builders,
+    Operation,
+    OutOfReach,
+    calls,
+    typical,
+    without_call,
+)
 
 HARDEST = [0.9999, 0.9999, 1e-3, 0.5, 2.0]  # solimp
+MOST_BODIES = 10_000
 SOFT = 2e-2  #: tolerance with equality constraints, see above
 ROUNDOFF = 1e-16  #: tolerance without, times n^4: so the condition of a chain's inertia matrix grows
 
@@ -63,7 +74,12 @@ def tree(mechanism: Mechanism) -> System:
 
 
 def _spec(mechanism: Mechanism) -> MjSpec:
-    """No contacts; no islands, which only cost where everything hangs together."""
+    """No contacts; no islands, which only cost where everything hangs together.
+
+    OutOfReach: so many bodies that compiling the model takes minutes, in proportion to their square.
+    """
+    if mechanism.body_count > MOST_BODIES:
+        raise OutOfReach(f"compiling more than {MOST_BODIES} bodies takes minutes")
     spec = MjSpec()
     spec.option.gravity, spec.option.timestep = mechanism.gravity, STEP
     spec.option.disableflags = int(mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_ISLAND)

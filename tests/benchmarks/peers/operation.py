@@ -5,12 +5,16 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from statistics import median
 
 from mechanism import Mechanism
 
 STEP = 1e-3  #: of all integrators [s]
-MOST_STEPS = 100  #: from one initial state: every batch is about the same stretch of the motion
+LEAST_STEPS, MOST_STEPS = (
+    5,
+    100,
+)  #: from one initial state: every batch is about the same stretch of the motion
 BATCHES = 10
 
 #: Tolerance of first-order methods: twice the h / (2 SPAN) that velocities half a step late make.
@@ -52,20 +56,30 @@ def calls(call: Callable[[], object]) -> Batch:
     return batch
 
 
-def typical(batch: Batch, seconds: float, most: int = 1_000_000) -> float:
-    """Seconds of one call: the median over batches of at most so many, made in about so many seconds.
+def typical(batch: Batch, seconds: float, least: int = 1, most: int = 1_000_000) -> float:
+    """Seconds of one call: the median over batches of that many, made in about so many seconds altogether.
 
-    A call that takes longer than that is made once.
+    Where the smallest batch takes longer than that, it is the only one.
     """
-    once = batch(1)
-    if once > seconds:
-        return once
-    wanted = seconds / BATCHES
-    count = max(1, min(most, int(wanted / max(batch(1), 1e-7))))
+    taken = batch(least)
+    if taken > seconds:
+        return taken / least
+    one = max(batch(least) / least, 1e-7)
+    count = max(least, min(most, int(seconds / BATCHES / one)))
     repeats, end = [batch(count) / count], time.perf_counter() + seconds
     while time.perf_counter() < end or len(repeats) < 3:
         repeats.append(batch(count) / count)
     return median(repeats)
+
+
+def beyond_first(run: Callable[[int], object], seconds: float) -> float:
+    """Seconds of one step of many, from `run`, which makes so many from the start."""
+    first = median(calls(partial(run, 1))(1) for _ in range(3))
+
+    def batch(count: int) -> float:
+        return calls(partial(run, 1 + count))(1) - first
+
+    return typical(batch, seconds, LEAST_STEPS, MOST_STEPS)
 
 
 def without_call(call: Callable[[], object], empty: Callable[[], object], seconds: float) -> float:
