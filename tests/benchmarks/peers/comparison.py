@@ -93,16 +93,15 @@ class Comparison:
         return [row for row in self.rows.values() if row.rounds or row.failure]
 
     def _run_peer(self, peer: str, number: int) -> None:
-        """A process that an operation ends is begun again after it."""
-        done: set[str] = set()
-        complete = False
-        while not complete:
-            finished = {row.operation for row in self.rows.values() if row.peer == peer and row.finished}
-            why = self._run_worker(peer, sorted(done | finished))
-            complete = why == ""
+        """A process that an operation ends is begun again after it. RuntimeError: it ends before the first."""
+        done = {row.operation for row in self.rows.values() if row.peer == peer and row.finished}
+        ended = True
+        while ended:
+            why = self._run_worker(peer, sorted(done))
             results = list(self._results())
-            if not complete and not results:
+            if why and not results:
                 raise RuntimeError(f"the process of {peer} {why}")
+            ended = any("spent" not in result for result in results)
             for result in results:
                 name = result.pop("operation")
                 row = self.rows.setdefault((peer, name), Row(self.model, peer, name, self.bodies))

@@ -11,10 +11,7 @@ from statistics import median
 from mechanism import Mechanism
 
 STEP = 1e-3  #: of all integrators [s]
-LEAST_STEPS, MOST_STEPS = (
-    5,
-    100,
-)  #: from one initial state: every batch is about the same stretch of the motion
+LEAST_STEPS, MOST_STEPS = 5, 100  #: from one state: every batch is about the same stretch of the motion
 BATCHES = 10
 
 #: Tolerance of first-order methods: twice the h / (2 SPAN) that velocities half a step late make.
