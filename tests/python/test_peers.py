@@ -151,6 +151,45 @@ def test_comparison_measures_in_processes_and_takes_ratios_within_rounds(tmp_pat
         assert row.ratios == [1.0, 1.0]
 
 
+FRAGILE = """
+import os, time
+from operation import Operation, OutOfReach
+
+def too_much(mechanism):
+    raise MemoryError
+
+def too_long(mechanism):
+    raise OutOfReach("hours")
+
+OPERATIONS = {
+    "crashes": lambda mechanism: os.abort(),
+    "needs too much": too_much,
+    "hangs": lambda mechanism: time.sleep(30),
+    "declines": too_long,
+    "has no meaning": lambda mechanism: None,
+    "works": lambda mechanism: Operation(lambda seconds: 2.0, "rhs", 0.25, 0.5),
+}
+"""
+
+
+def test_operation_that_fails_is_reported_once_and_the_others_are_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "fragile_peer.py").write_text(FRAGILE)
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    file = tmp_path / "chain.npz"
+    described("chain").save(file)
+    rows = Comparison("chain:8", 8, file, ["fragile"], 0.01, gigabytes=8.0, limit=1).run(2, lambda _: None)
+    assert {row.operation: row.failure for row in rows} == {
+        "crashes": "ended with SIGABRT",
+        "needs too much": "needs more than 8.0 GiB",
+        "hangs": "took more than 1 s",
+        "declines": "hours",
+        "works": "",
+    }
+    assert list(rows[-1].rounds.values()) == [2.0, 2.0] and rows[-1].ratio is None
+
+
 def test_process_that_cannot_begin_is_an_error_with_its_message(tmp_path: Path) -> None:
     comparison = Comparison("none", 1, tmp_path / "none.npz", ["linkwork"], 0.01, 8.0, 60)
     with pytest.raises(RuntimeError, match=r"none\.npz"):

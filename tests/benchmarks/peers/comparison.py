@@ -93,7 +93,7 @@ class Comparison:
         return [row for row in self.rows.values() if row.rounds or row.failure]
 
     def _run_peer(self, peer: str, number: int) -> None:
-        """A process that an operation ends is begun again after it. RuntimeError: it ends before the first."""
+        """Begins again after an operation that ended the process. RuntimeError: it ended before the first."""
         done = {row.operation for row in self.rows.values() if row.peer == peer and row.finished}
         ended = True
         while ended:
