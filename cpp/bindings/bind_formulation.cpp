@@ -180,11 +180,27 @@ void bind_options(py::module_& module) {
       .def_readwrite("penalty_scale", &Options::penalty_scale)
       .def_readwrite("tolerance", &Options::tolerance)
       .def_readwrite("max_iterations", &Options::max_iterations);
-  py::class_<RankReport>(module, "RankReport", "Rank of the constraint matrix D.")
+  py::class_<RankReport>(module, "RankReport",
+                         "Rank of the constraint matrix D: what is redundant in every pose, and what only in the "
+                         "assembled one.")
       .def_readonly("rows", &RankReport::rows)
-      .def_readonly("rank", &RankReport::rank)
-      .def_readonly("dependent_rows", &RankReport::dependent_rows)
-      .def_readonly("degrees_of_freedom", &RankReport::degrees_of_freedom);
+      .def_readonly("rank", &RankReport::rank, "Away from singular poses.")
+      .def_readonly("degrees_of_freedom", &RankReport::degrees_of_freedom)
+      .def_readonly("redundant_rows", &RankReport::redundant_rows, "Implied by the others in every pose.")
+      .def_readonly("singular_rows", &RankReport::singular_rows,
+                    "Of the others, those that depend on the rest in the assembled pose.")
+      .def_property_readonly(
+          "unique",
+          [](const RankReport& report) { return std::vector<bool>(report.unique.begin(), report.unique.end()); },
+          "Per joint: its multipliers follow from the motion.");
+}
+
+std::vector<std::tuple<int, std::vector<int>, std::string>> groups(const Dynamics& dynamics, std::size_t most) {
+  const py::gil_scoped_release release;
+  std::vector<std::tuple<int, std::vector<int>, std::string>> out;
+  for (const DependentGroup& group : dependent_groups(dynamics.system(), dynamics.rank(), most))
+    out.emplace_back(group.row, group.others, describe(dynamics.system().model(), group));
+  return out;
 }
 
 py::dict statistics(const Dynamics& dynamics) {
@@ -235,7 +251,9 @@ void bind_formulation(py::module_& module) {
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "
            "axes; (k, joints, 3) for k times, states and multipliers.")
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
-      .def("rank", &Dynamics::rank, py::call_guard<py::gil_scoped_release>())
+      .def("rank", &Dynamics::rank, py::return_value_policy::copy)
+      .def("dependent_groups", &groups, py::arg("most"),
+           "(row, rows that imply it, both in words) of the first redundant rows.")
       .def("statistics", &statistics);
 }
 

@@ -47,6 +47,12 @@ class Dynamics:
         """
         (v_dot, multipliers) of the mechanism itself, without stabilization.
         """
+    def dependent_groups(
+        self, most: typing.SupportsInt | typing.SupportsIndex
+    ) -> list[tuple[int, list[int], str]]:
+        """
+        (row, rows that imply it, both in words) of the first redundant rows.
+        """
     def derivative(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
@@ -289,18 +295,34 @@ class Options:
 
 class RankReport:
     """
-    Rank of the constraint matrix D.
+    Rank of the constraint matrix D: what is redundant in every pose, and what only in the assembled one.
     """
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @property
     def degrees_of_freedom(self) -> int: ...
     @property
-    def dependent_rows(self) -> list[int]: ...
+    def rank(self) -> int:
+        """
+        Away from singular poses.
+        """
     @property
-    def rank(self) -> int: ...
+    def redundant_rows(self) -> list[int]:
+        """
+        Implied by the others in every pose.
+        """
     @property
     def rows(self) -> int: ...
+    @property
+    def singular_rows(self) -> list[int]:
+        """
+        Of the others, those that depend on the rest in the assembled pose.
+        """
+    @property
+    def unique(self) -> list[bool]:
+        """
+        Per joint: its multipliers follow from the motion.
+        """
 
 class SemiImplicitEuler:
     """

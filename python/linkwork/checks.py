@@ -50,6 +50,18 @@ def check_tables(model: Model, t_end: float) -> None:
             )
 
 
+def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
+    """How many constraint equations: in all, independent, redundant, and dependent in the first pose only."""
+    rank = dynamics.rank()
+    return {
+        "equations": rank.rows,
+        "rank": rank.rank,
+        "degrees_of_freedom": rank.degrees_of_freedom,
+        "redundant": len(rank.redundant_rows),
+        "singular_at_start": len(rank.singular_rows),
+    }
+
+
 def joint_residuals(model: Model, dynamics: _core.Dynamics) -> tuple[Floats, Floats]:
     """Largest residual of each joint (joints,) at the initial state: of Phi, and of Phi_dot = D v + Phi_t."""
     core = model.compiled()

@@ -35,6 +35,8 @@ class Header:
     joint_bodies: NDArray[np.int32]  # (J, 2)
     joint_frame: Floats  # (J, 2, 3, 3) the joint's axes as columns, in the axes of its two bodies
     joint_origin: Floats  # (J, 2, 3) the joint's points in its two bodies
+    reaction_unique: NDArray[np.bool_]  # (J,) False where constraints are redundant: shares of least norm
+    redundant_rows: NDArray[np.int32]  # constraint rows that the others imply in every pose
     expected_frames: int | None = None
     reactions: Reactions | None = field(default=None, compare=False)
 
@@ -47,7 +49,7 @@ class Header:
         expected_frames: int | None = None,
     ) -> Header:
         """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
-        joints = model.joint_arrays()
+        joints, rank = model.joint_arrays(), dynamics.rank()
         return cls(
             manifest=dict(manifest),
             body_names=_Listing(model.body_name, model.body_count),
@@ -62,6 +64,8 @@ class Header:
             joint_bodies=joints["bodies"],
             joint_frame=joints["frame"],
             joint_origin=joints["origin"],
+            reaction_unique=np.array(rank.unique, dtype=bool),
+            redundant_rows=np.array(rank.redundant_rows, dtype=np.int32),
             expected_frames=expected_frames,
             reactions=dynamics.reactions,
         )

@@ -153,7 +153,8 @@ def _plot_reactions(ax: Axes, result: Result, part: str, unit: str) -> None:
     chosen = [j for j in _largest(largest, JOINTS) if largest[j] > rounding]
     for color, j in zip(COLORS, chosen, strict=False):
         magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
-        ax.plot(result.t, magnitude, color=color, label=result.joint_names[j])
+        doubt = "" if result.unique_reactions[j] else " (not unique)"
+        ax.plot(result.t, magnitude, color=color, label=f"{result.joint_names[j]}{doubt}")
     if not chosen:
         ax.set_yticks([])
         ax.text(0.5, 0.5, "none", transform=ax.transAxes, ha="center", color="0.5")

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.errors import ModelError, OptionError, nearest
@@ -162,8 +163,24 @@ class Result:
         """Lagrange multipliers (k, m), joint by joint in the order they were added."""
         return self._field("lambda")
 
+    @property
+    def unique_reactions(self) -> NDArray[np.bool_]:
+        """Per joint (J,): whether its reaction follows from the motion.
+
+        Where constraints are redundant, only sums over the joints of a loop do. Their reactions are those of
+        the multipliers of least norm sum_i w_i lambda_i^2, w_i the mean of diag(D M^-1 D^T) over the joint's
+        translations or its rotations: equal joints side by side share their load equally. Elastic bodies or
+        play would share it in another way.
+        """
+        return self._header.reaction_unique
+
+    @property
+    def redundant_rows(self) -> NDArray[np.int32]:
+        """Places in `multipliers` of the equations that the others imply in every pose."""
+        return self._header.redundant_rows
+
     def reactions(self) -> Reaction:
-        """Of all joints, in inertial axes: force and torque (k, J, 3)."""
+        """Of all joints, in inertial axes: force and torque (k, J, 3). See `unique_reactions`."""
         self._need_reactions()
         return Reaction(self._field("reaction_force"), self._field("reaction_torque"))
 
@@ -171,6 +188,7 @@ class Result:
         """Force and torque (k, 3) that a joint exerts on its second body, at the joint's point.
 
         `frame="joint"` gives the components along the joint's own axes, which move with its first body.
+        `unique_reactions` says whether it follows from the motion.
         ModelError: no such joint.
         """
         if frame not in ("inertial", "joint"):

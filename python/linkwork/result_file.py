@@ -35,7 +35,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork.errors import FileError
 from linkwork.header import Floats, Header, record_reactions
 
-FORMAT, VERSION = "linkwork result", 1
+FORMAT, VERSION = "linkwork result", 2
 
 #: Together with the driver's chunk of frames, a kill loses at most the last second.
 FLUSH_SECONDS = 0.5
@@ -57,6 +57,8 @@ MODEL_ARRAYS = (
     "joint_bodies",
     "joint_frame",
     "joint_origin",
+    "reaction_unique",
+    "redundant_rows",
 )
 MODEL_NAMES = ("body_names", "joint_names", "joint_kinds")
 

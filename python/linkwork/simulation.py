@@ -52,10 +52,13 @@ def simulate(
                   linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
                   tolerance, max_iterations: see linkwork.options.Options
 
-    OptionError: a choice that does not exist or cannot be honored. SingularSystemError: dependent constraint
-    equations with the standard formulation (before the first step), or a singular pose. NotConvergedError,
-    NotFiniteError: the run failed. FileError: `output` cannot be written. LinkworkWarning: initial poses or
-    velocities do not satisfy the joints. Ctrl-C ends the run; what `output` has by then stays readable.
+    Redundant constraint equations are found and left out of the solution; the reactions that they leave open
+    are those of least norm, see `Result.unique_reactions`.
+
+    OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose, with
+    the standard formulation (also before the first step). NotConvergedError, NotFiniteError: the run failed.
+    FileError: `output` cannot be written. LinkworkWarning: initial poses or velocities do not satisfy the
+    joints. Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
     checks.check_times(t_end, step)
@@ -76,7 +79,7 @@ def simulate(
         "record_every": every,
         **system.options,
     }
-    facts = manifest(model, given, chosen)
+    facts = {**manifest(model, given, chosen), "constraints": checks.rank_numbers(system.compiled())}
     header = Header.of(model.compiled(), system.compiled(), facts, run.steps_total // every + 2)
     recorder = recording.recorder(output, header)
 

@@ -92,7 +92,10 @@ def read(path: str | os.PathLike[str]) -> StoredRun:
 
 def _read_header(file: h5py.File) -> Header:
     model = file["model"]
-    values: dict[str, Any] = {name: model[name][()] for name in MODEL_ARRAYS}
+    values: dict[str, Any] = {name: model[name][()] for name in MODEL_ARRAYS if name in model}
+    if file.attrs["version"] < 2:  # knows nothing of redundancy
+        joints = len(values["joint_rows"]) - 1
+        values |= {"reaction_unique": np.zeros(joints, bool), "redundant_rows": np.zeros(0, np.int32)}
     values.update({name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES})
     return Header(manifest=json.loads(file.attrs["manifest"]), **values)
 

@@ -24,6 +24,8 @@ def numbers(result: Result) -> dict[str, Any]:
             zip(("position", "velocity", "acceleration"), map(_number, violation), strict=True)
         ),
         "energy_start": _number(energy[0]) if len(result) else None,
+        "constraint_rank": result.header.row_count - len(result.redundant_rows),
+        "unique_reactions": int(result.unique_reactions.sum()),
         "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
         "finished": result.finished,
     }
@@ -48,6 +50,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
         ("violation", f"largest {violation}"),
         ("energy", f"{_figure(found['energy_start'])} J at the start, error at most "
                    f"{_figure(found['max_energy_error'])} J"),
+        ("reactions", _reactions(found)),
         ("effort", _effort(result.statistics)),
     ]  # fmt: skip
 
@@ -59,6 +62,15 @@ def _method(options: dict[str, Any]) -> str:
     if options.get("linear_solver"):
         words.append(f"solver {options['linear_solver']}")
     return ", ".join(words)
+
+
+def _reactions(found: dict[str, Any]) -> str:
+    """Only where redundant constraints leave some open."""
+    left_open = found["joints"] - found["unique_reactions"]
+    if not left_open:
+        return ""
+    rank = f"rank {found['constraint_rank']} of {found['constraints']}"
+    return f"not unique in {left_open} of {found['joints']} joints ({rank}): shares of least norm"
 
 
 def _effort(statistics: dict[str, Any]) -> str:

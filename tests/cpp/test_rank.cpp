@@ -18,7 +18,7 @@ int dense_rank(const System& system) {
 /// The rank is that of the singular values; without the dependent rows, as many independent ones are left.
 void check_rank(const Model& model) {
   const System system(model);
-  const RankReport report = rank_of_constraints(system, evaluate_initially(system));
+  const PoseRank report = rank_of_constraints(system, evaluate_initially(system));
   CHECK(report.rows == system.row_count());
   CHECK(report.rank == dense_rank(system));
   CHECK(report.degrees_of_freedom == system.v_size() - report.rank);
@@ -59,7 +59,7 @@ TEST_CASE("random trees have full rank") {
   for (const int bodies : {1, 3, 10, 30}) {
     const Model model = random_tree(random, bodies);
     const System system(model);
-    const RankReport report = rank_of_constraints(system, evaluate_initially(system));
+    const PoseRank report = rank_of_constraints(system, evaluate_initially(system));
     CHECK(report.rank == system.row_count());
     CHECK(report.dependent_rows.empty());
     CHECK(report.degrees_of_freedom == 6 * bodies - report.rank);
@@ -78,7 +78,7 @@ TEST_CASE("random trees with loops have the rank of their singular values") {
 
 TEST_CASE("a planar four-bar of hinges has one degree of freedom and three redundant rows") {
   const System system(four_bar());
-  const RankReport report = rank_of_constraints(system, evaluate_initially(system));
+  const PoseRank report = rank_of_constraints(system, evaluate_initially(system));
   CHECK(report.rank == 17);
   CHECK(report.dependent_rows.size() == 3);
   CHECK(report.degrees_of_freedom == 1);
@@ -96,7 +96,7 @@ TEST_CASE("a hinge that is there twice repeats five rows, each of one of the two
   model.add_joint("revolute", "hinge", ground, 0, place(model, ground, 0, P, P, F, F));
   model.add_joint("revolute", "again", ground, 0, place(model, ground, 0, P, P, F, F));
   const System system(model);
-  const RankReport report = rank_of_constraints(system, evaluate_initially(system));
+  const PoseRank report = rank_of_constraints(system, evaluate_initially(system));
   CHECK(report.dependent_rows.size() == 5);
   for (const int row : report.dependent_rows) CHECK(model.joint_of_row(row) > 0);
   check_rank(model);
@@ -175,6 +175,126 @@ TEST_CASE("a universal joint whose axes are parallel has a dependent row, at the
   model.add_joint("universal", "locked", 0, 1, place(model, 0, 1, P, P, F, F));
   const System system(model);
   CHECK(rank_of_constraints(system, evaluate_initially(system)).dependent_rows == std::vector<int>{8});
+}
+
+void add_rod(Model& model, int i, int j, const Vec3<double>& P_i, const Vec3<double>& P_j) {
+  const Mat3<double> I = Mat3<double>::Identity();
+  model.add_joint("distance", "rod", i, j, place(model, i, j, P_i, P_j, I, I), {{(P_i - P_j).norm(), -1}});
+}
+
+/// The four-bar with all bars along x: it can go on in two ways.
+Model flat_four_bar() {
+  Model model;
+  model.add_body("crank", at({0.5, 0.0, 0.0}));
+  model.add_body("coupler", at({2.0, 0.0, 0.0}));
+  model.add_body("rocker", at({2.5, 0.0, 0.0}));
+  add_in_space(model, "revolute", "A", ground, 0, {0, 0, 0});
+  add_in_space(model, "revolute", "B", 0, 1, {1, 0, 0});
+  add_in_space(model, "revolute", "C", 1, 2, {3, 0, 0});
+  add_in_space(model, "revolute", "D", 2, ground, {2, 0, 0});
+  return model;
+}
+
+TEST_CASE("a planar four-bar repeats three equations in every pose, those of the joint that closes it") {
+  const System system(four_bar());
+  const RankReport report = examine_rank(system);
+  CHECK(report.rank == 17);
+  CHECK(report.degrees_of_freedom == 1);
+  CHECK(report.singular_rows.empty());
+  CHECK(report.unique == std::vector<char>{0, 0, 0, 0});
+  REQUIRE(report.redundant_rows.size() == 3);
+  const int closing = system.model().joint_of_row(report.redundant_rows.front());
+  for (const DependentGroup& group : dependent_groups(system, report, 3)) {
+    CHECK(system.model().joint_of_row(group.row) == closing);
+    CHECK(!group.others.empty());
+  }
+}
+
+TEST_CASE("a group is dependent, and no longer without any one of its rows") {
+  const System system(four_bar());
+  const RankReport report = examine_rank(system);
+  Evaluation generic = system.make_evaluation();
+  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), generic);
+  const MatrixXd D = dense_D(system, generic);
+  for (const DependentGroup& group : dependent_groups(system, report, 3)) {
+    std::vector<int> rows = group.others;
+    rows.push_back(group.row);
+    const auto rank_without = [&](int left_out) {
+      MatrixXd part(static_cast<Eigen::Index>(rows.size()), D.cols());
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        part.row(static_cast<Eigen::Index>(k)) = (rows[k] == left_out ? 0.0 : 1.0) * D.row(rows[k]);
+      const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(part).singularValues();
+      return static_cast<std::size_t>((sigma.array() > 1e-9 * sigma[0]).count());
+    };
+    CHECK(rank_without(-1) == rows.size() - 1);
+    for (const int row : rows) CHECK(rank_without(row) == rows.size() - 1);
+  }
+}
+
+TEST_CASE("a flat four-bar has the rank of others, and a singular pose") {
+  const System system(flat_four_bar());
+  const RankReport report = examine_rank(system);
+  CHECK(rank_of_constraints(system, evaluate_initially(system)).rank == 16);
+  CHECK(report.rank == 17);
+  CHECK(report.redundant_rows.size() == 3);
+  CHECK(report.singular_rows.size() == 1);
+}
+
+TEST_CASE("a dead center that cannot be left has no redundant rows") {
+  Model model;
+  model.add_body("crank", at({0.5, 0.0, 0.0}));
+  add_in_space(model, "revolute", "hinge", ground, 0, {0, 0, 0});
+  add_rod(model, 0, ground, {1, 0, 0}, {3, 0, 0});
+  const System system(model);
+  const RankReport report = examine_rank(system);
+  CHECK(report.rank == 6);
+  CHECK(report.redundant_rows.empty());
+  CHECK(report.singular_rows.size() == 1);
+}
+
+TEST_CASE("what an initial pose hides by its errors is redundant all the same") {
+  Model model;
+  const Model exact = four_bar();
+  Random random(125);
+  for (Body body : exact.bodies()) {
+    body.position += random.vec3(1e-3);
+    body.orientation = exponential(random.vec3(1e-3));
+    model.add_body("b" + std::to_string(model.bodies().size()), body);
+  }
+  for (const Element& joint : exact.joints())
+    model.add_joint("revolute", "j" + std::to_string(model.joints().size()), joint.i, joint.j, joint.at);
+  const System system(model);
+  CHECK(rank_of_constraints(system, evaluate_initially(system)).rank > 17);
+  CHECK(examine_rank(system).rank == 17);
+}
+
+TEST_CASE("only the joints of the loop have reactions that do not follow") {
+  Model model = four_bar();
+  model.add_body("weight", at({3, 0, 0}));
+  model.add_body("side", at({-1, 0, 0}));
+  add_in_space(model, "spherical", "hook", 2, 3, {2.5, 0, 0});
+  add_in_space(model, "spherical", "left", ground, 4, {-2, 0, 0});
+  add_in_space(model, "spherical", "right", ground, 4, {-1, 1, 0});
+  add_rod(model, 3, 4, {3, 0, 0}, {-1, 0, 1});
+  CHECK(examine_rank(System(model)).unique == std::vector<char>{0, 0, 0, 0, 1, 0, 0, 1});
+}
+
+TEST_CASE("many loops in one component repeat as many rows as each alone") {
+  Model model;
+  const int loops = 300;  // above the size up to which the kernel is written out
+  for (int k = 0; k <= loops; ++k) {
+    model.add_body("post " + std::to_string(k), at({1.0 * k, 0.5, 0.0}));
+    add_in_space(model, "revolute", "pin " + std::to_string(k), ground, k, {1.0 * k, 0, 0});
+  }
+  for (int k = 0; k < loops; ++k) {
+    const int beam = model.add_body("beam " + std::to_string(k), at({k + 0.5, 1.0, 0.0}));
+    add_in_space(model, "revolute", "left " + std::to_string(k), k, beam, {1.0 * k, 1, 0});
+    add_in_space(model, "revolute", "right " + std::to_string(k), k + 1, beam, {k + 1.0, 1, 0});
+  }
+  const RankReport report = examine_rank(System(model));
+  CHECK(report.redundant_rows.size() == 3 * loops);
+  CHECK(report.degrees_of_freedom == 1);
+  CHECK(report.singular_rows.empty());
 }
 
 TEST_CASE("massless bodies are free where joints leave a motion of theirs without inertia, and only there") {

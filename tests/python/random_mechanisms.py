@@ -10,6 +10,7 @@ import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import linkwork as lw
@@ -30,6 +31,9 @@ SLIDING, TURNING = ("cylindrical", "translational"), ("cylindrical", "revolute")
 #: Smallest singular value of D, rows of unit length in the metric M^-1, that counts as full row rank.
 #: Solutions of the Schur system are off by roundoff / s_min^2: below this, 1e-9 could not be asked of them.
 RANK = 1e-3
+
+#: Singular values below this, relative, are zero.
+ZERO = 1e-9
 
 
 def examples(count: int) -> Callable[[Any], Any]:
@@ -207,6 +211,20 @@ class Equations:
         for _ in range(5):
             x += weight * (scaled_inverse @ (weight * (right - long_K @ x)).astype(float))
         return x[:n].astype(float), -x[n:].astype(float)
+
+
+def row_mobility(mechanism: Mechanism, at: Equations) -> Floats:
+    """diag(D M^-1 D^T), the mean over each joint's translations and over its rotations."""
+    mobility = np.einsum("ij,ji->i", at.D, np.linalg.solve(at.M, at.D.T))
+    out, row = mobility.copy(), 0
+    for joint in mechanism.joints:
+        names = JOINTS[joint.kind].equations
+        for rotation in (False, True):
+            group = [row + k for k, name in enumerate(names) if name.startswith("rotation") == rotation]
+            if group:
+                out[group] = mobility[group].mean()
+        row += len(names)
+    return out
 
 
 def block_diagonal(blocks: Floats) -> Floats:
@@ -416,5 +434,73 @@ def consistent(mechanism: Mechanism, maker: Maker) -> Mechanism:
     if not len(at.D):
         return moving
     root = np.linalg.inv(np.linalg.cholesky(at.M))
-    correction = root.T @ np.linalg.lstsq(at.D @ root.T, -at.Phi_dot, rcond=None)[0]
+    correction = root.T @ np.linalg.lstsq(at.D @ root.T, -at.Phi_dot, rcond=ZERO)[0]
     return moving.with_velocity(moving.v + correction)
+
+
+# --- planted redundancy -------------------------------------------------------------------------------------
+
+#: A joint there twice, a weaker one inside another, hinges with parallel axes in a ring, one link too many.
+PLANTS = ("twice", "within", "planar loop", "parallelogram")
+
+
+@st.composite
+def redundant_mechanisms(draw: Callable[[Any], Any], most: int = 8) -> Mechanism:
+    """Random trees on which redundant joints and loops have been planted; the initial state is consistent."""
+    mechanism = plant(
+        seed=draw(st.integers(0, 2**32 - 1)),
+        joints=draw(st.lists(st.sampled_from(sorted(JOINTS)), min_size=1, max_size=most)),
+        plants=draw(st.lists(st.sampled_from(PLANTS), min_size=1, max_size=3)),
+    )
+    sigma = np.linalg.svd(Equations.of(mechanism).scaled_D, compute_uv=False)
+    assume(not np.any((sigma > ZERO * sigma[0]) & (sigma < RANK)))
+    return mechanism
+
+
+def plant(seed: int, joints: Sequence[str], plants: Sequence[str]) -> Mechanism:
+    """A tree with one body for each of `joints`, and `plants` on bodies and joints of it."""
+    maker = Maker(seed)
+    elements = [_at_rest(joint) for joint in _tree(maker, joints, floating=False)]
+    for kind in plants:
+        elements += _planted(maker, kind, elements)
+    named = tuple(replace(joint, name=f"joint {k}") for k, joint in enumerate(elements))
+    origin = f"plant({seed}, joints={list(joints)}, plants={list(plants)})"
+    return consistent(Mechanism(maker.vector(10.0), tuple(maker.bodies), named, (), origin), maker)
+
+
+def _planted(maker: Maker, kind: str, elements: Sequence[Element]) -> list[Element]:
+    if kind == "twice":
+        return [elements[maker.rng.integers(len(elements))]]
+    if kind == "within":
+        pointed = [
+            joint for joint in elements if joint.kind in ("revolute", "universal", "fixed", "spherical")
+        ]
+        return [replace(pointed[maker.rng.integers(len(pointed))], kind="spherical")] if pointed else []
+    host = int(maker.rng.integers(-1, len(maker.bodies)))
+    C = lw.rotation.matrix(maker.orientation())
+    origin = maker.pose(host)[0] + maker.vector()
+
+    def in_plane() -> Floats:
+        point: Floats = origin + C[:, :2] @ maker.rng.uniform(-1, 1, 2)
+        return point
+
+    def hinge(a: int, b: int, point: Floats) -> Element:
+        (r_a, A_a), (r_b, A_b) = maker.pose(a), maker.pose(b)
+        shifted = point + maker.rng.uniform(-0.3, 0.3) * C[:, 2]
+        s = A_a.T @ (shifted - r_a), A_b.T @ (shifted - r_b)
+        return Element("revolute", a, b, s, (A_a.T @ C, A_b.T @ C))
+
+    def link() -> int:
+        maker.body(host)
+        return len(maker.bodies) - 1
+
+    if kind == "planar loop":
+        ring = [host, *(link() for _ in range(maker.rng.integers(3, 5))), host]
+        return [hinge(a, b, in_plane()) for a, b in pairwise(ring)]
+    coupler, across = link(), C[:, :2] @ maker.rng.uniform(0.3, 1, 2)
+    cranks = [(link(), in_plane()) for _ in range(3)]
+    return [
+        joint
+        for crank, foot in cranks
+        for joint in (hinge(host, crank, foot), hinge(crank, coupler, foot + across))
+    ]

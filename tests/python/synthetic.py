@@ -29,6 +29,8 @@ def header(
         joint_bodies=np.where(chain < bodies, chain, -1),
         joint_frame=np.broadcast_to(np.eye(3), (joints, 2, 3, 3)),
         joint_origin=rng.random((joints, 2, 3)),
+        reaction_unique=np.arange(joints) % 2 == 0,
+        redundant_rows=np.arange(1, joints, dtype=np.int32),
         expected_frames=expected_frames,
         reactions=_reactions,
     )

@@ -145,6 +145,10 @@ def test_check_names_the_redundant_joints_of_bricard(screen: Screen) -> None:
     code, out, _ = screen("check", "bricard")
     assert code == 0 and found["redundant_joints"]
     assert all(name in out for name in found["redundant_joints"])
+    (group,) = found["dependent_groups"]
+    assert {group["joint"], *group["joints"]} == {f"hinge {k}" for k in range(6)}
+    assert group["text"].endswith("already fix") and group["text"] in " ".join(out.split())
+    assert not any(joint["reaction_unique"] for joint in found["residuals"]) and "not unique" in out
 
 
 def test_demo_compares_the_four_methods(screen: Screen, tmp_path: Path) -> None:
@@ -216,7 +220,11 @@ MISTAKES = [
     (["run", "chain", "--bodies", "-3"], 1, "-3"),
     (["run", "chain", "--bodies", "many"], 2, "'--bodies': 'many' is not a valid integer"),
     (["run", "chain", "--joint", "sferical"], 1, "'sferical' is not available; the nearest is 'spherical'"),
-    (["run", "bricard", "--formulation", "standard"], 1, "'hinge 5', translation z; formulation 'standard'"),
+    (
+        ["run", "bricard", "--system", "kkt", "--linear-solver", "klu"],
+        1,
+        "use system 'schur', or linear solver",
+    ),
     (["demo", "--output-dir", "/proc/nowhere"], 1, "'/proc/nowhere'"),
 ]
 

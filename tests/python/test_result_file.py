@@ -74,6 +74,8 @@ def test_round_trip_is_exact(tmp_path: Path, bodies: int, joints: int) -> None:
         )
     for part in (0, 1):
         np.testing.assert_array_equal(loaded.reactions()[part], result.reactions()[part])
+    np.testing.assert_array_equal(loaded.unique_reactions, result.unique_reactions)
+    np.testing.assert_array_equal(loaded.redundant_rows, result.redundant_rows)
     assert list(loaded.body_names) == list(result.body_names)
     assert list(loaded.joint_names) == list(result.joint_names)
     assert (loaded.statistics, loaded.manifest) == (result.statistics, result.manifest)

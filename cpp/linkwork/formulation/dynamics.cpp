@@ -35,7 +35,7 @@ bool available(const std::string& solver) {
 }
 
 /// The matrix of the formulation: as asked for, or the first that the linear solver can factorize.
-std::string choose_form(const FormulationInfo& info, const Options& options) {
+std::string choose_form(const FormulationInfo& info, const Options& options, bool redundant) {
   const bool given = options.system != "auto";
   if (given && std::find(info.forms.begin(), info.forms.end(), options.system) == info.forms.end()) {
     const std::string choices =
@@ -46,8 +46,9 @@ std::string choose_form(const FormulationInfo& info, const Options& options) {
   if (given) return options.system;
   if (info.name != "standard") return info.forms.front();
   if (options.linear_solver == "auto") return "kkt";
-  return linear_solver_info(options.linear_solver).positive_definite || options.linear_solver == "dense" ? "schur"
-                                                                                                         : "kkt";
+  const LinearSolverInfo& solver = linear_solver_info(options.linear_solver);
+  if (solver.make_saddle) return "kkt";
+  return redundant || solver.positive_definite || solver.name == "dense" ? "schur" : "kkt";
 }
 
 /// "block" needs a regular mass matrix, and is asked for no form in particular.
@@ -68,16 +69,23 @@ Dynamics::Dynamics(const Model& model, const Options& options)
       kind_(stabilization_kind(options.stabilization)),
       at_(system_.make_evaluation()) {
   const FormulationInfo& info = formulation_info(options.formulation);
-  options_.system = choose_form(info, options);
+  rank_ = examine_rank(system_);
+  dropped_ = DroppedRows(system_, rank_.redundant_rows);
+  options_.system = choose_form(info, options, !dropped_.empty());
   options_.linear_solver = choose_solver(options_.system, options, system_);
-  for (VectorXd* rows : {&held_u_, &b_, &lambda_}) rows->setZero(system_.row_count());
+  for (VectorXd* rows : {&held_u_, &b_, &kept_b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
   check_masses(info);
   check_rank(info);
+  check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
-  if (system_.row_count() > 0) formulation_->analyze(system_, at_);
+  if (system_.row_count() == 0) return;
+  const ConstraintRows rows{row_mobility(system_, at_), dropped_.rows()};
+  minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
+  dropped_.take_out(at_);
+  formulation_->analyze(system_, at_, rows);
 }
 
 void Dynamics::check_masses(const FormulationInfo& info) const {
@@ -104,39 +112,42 @@ void Dynamics::check_masses(const FormulationInfo& info) const {
                     details);
 }
 
+/// A singular pose: an error for what needs independent rows, naming them.
 void Dynamics::check_rank(const FormulationInfo& info) const {
-  if (!info.needs_full_rank) return;
-  const RankReport report = rank_of_constraints(system_, at_);
-  if (report.dependent_rows.empty()) return;
+  if (!info.needs_full_rank || rank_.singular_rows.empty()) return;
   const Model& model = system_.model();
   constexpr std::size_t listed = 5;
+  const std::vector<int>& rows = rank_.singular_rows;
   ErrorDetails details;
   std::string equations;
-  for (std::size_t k = 0; k < report.dependent_rows.size(); ++k) {
-    const int row = report.dependent_rows[k];
-    const std::string joint = model.joint_name(model.joint_of_row(row));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const std::string joint = model.joint_name(model.joint_of_row(rows[k]));
     if (details.joints.empty() || details.joints.back() != joint) details.joints.push_back(joint);
-    if (k < listed) equations += (k ? "; " : "") + model.describe_row(row);
+    if (k < listed) equations += (k ? "; " : "") + model.describe_row(rows[k]);
   }
-  if (report.dependent_rows.size() > listed)
-    equations += "; and " + std::to_string(report.dependent_rows.size() - listed) + " more";
-  throw SingularSystemError("dependent_constraints",
-                            std::to_string(report.dependent_rows.size()) + " of " + std::to_string(report.rows) +
-                                " constraint equations depend on the others: " + equations + "; formulation '" +
-                                info.name + "' needs independent ones, use 'augmented_lagrangian' or 'penalty'",
+  if (rows.size() > listed) equations += "; and " + std::to_string(rows.size() - listed) + " more";
+  throw SingularSystemError("singular_pose",
+                            "singular pose: " + std::to_string(rows.size()) + " of " + std::to_string(rank_.rows) +
+                                " constraint equations depend on the others in the assembled pose: " + equations +
+                                "; formulation '" + info.name +
+                                "' needs independent ones, start from another pose or use 'augmented_lagrangian'",
                             details);
+}
+
+/// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
+void Dynamics::check_kkt() const {
+  if (dropped_.empty() || options_.system != "kkt" || linear_solver_info(options_.linear_solver).make_saddle) return;
+  throw OptionError("redundant_kkt", "system 'kkt' with linear solver '" + options_.linear_solver +
+                                         "' takes no redundant constraints, and " + std::to_string(dropped_.count()) +
+                                         " of " + std::to_string(rank_.rows) +
+                                         " equations are (see linkwork check); use system 'schur', or linear solver "
+                                         "'block'");
 }
 
 VectorXd Dynamics::initial_y() const {
   VectorXd y(y_size());
   y << system_.model().initial_q(), system_.model().initial_v(), 0.0;
   return y;
-}
-
-RankReport Dynamics::rank() const {
-  Evaluation at = system_.make_evaluation();
-  system_.evaluate_constraints(0.0, system_.model().initial_q(), system_.model().initial_v(), at);
-  return rank_of_constraints(system_, at);
 }
 
 void Dynamics::poll() {
@@ -156,6 +167,7 @@ void Dynamics::evaluate(double t, const ConstVector& y) {
     system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
     statistics_.evaluations += 1;
   }
+  dropped_.take_out(at_);
   factorized_ = false;
 }
 
@@ -179,13 +191,23 @@ void Dynamics::factorize_and_solve(const ConstVector& a, const ConstVector& b, M
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
   statistics_.solves += 1;
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
-  if (!factorized_) return factorize_and_solve(a, b, v_dot, lambda);
+  kept_b_ = b;
+  dropped_.take_from(kept_b_);
+  if (!factorized_) return factorize_and_solve(a, kept_b_, v_dot, lambda);
   const Stopwatch watch(statistics_.solve_time);
-  formulation_->solve(a, b, v_dot, lambda);
+  formulation_->solve(a, kept_b_, v_dot, lambda);
 }
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {
   solve(at_.g.head(system_.v_size()), at_.gamma, v_dot, lambda);
+  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, *formulation_, lambda);
+}
+
+void Dynamics::acceleration_residual(const ConstVector& v_dot, MutableVector residual) {
+  dropped_.put_back(at_);
+  system_.multiply_D(at_, v_dot, residual);
+  residual -= at_.gamma;
+  dropped_.take_out(at_);
 }
 
 Gains Dynamics::gains_or(Gains defaults) const {

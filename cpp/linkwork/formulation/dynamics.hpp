@@ -6,7 +6,9 @@
 #include <memory>
 #include <string>
 
+#include "linkwork/formulation/dropped_rows.hpp"
 #include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/minimum_norm.hpp"
 #include "linkwork/formulation/rank.hpp"
 #include "linkwork/formulation/stabilization.hpp"
 
@@ -37,13 +39,17 @@ class Dynamics {
   }
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
-  RankReport rank() const;  ///< at the initial pose
+  const RankReport& rank() const { return rank_; }
 
-  /// Evaluates and factorizes at (t, y): everything below refers to this state.
+  /// Evaluates and factorizes at (t, y): everything below refers to this state. Redundant rows are zero in the D of
+  /// the `evaluation`.
   void evaluate(double t, const ConstVector& y);
 
-  /// Accelerations and multipliers of the mechanism itself, without stabilization.
+  /// Accelerations and multipliers of the mechanism itself, without stabilization. The multipliers of redundant
+  /// constraints are those of MinimumNorm.
   void accelerations(MutableVector v_dot, MutableVector lambda);
+  /// D v_dot - gamma of all constraints, redundant ones included.
+  void acceleration_residual(const ConstVector& v_dot, MutableVector residual);
 
   // Sampled stabilization, for integrators. All three do nothing where another stabilization was chosen.
   bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
@@ -66,16 +72,20 @@ class Dynamics {
   void factorize_and_solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void check_masses(const FormulationInfo& info) const;
   void check_rank(const FormulationInfo& info) const;
+  void check_kkt() const;
   Gains gains_or(Gains defaults) const;
   void poll();
 
   Options options_;
   System system_;
   StabilizationKind kind_;
+  RankReport rank_;
+  DroppedRows dropped_;
+  MinimumNorm minimum_norm_;
   std::unique_ptr<Formulation> formulation_;
   Evaluation at_;
   DynamicsStatistics statistics_;
-  VectorXd held_u_, b_, x_, lambda_, v_dot_;
+  VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
   double t_ = 0.0;
   VectorXd y_;  ///< the state of the last evaluate
   bool held_ = false, factorized_ = false;

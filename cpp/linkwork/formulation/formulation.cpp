@@ -1,6 +1,8 @@
 #include "linkwork/formulation/formulation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "linkwork/math/error.hpp"
 
@@ -24,14 +26,41 @@ const FormulationInfo& formulation_info(const std::string& name) {
   throw OptionError("unknown_formulation", "formulation '" + name + "' does not exist; there are: " + known);
 }
 
-VectorXd row_penalties(const System& system, const Evaluation& typical, const std::optional<double>& penalty,
-                       double scale) {
-  if (penalty) return VectorXd::Constant(system.row_count(), *penalty);
-  const VectorXd mobility = system.row_mobility(typical);
-  const double least = mobility.size() > 0 && mobility.maxCoeff() > 0.0
-                           ? mobility.array().cwiseEqual(0.0).select(mobility.maxCoeff(), mobility.array()).minCoeff()
-                           : 1.0;
-  return scale * (mobility.array() > 0.0).select(mobility.array(), least).cwiseInverse();
+namespace {
+
+/// Calls visit(first row, number of rows) for the translations and for the rotations of every joint.
+template <class Visit>
+void for_each_row_group(const Model& model, Visit visit) {
+  for (std::size_t joint = 0; joint < model.joints().size(); ++joint) {
+    const auto& names = joint_kinds()[static_cast<std::size_t>(model.joints()[joint].kind)].info.equations;
+    const auto rotation = [](const std::string& name) { return name.starts_with("rotation"); };
+    const auto first = names.begin();
+    for (auto begin = first; begin != names.end();) {
+      const auto end =
+          std::find_if(begin, names.end(), [&](const auto& name) { return rotation(name) != rotation(*begin); });
+      visit(model.joint_rows()[joint] + static_cast<int>(begin - first), static_cast<int>(end - begin));
+      begin = end;
+    }
+  }
+}
+
+}  // namespace
+
+VectorXd row_mobility(const System& system, const Evaluation& at) {
+  VectorXd mobility = system.row_mobility(at);
+  for_each_row_group(system.model(), [&](int first, int count) {
+    auto group = mobility.segment(first, count);
+    group.setConstant(group.mean());
+  });
+  double least = std::numeric_limits<double>::infinity();
+  for (const double value : mobility)
+    if (value > 0.0) least = std::min(least, value);
+  return (mobility.array() > 0.0).select(mobility, std::isfinite(least) ? least : 1.0);
+}
+
+VectorXd row_penalties(const ConstraintRows& rows, const std::optional<double>& penalty, double scale) {
+  if (penalty) return VectorXd::Constant(rows.mobility.size(), *penalty);
+  return scale * rows.mobility.cwiseInverse();
 }
 
 }  // namespace linkwork

@@ -21,11 +21,17 @@ struct IterationStatistics {
   double worst_residual = 0.0;   ///< the same over the run
 };
 
+/// What a formulation knows of the constraint rows.
+struct ConstraintRows {
+  VectorXd mobility;         ///< see row_mobility
+  std::vector<int> dropped;  ///< rows that are left out: their D is zero in every evaluation, and their b is 0
+};
+
 /// How v_dot and lambda follow from M v_dot - D^T lambda = a, D v_dot = b at one evaluation.
 class Formulation {
  public:
   virtual ~Formulation() = default;
-  virtual void analyze(const System& system, const Evaluation& typical) = 0;
+  virtual void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) = 0;
   virtual void factorize(const Evaluation& at) = 0;
   /// After factorize, for any number of right-hand sides.
   virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) = 0;
@@ -47,7 +53,7 @@ struct FormulationInfo {
   std::string name;
   std::string documentation;
   std::vector<std::string> forms;  ///< matrices it can use, see SaddleSolver; the first is the default
-  bool needs_full_rank = false;    ///< dependent constraint rows are an error
+  bool needs_full_rank = false;    ///< a singular pose is an error
   bool needs_mass = false;         ///< massless bodies are an error
   bool has_penalty = false;
   bool iterative = false;
@@ -58,11 +64,13 @@ struct FormulationInfo {
 const std::vector<FormulationInfo>& formulations();
 const FormulationInfo& formulation_info(const std::string& name);
 
-/// The same penalty for every row where the user gave one, else scale / (D M^-1 D^T)_ii: then every row is as stiff
-/// against its own inertia, and results do not depend on units. Rows between massless bodies get the largest of the
-/// others.
-VectorXd row_penalties(const System& system, const Evaluation& typical, const std::optional<double>& penalty,
-                       double scale);
+/// diag(D M^-1 D^T), the mean over a joint's translations and the mean over its rotations: it does not depend on the
+/// directions of axes. Rows between massless bodies get the least of the others.
+VectorXd row_mobility(const System& system, const Evaluation& at);
+
+/// The same penalty for every row where the user gave one, else scale / mobility: then every row is as stiff against
+/// its own inertia, and results do not depend on units.
+VectorXd row_penalties(const ConstraintRows& rows, const std::optional<double>& penalty, double scale);
 
 #define LINKWORK_FORMULATION(NAME) FormulationInfo NAME##_formulation();
 #include "linkwork/formulation/formulations.def"

@@ -3,10 +3,8 @@
 namespace linkwork {
 namespace {
 
-// v_dot is wrong by about 1e-7 / s_min, s_min of the scaled D M^-1 D^T. A load hangs on a violation of lambda / (alpha
-// beta^2): the gains of continuous stabilization are far smaller than the 1/h of the sampled one, and need a stiffer
-// row.
-constexpr double default_scale = 1e7, continuous_scale = 1e9;
+// v_dot is wrong by about 1e-9 / s_min, s_min of the scaled D M^-1 D^T, and roundoff in lambda is magnified by 1e9.
+constexpr double default_scale = 1e9;
 
 /// Constraints as stiff massless elements: (M + D^T alpha D) v_dot = a + D^T alpha b, lambda = alpha (b - D v_dot)
 /// (12.14).
@@ -15,11 +13,9 @@ class Penalty final : public Formulation {
   Penalty(std::unique_ptr<SaddleSolver> saddle, const Options& options)
       : saddle_(std::move(saddle)), options_(options) {}
 
-  void analyze(const System& system, const Evaluation& typical) override {
+  void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
     saddle_->analyze(system, typical);
-    const double usual = options_.stabilization == "sampled_baumgarte" ? default_scale : continuous_scale;
-    compliance_ =
-        row_penalties(system, typical, options_.penalty, options_.penalty_scale.value_or(usual)).cwiseInverse();
+    compliance_ = row_penalties(rows, options_.penalty, options_.penalty_scale.value_or(default_scale)).cwiseInverse();
   }
   void factorize(const Evaluation& at) override { saddle_->factorize(at, compliance_); }
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {

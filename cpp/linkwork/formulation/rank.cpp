@@ -1,124 +1,139 @@
 #include "linkwork/formulation/rank.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
+#include <memory>
 
+#include "linkwork/formulation/consistent_pose.hpp"
+#include "linkwork/formulation/constraint_kernel.hpp"
+#include "linkwork/formulation/loop_core.hpp"
+#include "linkwork/formulation/row_selection.hpp"
 #include "linkwork/linear/column_rank.hpp"
 
 namespace linkwork {
 namespace {
 
-constexpr double zero_row = 1e-9;
+constexpr double rank_tolerance = 1e-9;
+constexpr double assembled = 1e-13;  // |Phi| below which a pose needs no correction
+constexpr std::size_t joints_in_text = 8;
 
-/// M^-1/2 as a scale per velocity; massless directions take the mean of the others.
-VectorXd velocity_scale(const System& system) {
-  const int n = system.body_count();
-  VectorXd mass(system.v_size());
-  for (int body = 0; body < n; ++body) {
-    mass.segment<3>(6 * body).setConstant(system.mass(body));
-    mass.segment<3>(6 * body + 3).setConstant(system.inertia(body).trace() / 3.0);
+Places complement(const Places& places, int count) {
+  Places out;
+  auto next = places.begin();
+  for (int k = 0; k < count; ++k) {
+    if (next != places.end() && *next == k) ++next;
+    else out.push_back(k);
   }
-  double sums[2] = {0.0, 0.0};
-  for (int body = 0; body < n; ++body) {
-    sums[0] += mass[6 * body];
-    sums[1] += mass[6 * body + 3];
-  }
-  for (Eigen::Index k = 0; k < mass.size(); ++k) {
-    const double mean = sums[k % 6 / 3] / n;
-    if (mass[k] <= 0.0) mass[k] = mean > 0.0 ? mean : 1.0;
-  }
-  return mass.cwiseSqrt().cwiseInverse();
+  return out;
 }
 
-/// The blocks of D M^-1/2 with every row of D scaled to unit length; a row that is roundoff of zero becomes zero (the
-/// equations of joints have natural size 1).
-std::vector<double> scaled_D(const System& system, const Evaluation& at) {
-  const VectorXd scale = velocity_scale(system);
-  VectorXd norms = VectorXd::Zero(system.row_count()), largest = norms;
-  std::vector<double> D = at.D;
-  const auto for_each_entry = [&](auto visit) {
-    for (const ConstraintBlock& block : system.blocks())
-      for (int k = 0; k < block.rows; ++k)
-        for (int c = 0; c < 6; ++c)
-          visit(D[static_cast<std::size_t>(block.offset + 6 * k + c)], block.row + k, 6 * block.body + c);
-  };
-  for_each_entry([&](double& value, int row, int velocity) {
-    largest[row] = std::max(largest[row], std::abs(value));
-    value *= scale[velocity];
-    norms[row] += value * value;
-  });
-  for_each_entry(
-      [&](double& value, int row, int) { value = largest[row] > zero_row ? value / std::sqrt(norms[row]) : 0.0; });
-  return D;
+/// The kernel by its values at the redundant rows, and where that leaves a singular matrix (a dead center) at the
+/// singular ones, too.
+std::unique_ptr<ConstraintKernel> make_kernel(MetricSolver& solver, const LoopCore& core, const Evaluation& at,
+                                              const RankReport& report) {
+  std::vector<int> rows = report.redundant_rows;
+  auto kernel = std::make_unique<ConstraintKernel>(solver, core, at, rows);
+  if (kernel->regular() || report.singular_rows.empty()) return kernel;
+  rows.insert(rows.end(), report.singular_rows.begin(), report.singular_rows.end());
+  return std::make_unique<ConstraintKernel>(solver, core, at, rows);
 }
 
-/// True where the rows of a block are independent on its body alone.
-bool independent(const std::vector<double>& D, const ConstraintBlock& block, double tolerance) {
-  using Block = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
-  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, Eigen::Dynamic>> qr(
-      Eigen::Map<const Block>(D.data() + block.offset, block.rows, 6).transpose());
-  qr.setThreshold(tolerance);
-  return block.rows <= 6 && qr.rank() == block.rows;
-}
+/// Fills in the report: rows that are redundant at the assembled and at a perturbed pose, and those that are dependent
+/// at the assembled one only.
+void find_redundancy(const System& given, const LoopCore& core, double tolerance, RankReport& report) {
+  MetricSolver solver(given);
+  const System& system = solver.system();
+  const auto row = [&](int place) { return core.rows()[static_cast<std::size_t>(place)]; };
+  report.q = pull_back(solver, core, report.q).q;
+  const CorePose assembled(system, core, report.q, tolerance);
+  if (assembled.dependent.empty()) return;
+  const PerturbedPose found = perturb(solver, core, report.q);
+  report.q = found.q;
+  const CorePose perturbed(system, core, report.q, tolerance);
+  const Places redundant = redundant_rows(solver, core, assembled, perturbed, found, tolerance);
+  for (const int place : redundant) report.redundant_rows.push_back(row(place));
 
-/// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of
-/// all that remain, because only they touch that body.
-std::vector<char> peel_open_branches(const System& system, const std::vector<double>& D, double tolerance) {
-  std::vector<char> removed(static_cast<std::size_t>(system.joint_count()), 0);
-  std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
-  for (int body = 0; body < system.body_count(); ++body) {
-    const BlockRange blocks = system.body_blocks(body);
-    joints_left[static_cast<std::size_t>(body)] = static_cast<int>(blocks.end() - blocks.begin());
-    if (joints_left[static_cast<std::size_t>(body)] == 1) leaves.push_back(body);
+  const Places kept = complement(redundant, core.row_count());
+  for (const int k : dependent_rows(select_rows(assembled.D, kept), tolerance))
+    report.singular_rows.push_back(row(kept[static_cast<std::size_t>(k)]));
+  std::vector<char> members(static_cast<std::size_t>(core.row_count()), 0);
+  const auto kernel = make_kernel(solver, core, perturbed.at, report);
+  if (kernel->regular()) kernel->mark_members(members);
+  else std::fill(members.begin(), members.end(), 1);
+  if (report.singular_rows.empty()) {
+    ConstraintKernel at_start(solver, core, assembled.at, report.redundant_rows);
+    if (at_start.regular()) at_start.mark_members(members);
   }
-  while (!leaves.empty()) {
-    const int body = leaves.back();
-    leaves.pop_back();
-    for (const int index : system.body_blocks(body)) {
-      const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
-      if (removed[static_cast<std::size_t>(block.joint)] || !independent(D, block, tolerance)) continue;
-      removed[static_cast<std::size_t>(block.joint)] = 1;
-      for (const int other : system.joint_blocks(block.joint)) {
-        const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
-        if (--joints_left[static_cast<std::size_t>(neighbor)] == 1 && neighbor != body) leaves.push_back(neighbor);
-      }
-    }
-  }
-  return removed;
+  for (int place = 0; place < core.row_count(); ++place)
+    if (members[static_cast<std::size_t>(place)])
+      report.unique[static_cast<std::size_t>(system.model().joint_of_row(row(place)))] = 0;
 }
 
 }  // namespace
 
-RankReport rank_of_constraints(const System& system, const Evaluation& at, double tolerance) {
-  const std::vector<double> D = scaled_D(system, at);
-  std::vector<int> column(static_cast<std::size_t>(system.row_count()), -1);  // of the core, for each row
-  std::vector<int> rows_of_core;
-  const std::vector<char> removed = peel_open_branches(system, D, tolerance);
-  std::vector<Entry> entries;  // of D^T, restricted to the core
-  for (const ConstraintBlock& block : system.blocks()) {
-    if (removed[static_cast<std::size_t>(block.joint)]) continue;
-    for (int k = 0; k < block.rows; ++k) {
-      int& place = column[static_cast<std::size_t>(block.row + k)];
-      if (place < 0) {
-        place = static_cast<int>(rows_of_core.size());
-        rows_of_core.push_back(block.row + k);
-      }
-      for (int c = 0; c < 6; ++c) {
-        const double value = D[static_cast<std::size_t>(block.offset + 6 * k + c)];
-        if (value != 0.0) entries.push_back({6 * block.body + c, place, value});
-      }
-    }
-  }
-  RankReport report;
+PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance) {
+  const LoopCore core(system, at, tolerance);
+  PoseRank report;
   report.rows = system.row_count();
-  for (const int dependent :
-       dependent_columns(system.v_size(), static_cast<int>(rows_of_core.size()), std::move(entries), tolerance))
-    report.dependent_rows.push_back(rows_of_core[static_cast<std::size_t>(dependent)]);
-  std::sort(report.dependent_rows.begin(), report.dependent_rows.end());
+  for (const int place : dependent_rows(core.scaled_D(at), tolerance))
+    report.dependent_rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
   report.rank = report.rows - static_cast<int>(report.dependent_rows.size());
   report.degrees_of_freedom = system.v_size() - report.rank;
   return report;
+}
+
+RankReport examine_rank(const System& given, double tolerance) {
+  RankReport report;
+  report.rows = given.row_count();
+  report.unique.assign(static_cast<std::size_t>(given.joint_count()), 1);
+  report.q = given.model().initial_q();
+  Evaluation at = given.make_evaluation();
+  given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), at);
+  const LoopCore core(given, at, tolerance);
+  const bool consistent = report.rows == 0 || at.Phi.cwiseAbs().maxCoeff() <= assembled;
+  if (core.row_count() > 0 && !(consistent && dependent_rows(core.scaled_D(at), tolerance).empty()))
+    find_redundancy(given, core, tolerance, report);
+  report.rank = report.rows - static_cast<int>(report.redundant_rows.size());
+  report.degrees_of_freedom = given.v_size() - report.rank;
+  return report;
+}
+
+std::vector<DependentGroup> dependent_groups(const System& given, const RankReport& report, std::size_t most) {
+  std::vector<DependentGroup> groups;
+  if (report.redundant_rows.empty()) return groups;
+  MetricSolver solver(given);
+  const System& system = solver.system();
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), at);
+  const LoopCore core(system, at, rank_tolerance);
+  const auto kernel = make_kernel(solver, core, at, report);
+  for (std::size_t k = 0; k < std::min(most, report.redundant_rows.size()); ++k) {
+    const auto& dependent = kernel->dependent();
+    const auto own = std::lower_bound(dependent.begin(), dependent.end(), report.redundant_rows[k]) - dependent.begin();
+    const VectorXd n = kernel->vector(VectorXd::Unit(kernel->size(), own));
+    const double least = ConstraintKernel::member * n.cwiseAbs().maxCoeff();
+    DependentGroup group{report.redundant_rows[k], {}};
+    for (int place = 0; place < core.row_count(); ++place)
+      if (const int row = core.rows()[static_cast<std::size_t>(place)]; std::abs(n[place]) > least && row != group.row)
+        group.others.push_back(row);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+std::string describe(const Model& model, const DependentGroup& group) {
+  const std::string row = model.describe_row(group.row) + ", ";
+  if (group.others.empty()) return row + "holds nothing";
+  const int own = model.joint_of_row(group.row);
+  std::vector<int> joints;
+  for (const int other : group.others)
+    if (const int joint = model.joint_of_row(other); joint != own && (joints.empty() || joints.back() != joint))
+      joints.push_back(joint);
+  if (joints.empty()) return row + "repeats what the joint's other equations already fix";
+  std::string names;
+  for (std::size_t k = 0; k < std::min(joints.size(), joints_in_text); ++k)
+    names += (k ? ", '" : "'") + model.joint_name(joints[k]) + "'";
+  if (joints.size() > joints_in_text) names += " and " + std::to_string(joints.size() - joints_in_text) + " more";
+  return row + "repeats what " + names + (joints.size() > 1 ? " already fix" : " already fixes");
 }
 
 // ker M and ker D meet iff D K has dependent columns, K a basis of ker M: per massless body the directions without

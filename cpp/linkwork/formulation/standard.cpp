@@ -8,23 +8,24 @@ class Standard final : public Formulation {
  public:
   explicit Standard(std::unique_ptr<SaddleSolver> saddle) : saddle_(std::move(saddle)) {}
 
-  void analyze(const System& system, const Evaluation& typical) override {
+  void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
     saddle_->analyze(system, typical);
-    no_compliance_.setZero(system.row_count());
+    compliance_.setZero(system.row_count());
+    for (const int row : rows.dropped) compliance_[row] = 1.0;
   }
-  void factorize(const Evaluation& at) override { saddle_->factorize(at, no_compliance_); }
+  void factorize(const Evaluation& at) override { saddle_->factorize(at, compliance_); }
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
     saddle_->solve(a, b, v_dot, lambda);
   }
   void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector v_dot,
                            MutableVector lambda) override {
-    saddle_->factorize_and_solve(at, no_compliance_, a, b, v_dot, lambda);
+    saddle_->factorize_and_solve(at, compliance_, a, b, v_dot, lambda);
   }
   const SaddleSolver& saddle() const override { return *saddle_; }
 
  private:
   std::unique_ptr<SaddleSolver> saddle_;
-  VectorXd no_compliance_;
+  VectorXd compliance_;  ///< 0, and 1 for dropped rows
 };
 
 }  // namespace

@@ -88,8 +88,7 @@ void Simulation::evaluate_and_record() {
   if (!v_dot_.allFinite() || !lambda_.allFinite()) throw_not_finite(system, y_, t());
   const Evaluation& at = dynamics_.evaluation();
   VectorXd residual(system.row_count());
-  system.multiply_D(at, v_dot_, residual);
-  residual -= at.gamma;
+  dynamics_.acceleration_residual(v_dot_, residual);
   frames_.t.push_back(t());
   append(frames_.q, y_.head(nq));
   append(frames_.v, y_.segment(nq, nv));

@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 #: The most joints and bodies listed for people; JSON has all.
 SHOWN = 12
 
+#: The most dependent groups looked for: each costs a solution of the equations.
+GROUPS = 25
+
 
 def check_and_show(name: str, mechanism: Mechanism, parameters: Mapping[str, Any], as_json: bool) -> None:
     """Examine the mechanism at its initial pose."""
@@ -28,22 +31,35 @@ def check_and_show(name: str, mechanism: Mechanism, parameters: Mapping[str, Any
 
 
 def examine(model: Model) -> dict[str, Any]:
-    """Counts, rank of the constraints, residuals of each joint and inertias of each body; SI units."""
+    """Counts, rank, redundancy of the constraints, residuals of joints, inertias of bodies; SI units."""
     core = model.compiled()
     options = _core.Options()
     options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too
     dynamics = _core.Dynamics(core, options)
     rank = dynamics.rank()
-    first = core.joint_rows
-    redundant = sorted({int(np.searchsorted(first, row, side="right")) - 1 for row in rank.dependent_rows})
+    joint_of = np.searchsorted(core.joint_rows, np.arange(rank.rows), side="right") - 1
+    redundant = sorted({int(joint_of[row]) for row in rank.redundant_rows})
+    groups = dynamics.dependent_groups(GROUPS)
     return {
         "bodies": core.body_count,
         "joints": core.joint_count,
         "rows": rank.rows,
         "rank": rank.rank,
         "degrees_of_freedom": rank.degrees_of_freedom,
+        "redundant": len(rank.redundant_rows),
         "redundant_joints": [core.joint_name(joint) for joint in redundant],
-        "redundant_equations": [core.describe_row(row) for row in rank.dependent_rows],
+        "redundant_equations": [core.describe_row(row) for row in rank.redundant_rows],
+        "dependent_groups": [
+            {
+                "equation": core.describe_row(row),
+                "joint": core.joint_name(int(joint_of[row])),
+                "repeats": [core.describe_row(other) for other in others],
+                "joints": [core.joint_name(int(joint)) for joint in np.unique(joint_of[others])],
+                "text": text,
+            }
+            for row, others, text in groups
+        ],
+        "singular_equations": [core.describe_row(row) for row in rank.singular_rows],
         "residuals": _residuals(model, dynamics),
         "inertias": _inertias(core),
     }
@@ -53,10 +69,12 @@ def _residuals(model: Model, dynamics: _core.Dynamics) -> list[dict[str, Any]]:
     """By how much each joint's equations are violated by the initial pose and velocities."""
     position, velocity = checks.joint_residuals(model, dynamics)
     core = model.compiled()
+    unique = dynamics.rank().unique
     return [
         {
             "joint": core.joint_name(joint),
             "kind": core.joint_kind(joint),
+            "reaction_unique": unique[joint],
             "position": float(position[joint]),
             "velocity": float(velocity[joint]),
         }
@@ -92,24 +110,37 @@ def _remark(mass: float, largest: float, margin: float) -> str:
 
 
 def _print(found: dict[str, Any]) -> None:
-    redundant = found["redundant_joints"]
+    redundant, singular = found["redundant_joints"], found["singular_equations"]
     out.print_pairs([
         ("mechanism", found["mechanism"]),
         ("bodies", str(found["bodies"])),
         ("joints", str(found["joints"])),
         ("constraints", f"{found['rows']} equations of rank {found['rank']}"),
         ("degrees of freedom", str(found["degrees_of_freedom"])),
-        ("redundant", _listed(found["redundant_equations"]) if redundant else "none"),
+        ("redundant", _listed([group["text"] for group in found["dependent_groups"]], found["redundant"])),
+        *([("singular", _listed(singular, len(singular)))] if singular else []),
     ])  # fmt: skip
-    if redundant:
+    if singular:
         print(
-            "\nThe standard method needs independent equations; --formulation augmented_lagrangian does not."
+            "\nIn this pose the singular equations depend on the others, too: the mechanism may go on in"
+            "\nseveral ways. The standard method cannot start here; --formulation augmented_lagrangian can."
         )
+    if redundant:
+        print("\nRedundant equations are left out. A reaction that is not unique is the share of least norm.")
     worst = sorted(found["residuals"], key=lambda joint: -max(joint["position"], joint["velocity"]))[:SHOWN]
     if worst:
         out.print_table(
-            ("joint", "kind", "position", "velocity"),
-            [(j["joint"], j["kind"], f"{j['position']:.1e}", f"{j['velocity']:.1e}") for j in worst],
+            ("joint", "kind", "position", "velocity", "reaction"),
+            [
+                (
+                    j["joint"],
+                    j["kind"],
+                    f"{j['position']:.1e}",
+                    f"{j['velocity']:.1e}",
+                    "unique" if j["reaction_unique"] else "not unique",
+                )
+                for j in worst
+            ],
             title=_share("Initial residuals", len(worst), len(found["residuals"]), "joints"),
             left=2,
         )
@@ -128,6 +159,9 @@ def _share(title: str, shown: int, total: int, what: str) -> str:
     return title if shown == total else f"{title} ({shown} of {total} {what})"
 
 
-def _listed(items: list[str]) -> str:
-    rest = len(items) - SHOWN
+def _listed(items: list[str], count: int) -> str:
+    """The first of `count` items."""
+    if not count:
+        return "none"
+    rest = count - min(SHOWN, len(items))
     return "\n".join([*items[:SHOWN], *([f"and {rest} more"] if rest > 0 else [])])

@@ -35,4 +35,4 @@ def bricard() -> Model:
     return model
 
 
-BRICARD = Mechanism(bricard, t_end=10.0, step=1e-3, formulation="augmented_lagrangian")
+BRICARD = Mechanism(bricard, t_end=10.0, step=1e-3)

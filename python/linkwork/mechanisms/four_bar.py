@@ -15,8 +15,6 @@ def four_bar(n: int = 1) -> Model:
     are joined by n others. The tops move along +x with 1 m/s at the start; gravity along -y. Where all rods
     lie down, the mechanism could go on in several ways. In three dimensions its equations are redundant.
 
-    For n > 1 the augmented Lagrangian passes these poses with penalty=1e9, max_iterations=1000.
-
     n  number of loops
     """
     at_least(1, n, "four_bar: n")
@@ -40,4 +38,4 @@ def four_bar(n: int = 1) -> Model:
     return model
 
 
-FOUR_BAR = Mechanism(four_bar, t_end=10.0, step=1e-3, formulation="augmented_lagrangian")
+FOUR_BAR = Mechanism(four_bar, t_end=10.0, step=1e-3)

@@ -1,0 +1,173 @@
+#include "linkwork/formulation/consistent_pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+namespace linkwork {
+namespace {
+
+// What the singular values of unit rows are compared with: roundoff in Phi is magnified by less than 1 / (2 sqrt(e)).
+constexpr double epsilon = 1e-10;
+constexpr double yielding = 1e20;
+constexpr double converged = 1e-10;  // last step [rad, or m relative to the size of the component]
+constexpr int most_steps = 20;
+constexpr double longest_step = 0.5;
+constexpr double immobile = 1e-5;  // part of a random velocity that the constraints allow
+constexpr double steps[] = {0.1, 0.01, 0.001};
+constexpr double moved_part = 0.1;  // of a step: less, and the pose fell back to where it was
+
+/// The components of the core and the sizes of their motions. Bodies outside belong to none.
+class Components {
+ public:
+  Components(const System& system, const LoopCore& core) : system_(system), core_(core) { measure_lengths(); }
+
+  std::size_t count() const { return static_cast<std::size_t>(core_.component_count()); }
+
+  /// Largest |omega| and |r_dot| / length of the bodies of each component.
+  std::vector<double> sizes(const VectorXd& velocity) const {
+    std::vector<double> out(count(), 0.0);
+    for_each_body([&](int body, std::size_t c) {
+      const auto v = velocity.segment<6>(6 * body);
+      out[c] = std::max({out[c], v.head<3>().norm() / length_[c], v.tail<3>().norm()});
+    });
+    return out;
+  }
+
+  /// The same for the way between two poses.
+  std::vector<double> distances(const VectorXd& from, const VectorXd& to) const {
+    std::vector<double> out(count(), 0.0);
+    for_each_body([&](int body, std::size_t c) {
+      const VectorXd way = to.segment<7>(7 * body) - from.segment<7>(7 * body);
+      out[c] = std::max({out[c], way.head<3>().norm() / length_[c], 2.0 * way.tail<4>().norm()});
+    });
+    return out;
+  }
+
+  void multiply(const std::vector<double>& factors, VectorXd& velocity) const {
+    for_each_body([&](int body, std::size_t c) { velocity.segment<6>(6 * body) *= factors[c]; });
+  }
+
+  /// Copies the poses of the bodies in the chosen components.
+  void copy(const std::vector<char>& chosen, const VectorXd& from, VectorXd& to) const {
+    for_each_body([&](int body, std::size_t c) {
+      if (chosen[c]) to.segment<7>(7 * body) = from.segment<7>(7 * body);
+    });
+  }
+
+ private:
+  template <class Visit>
+  void for_each_body(Visit visit) const {
+    for (int body = 0; body < system_.body_count(); ++body)
+      if (const int c = core_.component_of_body(body); c >= 0) visit(body, static_cast<std::size_t>(c));
+  }
+
+  /// The longest way from a center of mass to a joint.
+  void measure_lengths() {
+    length_.assign(count(), 0.0);
+    for (const Element& joint : system_.model().joints())
+      for (const auto& [body, s] : {std::pair{joint.i, joint.at.s_i}, std::pair{joint.j, joint.at.s_j}})
+        if (const int c = body == ground ? -1 : core_.component_of_body(body); c >= 0)
+          length_[static_cast<std::size_t>(c)] = std::max(length_[static_cast<std::size_t>(c)], s.norm());
+    for (double& length : length_)
+      if (length == 0.0) length = 1.0;
+  }
+
+  const System& system_;
+  const LoopCore& core_;
+  std::vector<double> length_;
+};
+
+void move(const System& system, const VectorXd& velocity, VectorXd& q) {
+  VectorXd rates(system.q_size());
+  system.position_rates(q, velocity, rates);
+  q += rates;
+  system.normalize(q);
+}
+
+/// Rows of the open branches, which follow the loops, yield to everything.
+VectorXd compliance(const System& system, const LoopCore& core, const Evaluation& at) {
+  VectorXd mobility = system.row_mobility(at);
+  mobility = (mobility.array() > 0.0).select(mobility, 1.0);
+  VectorXd e = yielding * mobility;
+  for (const int row : core.rows()) e[row] = epsilon * mobility[row];
+  return e;
+}
+
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Components& components, VectorXd q) {
+  const System& system = solver.system();
+  const VectorXd rest = VectorXd::Zero(system.v_size());
+  VectorXd step(system.v_size()), lambda(system.row_count());
+  ConsistentPose out{q, std::vector<char>(components.count(), 0)};
+  Evaluation at = system.make_evaluation();
+  for (int k = 0; k < most_steps && std::find(out.reached.begin(), out.reached.end(), 0) != out.reached.end(); ++k) {
+    system.evaluate_constraints(0.0, q, rest, at);
+    if (!solver.factorize(at, compliance(system, core, at))) break;
+    solver.solve(rest, -at.Phi, step, lambda);
+    if (!step.allFinite()) break;
+    std::vector<double> factors = components.sizes(step);
+    for (std::size_t c = 0; c < factors.size(); ++c) {
+      out.reached[c] = factors[c] <= converged;
+      factors[c] = std::min(1.0, longest_step / std::max(factors[c], longest_step));
+    }
+    components.multiply(factors, step);
+    move(system, step, q);
+  }
+  components.copy(out.reached, q, out.q);
+  return out;
+}
+
+/// A random velocity less its part that the constraints resist; three times, for epsilon.
+VectorXd allowed_velocity(MetricSolver& solver, const LoopCore& core, const Evaluation& at, VectorXd velocity) {
+  const System& system = solver.system();
+  const VectorXd e = compliance(system, core, at), none = VectorXd::Zero(system.row_count());
+  VectorXd momentum(system.v_size()), lambda(system.row_count());
+  if (!solver.factorize(at, e)) return VectorXd::Zero(system.v_size());
+  for (int k = 0; k < 3; ++k) {
+    system.multiply_mass(velocity, momentum);
+    solver.solve(momentum, none, velocity, lambda);
+  }
+  return velocity;
+}
+
+}  // namespace
+
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q) {
+  return pull_back(solver, core, Components(solver.system(), core), q);
+}
+
+PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q) {
+  const System& system = solver.system();
+  const Components components(system, core);
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), at);
+  std::mt19937_64 engine(1);
+  VectorXd random(system.v_size());
+  for (double& x : random) x = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
+  random.array() *= velocity_scale(system).array();
+  VectorXd velocity = allowed_velocity(solver, core, at, random);
+
+  PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};
+  std::vector<double> unit = components.sizes(velocity);
+  const std::vector<double> all = components.sizes(random);
+  for (std::size_t c = 0; c < components.count(); ++c) out.mobile[c] = unit[c] > immobile * all[c];
+  for (std::size_t c = 0; c < unit.size(); ++c) unit[c] = out.mobile[c] && unit[c] > 0.0 ? 1.0 / unit[c] : 0.0;
+  components.multiply(unit, velocity);
+
+  for (const double step : steps) {
+    VectorXd moved = q;
+    move(system, step * velocity, moved);
+    const ConsistentPose found = pull_back(solver, core, components, moved);
+    const std::vector<double> way = components.distances(q, found.q);
+    std::vector<char> news(components.count());
+    for (std::size_t c = 0; c < news.size(); ++c)
+      news[c] = found.reached[c] && out.mobile[c] && !out.reached[c] && way[c] > moved_part * step;
+    components.copy(news, found.q, out.q);
+    for (std::size_t c = 0; c < news.size(); ++c) out.reached[c] |= news[c];
+    if (out.reached == out.mobile) break;
+  }
+  return out;
+}
+
+}  // namespace linkwork

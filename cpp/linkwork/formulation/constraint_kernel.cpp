@@ -1,0 +1,62 @@
+#include "linkwork/formulation/constraint_kernel.hpp"
+
+#include <random>
+
+namespace linkwork {
+
+ConstraintKernel::ConstraintKernel(MetricSolver& solver, const LoopCore& core, const Evaluation& at,
+                                   const std::vector<int>& dependent)
+    : solver_(solver),
+      core_(core),
+      at_(at),
+      scale_(solver.system().row_mobility(at).cwiseSqrt()),
+      dropped_(solver.system(), dependent) {
+  const System& system = solver.system();
+  scale_ = (scale_.array() > 0.0).select(scale_, 1.0);
+  dropped_.take_out(at_);
+  VectorXd e = VectorXd::Zero(system.row_count());
+  dropped_.scatter(VectorXd::Ones(dropped_.count()), e);
+  regular_ = solver.factorize(at_, e);
+  for (VectorXd* velocities : {&a_, &x_, &dx_}) velocities->setZero(system.v_size());
+  for (VectorXd* values : {&b_, &lambda_, &dlambda_}) values->setZero(system.row_count());
+}
+
+VectorXd ConstraintKernel::vector(const VectorXd& n_d) {
+  VectorXd omega(size());
+  dropped_.gather(scale_, omega);
+  omega = n_d.cwiseQuotient(omega);
+  a_.setZero();
+  b_.setZero();
+  dropped_.add_transposed(omega, a_);
+  solver_.solve(a_, b_, x_, lambda_);
+  refine();
+  dropped_.scatter(omega, lambda_);
+  VectorXd n(core_.row_count());
+  for (int place = 0; place < core_.row_count(); ++place) n[place] = lambda_[row(place)] * scale_[row(place)];
+  return n;
+}
+
+/// M x - D^T lambda = a, D x = 0 once more for the residuals.
+void ConstraintKernel::refine() {
+  const System& system = solver_.system();
+  system.multiply_mass(x_, dx_);
+  a_ -= dx_;
+  system.add_D_transposed(at_, lambda_, a_);
+  system.multiply_D(at_, x_, b_);
+  b_ = -b_;
+  solver_.solve(a_, b_, dx_, dlambda_);
+  lambda_ += dlambda_;
+}
+
+void ConstraintKernel::mark_members(std::vector<char>& marks) {
+  if (size() == 0) return;
+  std::mt19937_64 engine(2);
+  VectorXd n_d(size());
+  for (double& x : n_d) x = 0.5 + static_cast<double>(engine() >> 11) * 0x1p-53;
+  const VectorXd n = vector(n_d);
+  const double least = member * n.cwiseAbs().maxCoeff();
+  for (Eigen::Index k = 0; k < n.size(); ++k)
+    if (std::abs(n[k]) > least) marks[static_cast<std::size_t>(k)] = 1;
+}
+
+}  // namespace linkwork

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "linkwork/formulation/dropped_rows.hpp"
+#include "linkwork/formulation/loop_core.hpp"
+#include "linkwork/formulation/metric_solver.hpp"
+
+namespace linkwork {
+
+/// ker D^T of the core at an evaluation, by its values at dependent rows d: with the others, k, independent,
+///   n_k = -(D_k M^-1 D_k^T)^-1 D_k M^-1 D_d^T n_d.
+/// Vectors are over the core and refer to rows of unit length in the metric M^-1.
+class ConstraintKernel {
+ public:
+  /// `dependent` are constraint rows of the core. One kernel at a time may use a solver.
+  ConstraintKernel(MetricSolver& solver, const LoopCore& core, const Evaluation& at, const std::vector<int>& dependent);
+
+  int size() const { return dropped_.count(); }
+  const std::vector<int>& dependent() const { return dropped_.rows(); }  ///< ascending
+  /// Whether the other rows are independent, without which there are no vectors.
+  bool regular() const { return regular_; }
+
+  /// The vector with these values for the dependent rows, in their order.
+  VectorXd vector(const VectorXd& n_d);
+
+  /// Part of the largest entry above which an entry is none of roundoff.
+  static constexpr double member = 1e-7;
+  /// Marks the rows of a random vector of the kernel that do not vanish: those of any basis that do not.
+  void mark_members(std::vector<char>& marks);
+
+ private:
+  int row(int place) const { return core_.rows()[static_cast<std::size_t>(place)]; }
+  void refine();
+
+  MetricSolver& solver_;
+  const LoopCore& core_;
+  Evaluation at_;
+  VectorXd scale_, a_, b_, x_, lambda_, dx_, dlambda_;
+  DroppedRows dropped_;
+  bool regular_ = false;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,212 @@
+#include "linkwork/formulation/loop_core.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace linkwork {
+namespace {
+
+constexpr double zero_row = 1e-9;
+
+/// True where the rows of a block are independent on its body alone.
+bool independent(const Evaluation& at, const VectorXd& scale, const ConstraintBlock& block, double tolerance) {
+  using Block = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+  if (block.rows > 6) return false;
+  const Eigen::Map<const Block> D(at.D.data() + block.offset, block.rows, 6);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> rows = scale.segment<6>(6 * block.body).asDiagonal() * D.transpose();
+  for (int k = 0; k < block.rows; ++k)
+    rows.col(k) *= D.row(k).cwiseAbs().maxCoeff() > zero_row ? 1.0 / rows.col(k).norm() : 0.0;
+  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, Eigen::Dynamic>> qr(rows);
+  qr.setThreshold(tolerance);
+  return qr.rank() == block.rows;
+}
+
+/// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of
+/// all that remain, because only they touch that body.
+std::vector<char> peel_open_branches(const System& system, const Evaluation& at, double tolerance) {
+  const VectorXd scale = velocity_scale(system);
+  std::vector<char> removed(static_cast<std::size_t>(system.joint_count()), 0);
+  std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
+  for (int body = 0; body < system.body_count(); ++body) {
+    const BlockRange blocks = system.body_blocks(body);
+    joints_left[static_cast<std::size_t>(body)] = static_cast<int>(blocks.end() - blocks.begin());
+    if (joints_left[static_cast<std::size_t>(body)] == 1) leaves.push_back(body);
+  }
+  while (!leaves.empty()) {
+    const int body = leaves.back();
+    leaves.pop_back();
+    for (const int index : system.body_blocks(body)) {
+      const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+      if (removed[static_cast<std::size_t>(block.joint)] || !independent(at, scale, block, tolerance)) continue;
+      removed[static_cast<std::size_t>(block.joint)] = 1;
+      for (const int other : system.joint_blocks(block.joint)) {
+        const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
+        if (--joints_left[static_cast<std::size_t>(neighbor)] == 1 && neighbor != body) leaves.push_back(neighbor);
+      }
+    }
+  }
+  return removed;
+}
+
+}  // namespace
+
+VectorXd velocity_scale(const System& system) {
+  const int n = system.body_count();
+  VectorXd mass(system.v_size());
+  for (int body = 0; body < n; ++body) {
+    mass.segment<3>(6 * body).setConstant(system.mass(body));
+    mass.segment<3>(6 * body + 3).setConstant(system.inertia(body).trace() / 3.0);
+  }
+  double sums[2] = {0.0, 0.0};
+  for (int body = 0; body < n; ++body) {
+    sums[0] += mass[6 * body];
+    sums[1] += mass[6 * body + 3];
+  }
+  for (Eigen::Index k = 0; k < mass.size(); ++k) {
+    const double mean = sums[k % 6 / 3] / n;
+    if (mass[k] <= 0.0) mass[k] = mean > 0.0 ? mean : 1.0;
+  }
+  return mass.cwiseSqrt().cwiseInverse();
+}
+
+LoopCore::LoopCore(const System& system, const Evaluation& at, double tolerance)
+    : system_(&system), removed_(peel_open_branches(system, at, tolerance)) {
+  const auto& first = system.model().joint_rows();
+  for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
+    if (!removed_[joint])
+      for (int row = first[joint]; row < first[joint + 1]; ++row) rows_.push_back(row);
+  find_components();
+  find_tree();
+}
+
+/// Bodies joined by a joint of the core are in one component (union-find).
+void LoopCore::find_components() {
+  std::vector<int> parent(static_cast<std::size_t>(system_->body_count()));
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int body) {
+    while (parent[static_cast<std::size_t>(body)] != body) {
+      int& up = parent[static_cast<std::size_t>(body)];
+      body = up = parent[static_cast<std::size_t>(up)];
+    }
+    return body;
+  };
+  std::vector<int> body_of_joint(removed_.size(), -1);
+  for (const ConstraintBlock& block : system_->blocks()) {
+    if (removed_[static_cast<std::size_t>(block.joint)]) continue;
+    int& first = body_of_joint[static_cast<std::size_t>(block.joint)];
+    if (first < 0) first = block.body;
+    parent[static_cast<std::size_t>(root(block.body))] = root(first);
+  }
+  std::vector<int> number(parent.size(), -1);
+  body_component_.assign(parent.size(), -1);
+  const auto component = [&](int body) {
+    int& found = number[static_cast<std::size_t>(root(body))];
+    if (found < 0) found = component_count_++;
+    return body_component_[static_cast<std::size_t>(body)] = found;
+  };
+  for (const ConstraintBlock& block : system_->blocks())
+    if (!removed_[static_cast<std::size_t>(block.joint)]) component(block.body);
+  for (const int row : rows_)
+    row_component_.push_back(component(body_of_joint[static_cast<std::size_t>(system_->model().joint_of_row(row))]));
+}
+
+/// Breadth first from the ground, then from the first body of every component without a joint to it: node 0 is the
+/// ground, node b + 1 a body.
+void LoopCore::find_tree() {
+  const Model& model = system_->model();
+  const auto nodes = static_cast<std::size_t>(system_->body_count()) + 1;
+  closing_.assign(removed_.size(), 0);
+  parent_joint_.assign(nodes, -1);
+  depth_.assign(nodes, -1);
+  std::vector<int> grounded, queue;
+  for (std::size_t joint = 0; joint < removed_.size(); ++joint) {
+    const Element& element = model.joints()[joint];
+    if (!removed_[joint] && (element.i == ground || element.j == ground)) grounded.push_back(static_cast<int>(joint));
+  }
+  const auto visit = [&](int joint, int from) {
+    const Element& element = model.joints()[static_cast<std::size_t>(joint)];
+    const int to = element.i == from ? element.j : element.i;
+    const auto node = static_cast<std::size_t>(to + 1);
+    if (removed_[static_cast<std::size_t>(joint)] || parent_joint_[static_cast<std::size_t>(from + 1)] == joint) return;
+    if (depth_[node] >= 0) {
+      closing_[static_cast<std::size_t>(joint)] = 1;
+      return;
+    }
+    depth_[node] = depth_[static_cast<std::size_t>(from + 1)] + 1;
+    parent_joint_[node] = joint;
+    queue.push_back(to);
+  };
+  depth_[0] = 0;
+  for (const int joint : grounded) visit(joint, ground);
+  for (int first = 0; first <= system_->body_count(); ++first) {
+    for (std::size_t next = 0; next < queue.size(); ++next)
+      for (const int index : system_->body_blocks(queue[next]))
+        visit(system_->blocks()[static_cast<std::size_t>(index)].joint, queue[next]);
+    queue.clear();
+    if (first == system_->body_count() || component_of_body(first) < 0 ||
+        depth_[static_cast<std::size_t>(first) + 1] >= 0)
+      continue;
+    depth_[static_cast<std::size_t>(first) + 1] = 0;
+    queue.push_back(first);
+  }
+}
+
+std::vector<int> LoopCore::loop_of(int joint, std::size_t most) const {
+  const Model& model = system_->model();
+  std::vector<int> loop = {joint};
+  int ends[2] = {model.joints()[static_cast<std::size_t>(joint)].i, model.joints()[static_cast<std::size_t>(joint)].j};
+  while (ends[0] != ends[1]) {
+    const auto depth = [&](int end) { return depth_[static_cast<std::size_t>(end + 1)]; };
+    int& lower = depth(ends[0]) > depth(ends[1]) ? ends[0] : ends[1];
+    const int up = parent_joint_[static_cast<std::size_t>(lower + 1)];
+    if (up < 0 || loop.size() >= most) return {};
+    const Element& element = model.joints()[static_cast<std::size_t>(up)];
+    lower = element.i == lower ? element.j : element.i;
+    loop.push_back(up);
+  }
+  return loop;
+}
+
+SparseRows LoopCore::scaled_D(const Evaluation& at, VectorXd* lengths) const {
+  const VectorXd scale = velocity_scale(*system_);
+  SparseRows D(row_count(), system_->v_size());
+  if (lengths) lengths->setOnes(row_count());
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<std::pair<int, double>> row;
+  for (int place = 0; place < row_count(); ++place) {
+    const int number = rows_[static_cast<std::size_t>(place)];
+    double squares = 0.0, largest = 0.0;
+    row.clear();
+    for (const int index : system_->joint_blocks(system_->model().joint_of_row(number))) {
+      const ConstraintBlock& block = system_->blocks()[static_cast<std::size_t>(index)];
+      for (int c = 0; c < 6; ++c) {
+        const double value = at.D[static_cast<std::size_t>(block.offset + 6 * (number - block.row) + c)];
+        const int velocity = 6 * block.body + c;
+        largest = std::max(largest, std::abs(value));
+        row.emplace_back(velocity, value * scale[velocity]);
+        squares += row.back().second * row.back().second;
+      }
+    }
+    if (!(largest > zero_row)) continue;
+    const double length = std::sqrt(squares);
+    if (lengths) (*lengths)[place] = length;
+    for (const auto& [velocity, value] : row)
+      if (value != 0.0) entries.emplace_back(place, velocity, value / length);
+  }
+  D.setFromTriplets(entries.begin(), entries.end());
+  return D;
+}
+
+SparseRows select_rows(const SparseRows& A, const std::vector<int>& rows) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (SparseRows::InnerIterator it(A, rows[k]); it; ++it)
+      entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
+  SparseRows out(static_cast<Eigen::Index>(rows.size()), A.cols());
+  out.setFromTriplets(entries.begin(), entries.end());
+  return out;
+}
+
+}  // namespace linkwork

@@ -1,0 +1,69 @@
+#include "linkwork/formulation/metric_solver.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double flat = 1e-6;  // smallest principal moment, relative to the largest, that makes a metric
+
+/// The mean of the positive numbers among x, or 1.
+double mean_of_positive(const VectorXd& x) {
+  const auto count = (x.array() > 0.0).count();
+  return count > 0 ? x.sum() / static_cast<double>(count) : 1.0;
+}
+
+Model with_masses(const Model& model) {
+  const auto n = static_cast<Eigen::Index>(model.bodies().size());
+  VectorXd mass(n), moment(n);
+  for (Eigen::Index b = 0; b < n; ++b) {
+    mass[b] = model.bodies()[static_cast<std::size_t>(b)].mass;
+    moment[b] = model.bodies()[static_cast<std::size_t>(b)].inertia.trace() / 3.0;
+  }
+  const double usual_mass = mean_of_positive(mass), usual_moment = mean_of_positive(moment);
+  Model out(model.gravity());
+  std::vector<Body> bodies = model.bodies();
+  for (Body& body : bodies) {
+    const Vec3<double> moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.inertia).eigenvalues();
+    if (body.mass == 0.0) body.mass = usual_mass;
+    if (!(moments[0] > flat * moments[2]))
+      body.inertia = (moments[2] > 0.0 ? moments.mean() : usual_moment) * Mat3<double>::Identity();
+  }
+  out.add_bodies("body", bodies);
+  for (const TimeFunctionPtr& signal : model.signals()) out.add_signal(signal);
+  for (std::size_t joint = 0; joint < model.joints().size(); ++joint) {
+    const Element& element = model.joints()[joint];
+    const KindInfo& info = joint_kinds()[static_cast<std::size_t>(element.kind)].info;
+    const auto first = model.joint_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
+    out.add_joint(info.name, "joint " + std::to_string(joint), element.i, element.j, element.at,
+                  {first, first + static_cast<std::ptrdiff_t>(info.parameters.size())});
+  }
+  return out;
+}
+
+}  // namespace
+
+MetricSolver::MetricSolver(const System& system)
+    : regularized_(system.massless_bodies().empty() ? nullptr : std::make_unique<System>(with_masses(system.model()))),
+      system_(regularized_ ? regularized_.get() : &system),
+      saddle_(make_saddle_solver("kkt", linear_solver_info("block"))) {
+  const Evaluation at = system_->make_evaluation();
+  saddle_->analyze(*system_, at);
+}
+
+bool MetricSolver::factorize(const Evaluation& at, const VectorXd& e) {
+  try {
+    saddle_->factorize(at, e);
+  } catch (const SingularSystemError&) {
+    return false;
+  }
+  return true;
+}
+
+void MetricSolver::solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
+  saddle_->solve(a, b, x, lambda);
+}
+
+}  // namespace linkwork

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "linkwork/linear/saddle_solver.hpp"
+
+namespace linkwork {
+
+/// Least squares in the metric of the masses, for questions about the constraints alone:
+///   [M  D^T] {   x   }   {a}
+///   [D  -E ] {-lambda} = {b}
+/// Massless bodies get the mean mass and inertia of the others here, so that there is a metric.
+class MetricSolver {
+ public:
+  explicit MetricSolver(const System& system);
+
+  /// The given system, or one with the same bodies, joints and rows that has a regular mass matrix.
+  const System& system() const { return *system_; }
+
+  /// False where the matrix is singular; `e` as in SaddleSolver.
+  bool factorize(const Evaluation& at, const VectorXd& e);
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
+
+ private:
+  std::unique_ptr<System> regularized_;
+  const System* system_;
+  std::unique_ptr<SaddleSolver> saddle_;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,239 @@
+#include "linkwork/formulation/row_selection.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <numeric>
+
+#include "linkwork/formulation/constraint_kernel.hpp"
+#include "linkwork/linear/column_rank.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double no_choice = 1e-8;        // of the volume that a choice could keep
+constexpr double most_selection = 3e8;    // flops of choosing rows in one component
+constexpr std::size_t longest_loop = 60;  // joints, for dense algebra
+
+/// Which `count` rows to leave out so that the rest spans as much as possible of all, at both poses: by Gram-Schmidt
+/// with pivoting on the rows of orthonormal bases of ker D^T, because the volume of the kept rows is, up to a factor,
+/// the determinant of the basis at the others. Rows that are not `preferred` are chosen where there is no other way.
+/// The bases are used up.
+Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& bases) {
+  Places chosen;
+  for (int k = 0; k < count; ++k) {
+    VectorXd score = VectorXd::Ones(bases.front().rows());
+    for (const MatrixXd& N : bases) score.array() *= N.rowwise().squaredNorm().array();
+    Eigen::Index best = 0;
+    if (score.cwiseProduct(preferred).maxCoeff(&best) < no_choice * score.maxCoeff()) score.maxCoeff(&best);
+    chosen.push_back(static_cast<int>(best));
+    for (MatrixXd& N : bases) {
+      const VectorXd u = N.row(best).transpose().normalized();
+      N -= (N * u) * u.transpose();
+      N.row(best).setZero();
+    }
+  }
+  return chosen;
+}
+
+/// A component of the core at one pose.
+struct ComponentPose {
+  Places dependent;  ///< places in its rows
+  MatrixXd kernel;   ///< orthonormal basis; empty where it would be too large
+};
+
+/// Finds the redundant rows of the core, component by component.
+class Selection {
+ public:
+  Selection(MetricSolver& solver, const LoopCore& core, const CorePose& assembled, const CorePose& perturbed,
+            const PerturbedPose& found, double tolerance)
+      : solver_(solver),
+        core_(core),
+        assembled_(assembled),
+        perturbed_(perturbed),
+        found_(found),
+        tolerance_(tolerance) {
+    rows_.resize(static_cast<std::size_t>(core.component_count()));
+    for (int place = 0; place < core.row_count(); ++place)
+      rows_[static_cast<std::size_t>(core.component_of_row(place))].push_back(place);
+    preferred_.resize(core.row_count());
+    for (int place = 0; place < core.row_count(); ++place) preferred_[place] = core.closing(joint_of(place));
+  }
+
+  Places run() {
+    const std::vector<ComponentPose> assembled = components_at(assembled_), perturbed = components_at(perturbed_);
+    Places redundant;
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+      if (assembled[c].dependent.empty() || (found_.mobile[c] && !found_.reached[c])) continue;
+      const bool both = found_.reached[c] && perturbed[c].dependent.size() <= assembled[c].dependent.size();
+      const ComponentPose& generic = both ? perturbed[c] : assembled[c];
+      for (const int local : redundant_rows(c, generic, both ? &assembled[c] : nullptr))
+        redundant.push_back(rows_[c][static_cast<std::size_t>(local)]);
+    }
+    std::sort(redundant.begin(), redundant.end());
+    return redundant;
+  }
+
+ private:
+  /// Components share no body, so one solution gives a vector of the kernel of each.
+  std::vector<ComponentPose> components_at(const CorePose& pose) {
+    std::vector<ComponentPose> out(rows_.size());
+    std::vector<Places> order(rows_.size());  // places in pose.dependent
+    std::size_t most = 0;
+    for (std::size_t k = 0; k < pose.dependent.size(); ++k) {
+      const auto c = static_cast<std::size_t>(core_.component_of_row(pose.dependent[k]));
+      const auto first = rows_[c].begin();
+      out[c].dependent.push_back(static_cast<int>(std::lower_bound(first, rows_[c].end(), pose.dependent[k]) - first));
+      order[c].push_back(static_cast<int>(k));
+    }
+    for (std::size_t c = 0; c < rows_.size(); ++c) {
+      const double n = static_cast<double>(rows_[c].size()), k = static_cast<double>(order[c].size());
+      if (n * k * k > most_selection) order[c].clear();
+      most = std::max(most, order[c].size());
+      out[c].kernel.resize(static_cast<Eigen::Index>(rows_[c].size()), static_cast<Eigen::Index>(order[c].size()));
+    }
+    ConstraintKernel kernel(solver_, core_, pose.at, rows_at(pose.dependent));
+    for (std::size_t k = 0; k < most && kernel.regular(); ++k) {
+      VectorXd n_d = VectorXd::Zero(kernel.size());
+      for (const Places& places : order)
+        if (k < places.size()) n_d[places[k]] = 1.0;
+      const VectorXd n = kernel.vector(n_d);
+      for (std::size_t c = 0; c < rows_.size(); ++c)
+        if (k < order[c].size())
+          for (std::size_t r = 0; r < rows_[c].size(); ++r)
+            out[c].kernel(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(k)) = n[rows_[c][r]];
+    }
+    for (ComponentPose& component : out) {
+      MatrixXd& N = component.kernel;
+      if (!kernel.regular()) N.resize(N.rows(), 0);
+      if (N.cols() > 0) N = Eigen::HouseholderQR<MatrixXd>(N).householderQ() * MatrixXd::Identity(N.rows(), N.cols());
+    }
+    return out;
+  }
+
+  /// Rows of joints that close loops are preferred: without them the tree holds in every pose, so that the kept rows
+  /// degenerate only where the loops do.
+  Places redundant_rows(std::size_t c, const ComponentPose& generic, const ComponentPose* other) {
+    if (generic.dependent.empty()) return {};
+    std::vector<MatrixXd> bases;
+    for (const ComponentPose* pose : {&generic, other})
+      if (pose && pose->kernel.cols() > 0) bases.push_back(pose->kernel);
+    if (generic.kernel.cols() == 0) return redundant_rows_by_loops(c, other != nullptr);
+    VectorXd preferred(static_cast<Eigen::Index>(rows_[c].size()));
+    for (std::size_t r = 0; r < rows_[c].size(); ++r) preferred[static_cast<Eigen::Index>(r)] = preferred_[rows_[c][r]];
+    return choose_rows(static_cast<int>(generic.dependent.size()), preferred, bases);
+  }
+
+  /// Where the kernel is too large to be written out: what each closing joint repeats of the tree's part of its loop,
+  /// and then whatever is still dependent.
+  Places redundant_rows_by_loops(std::size_t c, bool both) {
+    Places redundant;
+    for (std::size_t first = 0; first < rows_[c].size();) {
+      const Places joint = rows_of(joint_of(rows_[c][first]));
+      if (preferred_[joint.front()] > 0.0) {
+        const Places found = repeated_in_loop(joint_of(joint.front()), joint, both);
+        redundant.insert(redundant.end(), found.begin(), found.end());
+      }
+      first += joint.size();
+    }
+    Places kept;
+    for (const int place : rows_[c])
+      if (!std::binary_search(redundant.begin(), redundant.end(), place)) kept.push_back(place);
+    for (const int k : dependent_rows(select_rows(perturbed_.D, kept), tolerance_))
+      redundant.push_back(kept[static_cast<std::size_t>(k)]);
+    std::sort(redundant.begin(), redundant.end());
+    for (int& place : redundant)
+      place = static_cast<int>(std::lower_bound(rows_[c].begin(), rows_[c].end(), place) - rows_[c].begin());
+    return redundant;
+  }
+
+  /// Rows of a closing joint; ascending.
+  Places repeated_in_loop(int joint, const Places& own, bool both) {
+    Places rows = own;
+    for (const int other : core_.loop_of(joint, longest_loop))
+      if (other != joint)
+        for (const int place : rows_of(other)) rows.push_back(place);
+    if (rows.size() == own.size()) return {};
+    std::vector<MatrixXd> bases = {left_kernel(perturbed_.D, rows)};
+    if (both) bases.push_back(left_kernel(assembled_.D, rows));
+    Eigen::Index count = rows.size();
+    for (const MatrixXd& N : bases) count = std::min(count, N.cols());
+    VectorXd preferred = VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
+    preferred.head(static_cast<Eigen::Index>(own.size())).setOnes();
+    Places out;
+    for (const int k : choose_rows(static_cast<int>(count), preferred, bases))
+      if (static_cast<std::size_t>(k) < own.size()) out.push_back(own[static_cast<std::size_t>(k)]);
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  /// Orthonormal basis of ker A^T, A some rows of D.
+  MatrixXd left_kernel(const SparseRows& D, const Places& rows) const {
+    std::vector<int> columns;
+    for (const int row : rows)
+      for (SparseRows::InnerIterator it(D, row); it; ++it) columns.push_back(static_cast<int>(it.col()));
+    std::sort(columns.begin(), columns.end());
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    MatrixXd A = MatrixXd::Zero(count, static_cast<Eigen::Index>(columns.size()));
+    for (Eigen::Index k = 0; k < count; ++k)
+      for (SparseRows::InnerIterator it(D, rows[static_cast<std::size_t>(k)]); it; ++it)
+        A(k, std::lower_bound(columns.begin(), columns.end(), static_cast<int>(it.col())) - columns.begin()) =
+            it.value();
+    Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
+    qr.setThreshold(tolerance_);
+    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(count, count);
+    return Q.rightCols(count - qr.rank());
+  }
+
+  std::vector<int> rows_at(Places places) const {
+    for (int& place : places) place = core_.rows()[static_cast<std::size_t>(place)];
+    return places;
+  }
+
+  int joint_of(int place) const {
+    return solver_.system().model().joint_of_row(core_.rows()[static_cast<std::size_t>(place)]);
+  }
+
+  /// Places of a joint's rows.
+  Places rows_of(int joint) const {
+    const auto& first = solver_.system().model().joint_rows();
+    const int row = first[static_cast<std::size_t>(joint)], count = first[static_cast<std::size_t>(joint) + 1] - row;
+    Places out(static_cast<std::size_t>(count));
+    std::iota(out.begin(), out.end(),
+              static_cast<int>(std::lower_bound(core_.rows().begin(), core_.rows().end(), row) - core_.rows().begin()));
+    return out;
+  }
+
+  MetricSolver& solver_;
+  const LoopCore& core_;
+  const CorePose &assembled_, &perturbed_;
+  const PerturbedPose& found_;
+  double tolerance_;
+  std::vector<Places> rows_;  ///< per component
+  VectorXd preferred_;        ///< per row of the core: 1 for joints that close loops, else 0
+};
+
+}  // namespace
+
+Places dependent_rows(const SparseRows& A, double tolerance) {
+  std::vector<Entry> entries;
+  entries.reserve(static_cast<std::size_t>(A.nonZeros()));
+  for (int row = 0; row < A.rows(); ++row)
+    for (SparseRows::InnerIterator it(A, row); it; ++it)
+      entries.push_back({static_cast<int>(it.col()), row, it.value()});
+  return dependent_columns(static_cast<int>(A.cols()), static_cast<int>(A.rows()), std::move(entries), tolerance);
+}
+
+CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance)
+    : at(system.make_evaluation()) {
+  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), at);
+  D = core.scaled_D(at);
+  dependent = dependent_rows(D, tolerance);
+}
+
+Places redundant_rows(MetricSolver& solver, const LoopCore& core, const CorePose& assembled, const CorePose& perturbed,
+                      const PerturbedPose& found, double tolerance) {
+  return Selection(solver, core, assembled, perturbed, found, tolerance).run();
+}
+
+}  // namespace linkwork

@@ -1,0 +1,127 @@
+"""Random mechanisms with planted redundancy: rank, accelerations and multipliers are those of dense SVDs.
+
+Accelerations follow from the constraints however many equations repeat them. The multipliers are those of
+least norm sum_i w_i lambda_i^2, with w_i the mean of diag(D M^-1 D^T) over the joint's translations or over
+its rotations.
+"""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+from hypothesis import given
+from linkwork import _core
+from random_mechanisms import (
+    JOINTS,
+    ZERO,
+    Equations,
+    Floats,
+    Mechanism,
+    examples,
+    redundant_mechanisms,
+    row_mobility,
+)
+
+#: (matrix, linear solver) of the standard formulation that take redundant equations.
+CHOICES = [("kkt", "block")] + [
+    ("schur", solver.name)
+    for solver in _core.linear_solvers()
+    if solver.available and "schur" in solver.systems
+]
+
+
+def rank_of(D: Floats) -> int:
+    sigma = np.linalg.svd(D, compute_uv=False)
+    return int(np.sum(sigma > ZERO * sigma[0]))
+
+
+def expected_accelerations(at: Equations) -> Floats:
+    """argmin |v_dot - M^-1 g| in the metric M subject to D v_dot = gamma."""
+    root = np.linalg.inv(np.linalg.cholesky(at.M)).T  # M^-1 = root root^T
+    lengths = np.linalg.norm(at.D @ root, axis=1)
+    right = (at.gamma - at.D @ at.free_v_dot) / lengths
+    return at.free_v_dot + root @ (np.linalg.pinv(at.scaled_D, rcond=ZERO) @ right)
+
+
+def expected_multipliers(mechanism: Mechanism, at: Equations, v_dot: Floats) -> Floats:
+    root = np.sqrt(row_mobility(mechanism, at))
+    metric = np.linalg.inv(np.linalg.cholesky(at.M))  # forces in the metric M^-1
+    force = metric @ (at.M @ v_dot - at.g)
+    return np.linalg.pinv(metric @ at.D.T / root, rcond=ZERO) @ force / root
+
+
+def relative(found: Floats, expected: Floats, beside: Floats) -> float:
+    return float(np.abs(found - expected).max() / (np.abs(expected).max() + np.abs(beside).max()))
+
+
+@examples(60)
+@given(mechanism=redundant_mechanisms())
+def test_the_rank_is_that_of_the_singular_values(mechanism: Mechanism) -> None:
+    D = Equations.of(mechanism).scaled_D
+    report = mechanism.dynamics().rank()
+    assert (report.rank, report.degrees_of_freedom) == (rank_of(D), D.shape[1] - rank_of(D))
+    assert report.singular_rows == []
+    assert len(report.redundant_rows) == len(D) - report.rank
+    assert rank_of(np.delete(D, report.redundant_rows, axis=0)) == report.rank
+
+
+@examples(60)
+@given(mechanism=redundant_mechanisms())
+def test_reactions_are_unique_where_no_vector_of_the_kernel_reaches(mechanism: Mechanism) -> None:
+    D = Equations.of(mechanism).scaled_D
+    kernel = np.linalg.svd(D.T)[2][rank_of(D) :]
+    size = np.linalg.norm(kernel, axis=0)
+    ends = np.cumsum([len(JOINTS[joint.kind].equations) for joint in mechanism.joints])
+    largest = np.array([rows.max() for rows in np.split(size, ends[:-1])])
+    assert mechanism.dynamics().rank().unique == list(largest < 1e-6)
+
+
+@pytest.mark.parametrize(("form", "solver"), CHOICES)
+@examples(25)
+@given(mechanism=redundant_mechanisms())
+def test_the_standard_formulation_finds_the_accelerations_and_the_smallest_multipliers(
+    mechanism: Mechanism, form: str, solver: str
+) -> None:
+    check(mechanism, formulation="standard", system=form, linear_solver=solver)
+
+
+@examples(40)
+@given(mechanism=redundant_mechanisms())
+def test_so_does_the_augmented_lagrangian(mechanism: Mechanism) -> None:
+    check(mechanism, formulation="augmented_lagrangian")
+
+
+def check(mechanism: Mechanism, **options: str) -> None:
+    at = Equations.of(mechanism)
+    expected = expected_accelerations(at)
+    v_dot, multipliers = mechanism.dynamics(**options).accelerations(0.0, mechanism.q, mechanism.v)
+    assert relative(v_dot, expected, at.free_v_dot) <= 1e-9
+    least = expected_multipliers(mechanism, at, expected)
+    root = np.sqrt(row_mobility(mechanism, at))
+    assert relative(root * multipliers, root * least, np.zeros(1)) <= 1e-5  # roundoff / s^2 of the kept rows
+
+
+@pytest.mark.parametrize("n", (1, 2, 5))
+def test_four_bars_in_space_have_the_rank_of_their_singular_values(n: int) -> None:
+    system = lw.System(lw.mechanisms.four_bar(n))
+    y = system.initial_state()
+    data, columns, begin = system.evaluate(0.0, y[: 7 * (2 * n + 1)], y[7 * (2 * n + 1) :]).D
+    D = np.zeros((len(begin) - 1, 6 * (2 * n + 1)))
+    np.add.at(D, (np.repeat(np.arange(len(D)), np.diff(begin)), columns), data)
+    assert system.compiled().rank().rank == rank_of(D) == 15 * n + 5 - 3 * n
+
+
+@pytest.mark.parametrize("formulation", [info.name for info in _core.formulations()])
+def test_bricard_keeps_its_energy_with_every_formulation(formulation: str) -> None:
+    """Rank 29 of 30, and no reaction of the six hinges follows from the motion alone."""
+    result = lw.simulate(lw.mechanisms.bricard(), 10.0, 1e-2, formulation=formulation, progress=False)
+    report = lw.System(lw.mechanisms.bricard()).compiled().rank()
+    assert (report.rows, report.rank, sum(report.unique)) == (30, 29, 0)
+    assert np.abs(result.energy_error).max() <= 1e-6
+
+
+@pytest.mark.parametrize("formulation", ("standard", "augmented_lagrangian"))
+def test_a_long_row_of_four_bars_keeps_its_energy_through_singular_poses(formulation: str) -> None:
+    result = lw.simulate(lw.mechanisms.four_bar(40), 2.0, 1e-3, formulation=formulation, progress=False)
+    assert np.abs(result.energy_error).max() <= 1e-6
