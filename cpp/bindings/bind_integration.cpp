@@ -1,4 +1,5 @@
 #include "bindings.hpp"
+#include "linkwork/integration/adaptive_simulation.hpp"
 #include "linkwork/integration/simulation.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -45,13 +46,67 @@ void look_for_signals() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-py::dict advance(Simulation& simulation, std::int64_t max_frames, double max_seconds) {
+py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {
   Frames frames;
   {
     const py::gil_scoped_release release;
-    frames = simulation.advance(max_frames, max_seconds);
+    frames = run.advance(max_frames, max_seconds);
   }
-  return to_dict(std::move(frames), simulation.dynamics().system());
+  return to_dict(std::move(frames), run.dynamics().system());
+}
+
+py::dict statistics(const Run& run) {
+  py::dict out = py::cast(&run.dynamics(), py::return_value_policy::reference).attr("statistics")();
+  out["steps"] = run.steps_done();
+  return out;
+}
+
+void bind_runs(py::module_& module) {
+  py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
+      .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
+           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.")
+      .def("take_frames", [](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); })
+      .def_property_readonly("finished", &Run::finished)
+      .def_property_readonly("t", &Run::t)
+      .def_property_readonly("steps_done", &Run::steps_done)
+      .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
+      .def("statistics", &statistics);
+
+  py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
+      .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
+                       std::int64_t record_every) {
+             dynamics.set_interrupt(&look_for_signals);
+             return std::make_unique<Simulation>(dynamics, make_integrator(integrator),
+                                                 Schedule{t_end, step, record_every});
+           }),
+           py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
+           py::keep_alive<1, 2>())
+      .def(
+          "begin_step",
+          [](Simulation& simulation) {
+            const double h = simulation.begin_step();
+            return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
+          },
+          "(t, y, h) of the step that begins; h = 0 at the end.")
+      .def("accept", &Simulation::accept, py::arg("y"));
+
+  py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
+      .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
+                       double largest_step, std::int64_t record_every, std::vector<double> times) {
+             dynamics.set_interrupt(&look_for_signals);
+             return std::make_unique<AdaptiveSimulation>(
+                 dynamics, pair, AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times)});
+           }),
+           py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
+           py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::keep_alive<1, 2>())
+      .def("statistics", [](const AdaptiveSimulation& run) {
+        py::dict out = statistics(run);
+        const StepStatistics& steps = run.step_statistics();
+        out["rejected_steps"] = steps.rejected;
+        out["smallest_step"] = run.steps_done() > 0 ? py::object(py::float_(steps.smallest)) : py::none();
+        out["largest_step"] = run.steps_done() > 0 ? py::object(py::float_(steps.largest)) : py::none();
+        return out;
+      });
 }
 
 }  // namespace
@@ -70,37 +125,16 @@ void bind_integration(py::module_& module) {
            py::arg("name"), py::arg("order"), py::arg("predictor"), py::arg("corrector"), py::arg("starter"));
   py::class_<SemiImplicitEulerTag>(module, "SemiImplicitEuler", "v' = v + h v_dot, q' = q + h N(q) v'.")
       .def(py::init<>());
-
-  py::class_<Simulation>(module, "Simulation", "A run with a fixed step, advanced in pieces.")
-      .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
-                       std::int64_t record_every) {
-             dynamics.set_interrupt(&look_for_signals);
-             return std::make_unique<Simulation>(dynamics, make_integrator(integrator),
-                                                 Schedule{t_end, step, record_every});
+  py::class_<EmbeddedPair>(module, "EmbeddedPair",
+                           "An explicit Runge-Kutta method with error estimate and interpolant.")
+      .def(py::init([](const ButcherTableau& method, int error_order, const VectorXd& error,
+                       const VectorXd& second_error, const MatrixXd& extra_A, const VectorXd& extra_c,
+                       const MatrixXd& interpolant) {
+             return EmbeddedPair{method, error_order, error, second_error, extra_A, extra_c, interpolant};
            }),
-           py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
-           py::keep_alive<1, 2>())
-      .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
-           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.")
-      .def(
-          "begin_step",
-          [](Simulation& simulation) {
-            const double h = simulation.begin_step();
-            return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
-          },
-          "(t, y, h) of the step that begins; h = 0 at the end.")
-      .def("accept", &Simulation::accept, py::arg("y"))
-      .def("take_frames",
-           [](Simulation& simulation) { return to_dict(simulation.take_frames(), simulation.dynamics().system()); })
-      .def_property_readonly("finished", &Simulation::finished)
-      .def_property_readonly("t", &Simulation::t)
-      .def_property_readonly("steps_done", &Simulation::steps_done)
-      .def_property_readonly("steps_total", &Simulation::steps_total)
-      .def("statistics", [](const Simulation& simulation) {
-        py::dict out = py::cast(&simulation.dynamics(), py::return_value_policy::reference).attr("statistics")();
-        out["steps"] = simulation.steps_done();
-        return out;
-      });
+           py::arg("method"), py::arg("error_order"), py::arg("error"), py::arg("second_error"), py::arg("extra_A"),
+           py::arg("extra_c"), py::arg("interpolant"));
+  bind_runs(module);
 }
 
 }  // namespace linkwork::python

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         NotFiniteError,
         OptionError,
         SingularSystemError,
+        StepSizeError,
     )
     from linkwork.handles import Body, Force, Joint
     from linkwork.model import Model
@@ -51,6 +52,7 @@ __all__ = [
     "Reaction",
     "Result",
     "SingularSystemError",
+    "StepSizeError",
     "System",
     "__version__",
     "functions",
@@ -64,7 +66,7 @@ _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
     "linkwork.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("FileError", "LinkworkError", "LinkworkWarning", "ModelError", "NotConvergedError",
-                        "NotFiniteError", "OptionError", "SingularSystemError"),
+                        "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError"),
     "linkwork.model": ("Model",),
     "linkwork.progress": ("ProgressInfo",),
     "linkwork.result": ("BodyResult", "Reaction", "Result"),

@@ -11,13 +11,16 @@ import numpy
 import numpy.typing
 
 __all__ = [
+    "AdaptiveSimulation",
     "Dynamics",
+    "EmbeddedPair",
     "FormulationInfo",
     "KindInfo",
     "Model",
     "Multistep",
     "Options",
     "RankReport",
+    "Run",
     "SemiImplicitEuler",
     "Simulation",
     "SolverInfo",
@@ -30,6 +33,25 @@ __all__ = [
     "linear_solvers",
     "stabilizations",
 ]
+
+class AdaptiveSimulation(Run):
+    """
+    A run with steps as large as tolerances allow.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        dynamics: Dynamics,
+        pair: EmbeddedPair,
+        t_end: typing.SupportsFloat | typing.SupportsIndex,
+        rtol: typing.SupportsFloat | typing.SupportsIndex,
+        atol: typing.SupportsFloat | typing.SupportsIndex,
+        largest_step: typing.SupportsFloat | typing.SupportsIndex,
+        record_every: typing.SupportsInt | typing.SupportsIndex,
+        times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+    ) -> None: ...
+    def statistics(self) -> dict: ...
 
 class Dynamics:
     """
@@ -103,6 +125,23 @@ class Dynamics:
     def row_count(self) -> int: ...
     @property
     def system(self) -> str: ...
+
+class EmbeddedPair:
+    """
+    An explicit Runge-Kutta method with error estimate and interpolant.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        method: Tableau,
+        error_order: typing.SupportsInt | typing.SupportsIndex,
+        error: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        second_error: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        extra_A: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+        extra_c: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        interpolant: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+    ) -> None: ...
 
 class FormulationInfo:
     """
@@ -324,6 +363,34 @@ class RankReport:
         Per joint: its multipliers follow from the motion.
         """
 
+class Run:
+    """
+    A simulation on its way, advanced in pieces.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def advance(
+        self,
+        max_frames: typing.SupportsInt | typing.SupportsIndex,
+        max_seconds: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> dict:
+        """
+        Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.
+        """
+    def statistics(self) -> dict: ...
+    def take_frames(self) -> dict: ...
+    @property
+    def finished(self) -> bool: ...
+    @property
+    def steps_done(self) -> int: ...
+    @property
+    def steps_total(self) -> int:
+        """
+        0 where nobody knows.
+        """
+    @property
+    def t(self) -> float: ...
+
 class SemiImplicitEuler:
     """
     v' = v + h v_dot, q' = q + h N(q) v'.
@@ -332,9 +399,9 @@ class SemiImplicitEuler:
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     def __init__(self) -> None: ...
 
-class Simulation:
+class Simulation(Run):
     """
-    A run with a fixed step, advanced in pieces.
+    A run with a fixed step.
     """
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
@@ -347,30 +414,12 @@ class Simulation:
         record_every: typing.SupportsInt | typing.SupportsIndex = 1,
     ) -> None: ...
     def accept(self, y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> None: ...
-    def advance(
-        self,
-        max_frames: typing.SupportsInt | typing.SupportsIndex,
-        max_seconds: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> dict:
-        """
-        Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.
-        """
     def begin_step(
         self,
     ) -> tuple[float, typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"], float]:
         """
         (t, y, h) of the step that begins; h = 0 at the end.
         """
-    def statistics(self) -> dict: ...
-    def take_frames(self) -> dict: ...
-    @property
-    def finished(self) -> bool: ...
-    @property
-    def steps_done(self) -> int: ...
-    @property
-    def steps_total(self) -> int: ...
-    @property
-    def t(self) -> float: ...
 
 class SolverInfo:
     """

@@ -12,7 +12,6 @@ from linkwork import _core
 from linkwork.errors import LinkworkWarning, ModelError, OptionError
 from linkwork.integrators import Integrator
 from linkwork.model import Model
-from linkwork.options import check_number
 
 Floats = NDArray[np.float64]
 
@@ -24,12 +23,6 @@ LISTED = 5
 
 #: Gains times step above which continuous Baumgarte stabilization lowers the order of the integrator.
 ACCURATE_GAIN = 0.1
-
-
-def check_times(t_end: float, step: float) -> None:
-    """OptionError: step not positive, t_end negative, or not finite."""
-    check_number("step", step, positive=True, unit="s")
-    check_number("t_end", t_end, positive=False, unit="s")
 
 
 def check_bodies(model: Model) -> None:

@@ -17,6 +17,7 @@ __all__ = [
     "NotFiniteError",
     "OptionError",
     "SingularSystemError",
+    "StepSizeError",
     "nearest",
 ]
 
@@ -64,6 +65,10 @@ class NotConvergedError(LinkworkError):
 
 class NotFiniteError(LinkworkError):
     """A NaN or an infinity appeared during a run."""
+
+
+class StepSizeError(LinkworkError):
+    """No step is small enough for the tolerances of an adaptive run."""
 
 
 class FileError(LinkworkError):

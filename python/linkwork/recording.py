@@ -12,12 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.header import Header
+from linkwork.integrators import Integrator
 from linkwork.interrupts import Interrupts
+from linkwork.model import Model
 from linkwork.progress import Report
 from linkwork.result import Result
 from linkwork.system import System
 
-__all__ = ["PythonStep", "Recorder", "compiled_pieces", "python_pieces", "record", "recorder"]
+__all__ = ["PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
 
 Floats = NDArray[np.float64]
 Frames = Mapping[str, Floats]
@@ -78,7 +80,12 @@ def recorder(output: str | os.PathLike[str] | None, header: Header) -> Recorder:
     return _File(output, header)
 
 
-def record(run: _core.Simulation, pieces: Iterator[Frames], to: Recorder, report: Report) -> float:
+def frame_bytes(model: Model) -> int:
+    """One frame: q, v, v_dot, lambda, the reactions, and a few numbers."""
+    return 8 * (19 * model.body_count + model.row_count + 6 * model.joint_count + 7)
+
+
+def record(run: _core.Run, pieces: Iterator[Frames], to: Recorder, report: Report) -> float:
     """Write the pieces as they come, and close the file however the run ends; the time they took [s]."""
     spent, before = 0.0, time.perf_counter()
     try:
@@ -94,7 +101,16 @@ def record(run: _core.Simulation, pieces: Iterator[Frames], to: Recorder, report
     return spent
 
 
-def compiled_pieces(run: _core.Simulation, interrupts: Interrupts, frame_bytes: int) -> Iterator[Frames]:
+def pieces(
+    run: _core.Run, interrupts: Interrupts, method: Integrator | PythonStep, system: System
+) -> Iterator[Frames]:
+    """The frames as they come."""
+    if isinstance(run, _core.Simulation) and not isinstance(method, Integrator):
+        return _python_pieces(run, interrupts, method, system)
+    return _compiled_pieces(run, interrupts, frame_bytes(system.model))
+
+
+def _compiled_pieces(run: _core.Run, interrupts: Interrupts, frame_bytes: int) -> Iterator[Frames]:
     """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
     most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
     while not run.finished:
@@ -103,7 +119,7 @@ def compiled_pieces(run: _core.Simulation, interrupts: Interrupts, frame_bytes: 
         yield frames
 
 
-def python_pieces(
+def _python_pieces(
     run: _core.Simulation, interrupts: Interrupts, step: PythonStep, system: System
 ) -> Iterator[Frames]:
     """The user's own integrator; meanwhile `system.derivative` has the sampled correction in it."""

@@ -59,6 +59,8 @@ def _method(options: dict[str, Any]) -> str:
     words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
     if options.get("step"):
         words.append(f"step {options['step']:g} s")
+    if options.get("rtol"):
+        words.append(f"rtol {options['rtol']:g}, atol {options['atol']:g}")
     if options.get("linear_solver"):
         words.append(f"solver {options['linear_solver']}")
     return ", ".join(words)
@@ -74,8 +76,8 @@ def _reactions(found: dict[str, Any]) -> str:
 
 
 def _effort(statistics: dict[str, Any]) -> str:
-    counts = [f"{statistics[key]:,} {key}" for key in ("steps", "evaluations", "factorizations", "iterations")
-              if statistics.get(key)]  # fmt: skip
+    keys = ("steps", "rejected_steps", "evaluations", "factorizations", "iterations")
+    counts = [f"{statistics[key]:,} {key.replace('_', ' ')}" for key in keys if statistics.get(key)]
     seconds = statistics.get("seconds")
     return ", ".join(counts) + (f" in {seconds:.3g} s" if isinstance(seconds, int | float) else "")
 

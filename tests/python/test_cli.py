@@ -120,6 +120,30 @@ def test_options_reach_the_run_and_the_manifest(screen: Screen) -> None:
     assert (said["t_end"], said["step"]) == (0.05, 1e-3)
 
 
+def test_run_with_a_tolerance_ignores_the_recommended_step(screen: Screen) -> None:
+    found = document(screen, "run", "pendulum", "--t-end", "1", "--rtol", "1e-8", "--json")
+    assert found["manifest"]["options"]["rtol"] == 1e-8
+    assert found["manifest"]["options"]["largest_step"] is None
+    assert found["statistics"]["largest_step"] > 1e-3
+
+
+def test_run_with_a_tolerance_takes_a_given_step_as_the_largest(screen: Screen) -> None:
+    words = (
+        "run",
+        "pendulum",
+        "--t-end",
+        "1",
+        "--atol",
+        "1e-8",
+        "--step",
+        "2e-3",
+        "--integrator",
+        "tsit5",
+        "--json",
+    )
+    assert document(screen, *words)["statistics"]["largest_step"] <= 2e-3
+
+
 def test_run_writes_the_result_and_the_picture_that_it_names(screen: Screen, tmp_path: Path) -> None:
     result, picture = tmp_path / "run.h5", tmp_path / "run.png"
     code, out, err = screen("run", "pendulum", *QUICK, "--output", result, "--plot", picture)

@@ -9,12 +9,13 @@ from fractions import Fraction
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.integrators import METHODS, AdamsBashforth, AdamsBashforthMoulton, ButcherTableau
+from linkwork.integrators import METHODS, AdamsBashforth, AdamsBashforthMoulton, ButcherTableau, EmbeddedPair
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
 RUNGE_KUTTA = [method for method in METHODS.values() if isinstance(method, ButcherTableau)]
+PAIRS = [method for method in METHODS.values() if isinstance(method, EmbeddedPair)]
 ADAMS = [method for method in METHODS.values() if isinstance(method, AdamsBashforth | AdamsBashforthMoulton)]
 
 EPS = np.finfo(float).eps
@@ -74,7 +75,62 @@ def test_a_tableau_claims_no_less_than_its_order(method: ButcherTableau) -> None
 
 @pytest.mark.parametrize("method", RUNGE_KUTTA, ids=lambda method: method.name)
 def test_the_rows_of_a_tableau_add_up_to_its_nodes(method: ButcherTableau) -> None:
-    assert np.abs(method.matrix.sum(axis=1) - method.c).max() < 1e-15
+    rounding = 4 * EPS * np.maximum(np.abs(method.matrix).sum(axis=1), 1)
+    assert (np.abs(method.matrix.sum(axis=1) - method.c) <= rounding).all()
+
+
+def all_stages(pair: EmbeddedPair) -> Floats:
+    """A of all stages: those of the method, the first of the next step, those of the interpolant."""
+    s, extra = len(pair.b), len(pair.extra_c)
+    A = np.zeros((s + 1 + extra, s + 1 + extra))
+    A[:s, :s], A[s, :s], A[s + 1 :] = pair.matrix, pair.b, pair.extra_matrix
+    return A
+
+
+def order_of(weights: Floats, A: Floats, most: int) -> int:
+    """Up to which all order conditions hold, to the digits that coefficients have."""
+    weights = np.pad(weights, (0, len(A) - len(weights)))
+    for order in range(1, most + 1):
+        for tree in trees(order):
+            rounding = 100 * EPS * (np.abs(weights) @ stage_weights(tree, np.abs(A)))
+            if abs(weights @ stage_weights(tree, A) - 1 / density(tree)) > max(rounding, 1e-13):
+                return order - 1
+    return most
+
+
+@pytest.mark.parametrize("pair", PAIRS, ids=lambda pair: pair.name)
+def test_an_error_estimate_has_the_order_that_step_control_believes(pair: EmbeddedPair) -> None:
+    """Two estimates combine as e^2 / sqrt(e^2 + 0.01 e_2^2) to the order 2 (p + 1) - (p_2 + 1)."""
+    A, b = all_stages(pair), np.append(pair.b, 0)
+    of_estimate = order_of(b - pair.error, A, pair.order + 1) + 1
+    if pair.second_error:
+        of_estimate = 2 * of_estimate - (order_of(b - pair.second_error, A, pair.order) + 1)
+    assert of_estimate == pair.error_order + 1
+
+
+@pytest.mark.parametrize("pair", PAIRS, ids=lambda pair: pair.name)
+def test_an_interpolant_meets_the_order_conditions_inside_the_step(pair: EmbeddedPair) -> None:
+    """sum_i b_i(theta) Phi_i(t) = theta^|t| / gamma(t) for all trees up to its order, and no further."""
+    A, polynomial = all_stages(pair), np.array(pair.interpolant)
+    powers = np.arange(1, polynomial.shape[1] + 1)
+    for theta in (0.1, 0.5, 0.77):
+        weights = polynomial @ theta**powers
+        defects = [
+            max(abs(weights @ stage_weights(tree, A) - theta**order / density(tree)) for tree in trees(order))
+            for order in range(1, pair.dense_order + 2)
+        ]
+        assert max(defects[:-1]) < 1e-12
+        assert defects[-1] > 1e-8
+
+
+@pytest.mark.parametrize("pair", PAIRS, ids=lambda pair: pair.name)
+def test_an_interpolant_is_smooth_across_steps(pair: EmbeddedPair) -> None:
+    """It ends in the new state; its slopes at the ends are those of the first stage and of the next step."""
+    polynomial, s = np.array(pair.interpolant), len(pair.b)
+    first, last = np.eye(len(polynomial))[0], np.eye(len(polynomial))[s]
+    np.testing.assert_allclose(polynomial.sum(axis=1)[:s], pair.b, atol=1e-12)
+    np.testing.assert_allclose(polynomial[:, 0], first, atol=1e-12)
+    np.testing.assert_allclose(polynomial @ np.arange(1, polynomial.shape[1] + 1), last, atol=1e-11)
 
 
 def moments(coefficients: Floats, newest: int) -> list[float]:

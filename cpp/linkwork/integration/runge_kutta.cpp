@@ -1,10 +1,9 @@
 #include <cmath>
 
-#include "linkwork/integration/integrator.hpp"
+#include "linkwork/integration/runge_kutta.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
-namespace {
 
 void check(const ButcherTableau& tableau) {
   const Eigen::Index s = tableau.b.size();
@@ -20,6 +19,26 @@ void check(const ButcherTableau& tableau) {
   if (tableau.c[0] != 0.0) refuse("c[0] must be 0: the first stage is at the start of the step");
 }
 
+void add_combination(double h, const ConstVector& weights, const MatrixXd& k, VectorXd& y) {
+  for (Eigen::Index i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0.0) y += (h * weights[i]) * k.col(i);
+}
+
+void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
+                     MatrixXd& k, VectorXd& stage) {
+  dynamics.hold_correction(deadbeat_gains(tableau.b.dot(tableau.c), h));
+  dynamics.rates(k.col(0));
+  for (Eigen::Index i = 1; i < tableau.b.size(); ++i) {
+    stage = y;
+    for (Eigen::Index j = 0; j < i; ++j)
+      if (tableau.A(i, j) != 0.0) stage += (h * tableau.A(i, j)) * k.col(j);
+    dynamics.evaluate(t + tableau.c[i] * h, stage);
+    dynamics.rates(k.col(i));
+  }
+}
+
+namespace {
+
 /// Y_i = y + h sum_j a_ij f(t + c_j h, Y_j),   y' = y + h sum_i b_i f(t + c_i h, Y_i)
 class RungeKutta final : public Integrator {
  public:
@@ -33,17 +52,8 @@ class RungeKutta final : public Integrator {
   }
 
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
-    dynamics.hold_correction(deadbeat_gains(tableau_.b.dot(tableau_.c), h));
-    dynamics.rates(k_.col(0));
-    for (Eigen::Index i = 1; i < tableau_.b.size(); ++i) {
-      stage_ = y;
-      for (Eigen::Index j = 0; j < i; ++j)
-        if (tableau_.A(i, j) != 0.0) stage_ += (h * tableau_.A(i, j)) * k_.col(j);
-      dynamics.evaluate(t + tableau_.c[i] * h, stage_);
-      dynamics.rates(k_.col(i));
-    }
-    for (Eigen::Index i = 0; i < tableau_.b.size(); ++i)
-      if (tableau_.b[i] != 0.0) y += (h * tableau_.b[i]) * k_.col(i);
+    evaluate_stages(tableau_, dynamics, t, h, y, k_, stage_);
+    add_combination(h, tableau_.b, k_, y);
     dynamics.release_correction();
   }
 

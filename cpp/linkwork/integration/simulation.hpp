@@ -2,20 +2,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <utility>
-#include <vector>
 
 #include "linkwork/integration/integrator.hpp"
+#include "linkwork/integration/run.hpp"
 
 namespace linkwork {
-
-/// Recorded states, one after the other (frame by frame).
-struct Frames {
-  std::vector<double> t;
-  std::vector<double> q, v, v_dot, lambda;  ///< 7 n, 6 n, 6 n and rows numbers a frame
-  std::vector<double> kinetic, potential, work;
-  std::vector<double> violation;  ///< 3 a frame: max |Phi|, max |Phi_dot|, max |D v_dot - gamma|
-};
 
 /// When to step and what to keep. Times in s.
 struct Schedule {
@@ -25,23 +16,12 @@ struct Schedule {
 };
 
 /// A run with a fixed step: t_n = n h exactly, a shortened last step where t_end is no multiple of h.
-/// `advance` returns now and then so that the caller can show progress, write frames, and end the run.
-class Simulation {
+class Simulation final : public Run {
  public:
   Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule);
 
-  /// Runs until finished, `max_frames` are there, or `max_seconds` have passed (looked at after each step).
-  Frames advance(std::int64_t max_frames, double max_seconds);
-
-  /// What was recorded since the last call (for an integrator of the user's own).
-  Frames take_frames() { return std::exchange(frames_, {}); }
-
-  const Dynamics& dynamics() const { return dynamics_; }
-  bool finished() const { return finished_; }
-  double t() const { return time_of(steps_done_); }
-  std::int64_t steps_done() const { return steps_done_; }
-  std::int64_t steps_total() const { return steps_total_; }
-  const VectorXd& y() const { return y_; }
+  double t() const override { return time_of(steps_done_); }
+  std::int64_t steps_total() const override { return steps_total_; }
 
   // For an integrator of the user's own: begin_step, then accept with the new (q, v).
   /// Size of the step that begins here; 0 at the end.
@@ -49,6 +29,7 @@ class Simulation {
   void accept(const ConstVector& q_and_v);
 
  private:
+  void work() override;
   double time_of(std::int64_t step) const;
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }
   bool recording_due() const;
@@ -56,14 +37,12 @@ class Simulation {
   void finish_step();
   void add_work();
 
-  Dynamics& dynamics_;
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
   Schedule schedule_;
-  std::int64_t steps_total_ = 0, steps_done_ = 0;
-  bool finished_ = false, evaluated_ = false;
+  std::int64_t steps_total_ = 0;
+  bool evaluated_ = false;
   double last_power_ = 0.0, last_t_ = 0.0;
-  VectorXd y_, v_dot_, lambda_, y_dot_;
-  Frames frames_;
+  VectorXd y_dot_;
 };
 
 }  // namespace linkwork

@@ -44,6 +44,7 @@ LINKWORK_ERROR(OptionError);          ///< a choice that does not exist or canno
 LINKWORK_ERROR(SingularSystemError);  ///< dependent constraint rows, or no unique acceleration
 LINKWORK_ERROR(NotConvergedError);    ///< an iteration ended at its cap
 LINKWORK_ERROR(NotFiniteError);       ///< a NaN or infinity appeared
+LINKWORK_ERROR(StepSizeError);        ///< no step is small enough for the tolerances
 
 #undef LINKWORK_ERROR
 

@@ -10,7 +10,9 @@ import click
 #: name of the argument of `simulate`, type, help
 _OPTIONS: tuple[tuple[str, type, str], ...] = (
     ("t_end", float, "End of the simulated time [s]."),
-    ("step", float, "Step of the integrator [s]."),
+    ("step", float, "Step of the integrator [s]; with --rtol or --atol the largest."),
+    ("rtol", float, "Relative tolerance: steps that follow it (bs32, dopri5, tsit5, dop853)."),
+    ("atol", float, "Absolute tolerance [m, rad, m/s, rad/s]; without it rtol / 1000."),
     ("integrator", str, "rk4, dopri5, ab4, ...: any of `linkwork.integrators.METHODS`."),
     ("formulation", str, "standard, penalty or augmented_lagrangian."),
     ("system", str, "Linear system of the standard method: kkt, schur or auto."),

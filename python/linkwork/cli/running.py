@@ -31,7 +31,7 @@ def simulate_and_show(
         plotting.check_format(plot)
     model = mechanism.function(**parameters)
     try:
-        result = lw.simulate(model, **{**mechanism.settings, **options}, output=output)
+        result = lw.simulate(model, **{**_recommended(mechanism, options), **options}, output=output)
     except KeyboardInterrupt as stop:
         raise KeyboardInterrupt(
             f"interrupted; '{output}' has the frames so far" if output else "interrupted"
@@ -52,3 +52,9 @@ def simulate_and_show(
         )
     else:
         out.print_pairs([*summary.lines(result), *((label, path or "") for label, path in files.items())])
+
+
+def _recommended(mechanism: Mechanism, options: Mapping[str, Any]) -> dict[str, Any]:
+    """The mechanism's settings; a recommended step is no limit for steps that follow tolerances."""
+    adaptive = "rtol" in options or "atol" in options
+    return {name: value for name, value in mechanism.settings.items() if not (adaptive and name == "step")}

@@ -1,7 +1,8 @@
 """Integrators: each is data in a file of its own, registered here by one name.
 
-The compiled driver runs them at a fixed step. A new one is a `ButcherTableau`, `AdamsBashforth` or
-`AdamsBashforthMoulton`; it can be given to `simulate` directly, or added to METHODS.
+The compiled drivers run them: all at a fixed step, an `EmbeddedPair` also with steps that follow tolerances.
+A new one is a `ButcherTableau`, `EmbeddedPair`, `AdamsBashforth` or `AdamsBashforthMoulton`; it can be given
+to `simulate` directly, or added to METHODS.
 """
 
 from __future__ import annotations
@@ -10,7 +11,10 @@ from linkwork.errors import OptionError, nearest
 from linkwork.integrators.adams import AdamsBashforth, AdamsBashforthMoulton
 from linkwork.integrators.adams_bashforth import AB2, AB3, AB4, AB5
 from linkwork.integrators.adams_bashforth_moulton import ABM4
+from linkwork.integrators.bs32 import BS32
+from linkwork.integrators.dop853 import DOP853
 from linkwork.integrators.dopri5 import DOPRI5
+from linkwork.integrators.embedded_pair import EmbeddedPair
 from linkwork.integrators.euler import EULER
 from linkwork.integrators.heun import HEUN
 from linkwork.integrators.rk3 import RK3
@@ -24,6 +28,7 @@ __all__ = [
     "AdamsBashforth",
     "AdamsBashforthMoulton",
     "ButcherTableau",
+    "EmbeddedPair",
     "Integrator",
     "SemiImplicitEuler",
     "named",
@@ -33,7 +38,10 @@ Integrator = ButcherTableau | AdamsBashforth | AdamsBashforthMoulton | SemiImpli
 
 METHODS: dict[str, Integrator] = {
     method.name: method
-    for method in (EULER, SEMI_IMPLICIT_EULER, HEUN, RK3, RK4, AB2, AB3, AB4, AB5, ABM4, DOPRI5, TSIT5)
+    for method in (
+        *(EULER, SEMI_IMPLICIT_EULER, HEUN, RK3, RK4, AB2, AB3, AB4, AB5, ABM4),
+        *(BS32, DOPRI5, TSIT5, DOP853),
+    )
 }
 
 

@@ -1,8 +1,8 @@
-from linkwork.integrators.runge_kutta import ButcherTableau
+from linkwork.integrators.embedded_pair import EmbeddedPair
 
-# At a fixed step the seventh stage, which only the embedded method of order 4 uses, is left out.
-DOPRI5 = ButcherTableau(
-    name="dopri5", order=5, reference="Dormand and Prince (1980), J. Comput. Appl. Math. 6, 19-26",
+DOPRI5 = EmbeddedPair(
+    name="dopri5", order=5, reference="Dormand and Prince (1980), J. Comput. Appl. Math. 6, 19-26; "
+                                      "interpolant: Shampine (1986), Math. Comput. 46, 135-150",
     A=(
         (),
         (1/5,),
@@ -13,4 +13,15 @@ DOPRI5 = ButcherTableau(
     ),
     b=(35/384, 0, 500/1113, 125/192, -2187/6784, 11/84),
     c=(0, 1/5, 3/10, 4/5, 8/9, 1),
+    error_order=4, error=(71/57600, 0, -71/16695, 71/1920, -17253/339200, 22/525, -1/40),
+    dense_order=4,
+    interpolant=(
+        (1, -8048581381/2820520608, 8663915743/2820520608, -12715105075/11282082432),
+        (0, 0, 0, 0),
+        (0, 131558114200/32700410799, -68118460800/10900136933, 87487479700/32700410799),
+        (0, -1754552775/470086768, 14199869525/1410260304, -10690763975/1880347072),
+        (0, 127303824393/49829197408, -318862633887/49829197408, 701980252875/199316789632),
+        (0, -282668133/205662961, 2019193451/616988883, -1453857185/822651844),
+        (0, 40617522/29380423, -110615467/29380423, 69997945/29380423),
+    ),
 )  # fmt: skip

@@ -1,0 +1,184 @@
+#include "linkwork/integration/adaptive_simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace linkwork {
+namespace {
+
+constexpr double least_relative = 1e-13;  // below, roundoff is all that an estimate sees
+constexpr double least_step = 16 * std::numeric_limits<double>::epsilon();  // of t_end: t + h is exact to some percent
+
+void check(const AdaptiveSchedule& schedule) {
+  const auto refuse = [](const char* what, const char* why) { throw OptionError(what, std::string(what) + " " + why); };
+  const auto& [relative, absolute] = schedule.tolerances;
+  if (!(schedule.t_end >= 0.0) || !std::isfinite(schedule.t_end)) refuse("t_end", "must be finite and not negative");
+  if (!(relative >= least_relative) || !std::isfinite(relative))
+    refuse("rtol", "must be at least 1e-13: double precision holds no more");
+  if (!(absolute > 0.0) || !std::isfinite(absolute)) refuse("atol", "must be positive and finite");
+  if (!(schedule.largest_step > 0.0)) refuse("step", "must be positive");
+  if (schedule.record_every < 0) refuse("record_every", "must not be negative");
+  if (schedule.record_every > 0 && !schedule.times.empty()) refuse("times", "and record_every exclude each other");
+  if (!std::is_sorted(schedule.times.begin(), schedule.times.end())) refuse("times", "must ascend");
+  if (!schedule.times.empty() && !(schedule.times.front() >= 0.0 && schedule.times.back() <= schedule.t_end))
+    refuse("times", "must lie between 0 and t_end");
+}
+
+std::string scientific(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+}  // namespace
+
+AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& pair, const AdaptiveSchedule& schedule)
+    : Run(dynamics),
+      schedule_(schedule),
+      stepper_(pair),
+      measure_(dynamics.system(), schedule.tolerances),
+      controller_(pair.error_order + 1) {
+  check(schedule);
+  stepper_.start(dynamics.y_size());
+  work_.resize(dynamics.y_size());
+  rates_.resize(dynamics.y_size());
+}
+
+void AdaptiveSimulation::work() {
+  if (!begun_) return begin();
+  if (!accepted_) return attempt();
+  if (output_inside()) return record_inside();
+  finish_step();
+}
+
+void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
+  dated(t, NAN, [&] { dynamics_.evaluate(t, y); });
+}
+
+void AdaptiveSimulation::begin() {
+  begun_ = true;
+  evaluate(t_, y_);
+  record_if_due();
+  finished_ = t_ >= schedule_.t_end;
+  if (!finished_) dated(t_, NAN, [&] { step_ = initial_step(); });
+}
+
+// Hairer, Norsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.4: a step in which the state
+// changes by one percent, then one whose error, judged by the second derivative, is one percent of the tolerances.
+double AdaptiveSimulation::initial_step() {
+  const double most = std::min(schedule_.largest_step, schedule_.t_end - t_);
+  dynamics_.rates(rates_);
+  const double speed = measure_.of_change(y_, y_, rates_).value;
+  const double first = speed > 0.0 ? std::min(0.01 * measure_.of_state(y_) / speed, most) : most;
+  evaluated_ = false;
+  try {
+    work_ = y_ + first * rates_;
+    dynamics_.evaluate(t_ + first, work_);
+    dynamics_.rates(work_);
+  } catch (const Error&) {
+    return 0.01 * first;
+  }
+  work_ -= rates_;
+  const double steepest = std::max(speed, measure_.of_change(y_, y_, work_).value / first);
+  if (!std::isfinite(steepest)) return 0.01 * first;
+  const double second = steepest > 0.0 ? std::pow(0.01 / steepest, 1.0 / (stepper_.pair().method.order + 1)) : most;
+  return std::min({100.0 * first, second, most});
+}
+
+void AdaptiveSimulation::attempt() {
+  if (!evaluated_) evaluate(t_, y_);
+  const double remaining = schedule_.t_end - t_;
+  double h = std::min(step_, schedule_.largest_step);
+  t_new_ = t_ + h;
+  if (h >= remaining) {
+    h = remaining;
+    t_new_ = schedule_.t_end;
+  } else if (2.0 * h > remaining) {  // no sliver at the end
+    h = 0.5 * remaining;
+    t_new_ = t_ + h;
+  }
+  const BodyMaximum error = trial(h);
+  if (error.value <= 1.0) accept(h, error.value);
+  else reject(h, error);
+}
+
+/// A stage that has no solution makes the error infinite: the step may only have been too large.
+BodyMaximum AdaptiveSimulation::trial(double h) {
+  last_failure_.clear();
+  try {
+    return stepper_.trial(dynamics_, measure_, t_, h, y_);
+  } catch (const OptionError&) {
+    throw;
+  } catch (const Error& error) {
+    last_failure_ = error.what();
+    return {std::numeric_limits<double>::infinity(), -1};
+  }
+}
+
+void AdaptiveSimulation::accept(double h, double error) {
+  accepted_ = evaluated_ = true;
+  statistics_.smallest = std::min(statistics_.smallest, h);
+  statistics_.largest = std::max(statistics_.largest, h);
+  step_ = controller_.after_accepted(h, error);
+}
+
+void AdaptiveSimulation::reject(double h, const BodyMaximum& error) {
+  evaluated_ = false;
+  statistics_.rejected += 1;
+  step_ = controller_.after_rejected(h, error.value);
+  if (step_ < least_step * schedule_.t_end) dated(t_, step_, [&] { throw_step_size(error); });
+}
+
+void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
+  ErrorDetails details;
+  std::string worst;
+  if (error.body >= 0) {
+    details.bodies = {dynamics_.system().model().body_name(error.body)};
+    worst = " at body '" + details.bodies.front() + "'";
+  }
+  const std::string cause = last_failure_.empty() ? "" : "; the last trial failed: " + last_failure_;
+  throw StepSizeError("step_size",
+                      "the error" + worst + " stays above the tolerances however small the step, " + scientific(step_) +
+                          " s at last: the motion is not smooth here (an impact, a force that jumps, a mechanism that "
+                          "locks) or rtol and atol are too small" +
+                          cause,
+                      details);
+}
+
+bool AdaptiveSimulation::output_inside() const {
+  return next_time_ < schedule_.times.size() && schedule_.times[next_time_] < t_new_;
+}
+
+void AdaptiveSimulation::record_inside() {
+  const double t = schedule_.times[next_time_++];
+  dated(t, NAN, [&] {
+    stepper_.prepare_interpolation(dynamics_);
+    stepper_.interpolate(dynamics_.system(), (t - t_) / (t_new_ - t_), work_);
+    dynamics_.evaluate(t, work_);
+    recorder_.record(t, work_);
+  });
+  evaluated_ = false;
+}
+
+void AdaptiveSimulation::finish_step() {
+  dynamics_.release_correction();
+  t_ = t_new_;
+  y_ = stepper_.y_new();
+  accepted_ = false;
+  steps_done_ += 1;
+  if (!evaluated_) evaluate(t_, y_);
+  evaluated_ = true;
+  finished_ = t_ >= schedule_.t_end;
+  record_if_due();
+}
+
+/// A state at which a step begins or ends.
+void AdaptiveSimulation::record_if_due() {
+  const auto& times = schedule_.times;
+  bool due = schedule_.record_every > 0 && (finished_ || steps_done_ % schedule_.record_every == 0);
+  for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
+  if (due) dated(t_, NAN, [&] { recorder_.record(t_, y_); });
+}
+
+}  // namespace linkwork

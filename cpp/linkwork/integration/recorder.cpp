@@ -1,0 +1,41 @@
+#include "linkwork/integration/recorder.hpp"
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+double largest(const VectorXd& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; }
+
+void append(std::vector<double>& list, const ConstVector& values) {
+  list.insert(list.end(), values.data(), values.data() + values.size());
+}
+
+}  // namespace
+
+Recorder::Recorder(Dynamics& dynamics)
+    : dynamics_(dynamics),
+      v_dot_(VectorXd::Zero(dynamics.system().v_size())),
+      lambda_(VectorXd::Zero(dynamics.system().row_count())),
+      residual_(dynamics.system().row_count()) {}
+
+void Recorder::record(double t, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  dynamics_.accelerations(v_dot_, lambda_);
+  if (!v_dot_.allFinite() || !lambda_.allFinite()) throw_not_finite(system, y, t);
+  const Evaluation& at = dynamics_.evaluation();
+  dynamics_.acceleration_residual(v_dot_, residual_);
+  frames_.t.push_back(t);
+  append(frames_.q, y.head(nq));
+  append(frames_.v, y.segment(nq, nv));
+  append(frames_.v_dot, v_dot_);
+  append(frames_.lambda, lambda_);
+  frames_.kinetic.push_back(system.kinetic_energy(y.segment(nq, nv)));
+  frames_.potential.push_back(at.potential);
+  frames_.work.push_back(y[nq + nv]);
+  for (const VectorXd* rows : {&at.Phi, &at.Phi_dot, static_cast<const VectorXd*>(&residual_)})
+    frames_.violation.push_back(largest(*rows));
+}
+
+}  // namespace linkwork

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "linkwork/formulation/dynamics.hpp"
+
+namespace linkwork {
+
+/// Recorded states, one after the other (frame by frame).
+struct Frames {
+  std::vector<double> t;
+  std::vector<double> q, v, v_dot, lambda;  ///< 7 n, 6 n, 6 n and rows numbers a frame
+  std::vector<double> kinetic, potential, work;
+  std::vector<double> violation;  ///< 3 a frame: max |Phi|, max |Phi_dot|, max |D v_dot - gamma|
+};
+
+/// Collects frames until somebody takes them.
+class Recorder {
+ public:
+  explicit Recorder(Dynamics& dynamics);
+
+  /// Records the state y at t, where `dynamics` is evaluated. NotFiniteError: no NaN is ever recorded.
+  void record(double t, const VectorXd& y);
+
+  std::size_t count() const { return frames_.t.size(); }
+  Frames take() { return std::exchange(frames_, {}); }
+
+ private:
+  Dynamics& dynamics_;
+  VectorXd v_dot_, lambda_, residual_;
+  Frames frames_;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "linkwork/integration/recorder.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+
+/// A simulation on its way. `advance` returns now and then so that the caller can show progress, write frames, and end
+/// the run.
+class Run {
+ public:
+  explicit Run(Dynamics& dynamics) : dynamics_(dynamics), recorder_(dynamics), y_(dynamics.initial_y()) {}
+  virtual ~Run() = default;
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  /// Runs until finished, `max_frames` are there, or `max_seconds` have passed (looked at after each step).
+  Frames advance(std::int64_t max_frames, double max_seconds);
+
+  /// What was recorded since the last call.
+  Frames take_frames() { return recorder_.take(); }
+
+  const Dynamics& dynamics() const { return dynamics_; }
+  bool finished() const { return finished_; }
+  virtual double t() const = 0;
+  virtual std::int64_t steps_total() const { return 0; }  ///< 0: nobody knows
+  std::int64_t steps_done() const { return steps_done_; }
+  const VectorXd& y() const { return y_; }
+
+ protected:
+  /// A step, or a part of one.
+  virtual void work() = 0;
+
+  Dynamics& dynamics_;
+  Recorder recorder_;
+  VectorXd y_;  ///< at t()
+  std::int64_t steps_done_ = 0;
+  bool finished_ = false;
+};
+
+/// Calls `action`; an error that leaves it says when [s], which a stage may know better, and in a step of which size
+/// (NaN: none).
+template <class Action>
+void dated(double t, double step, Action action) {
+  try {
+    action();
+  } catch (Error& error) {
+    if (std::isnan(error.details.time)) error.details.time = t;
+    error.details.step = step;
+    throw;
+  }
+}
+
+}  // namespace linkwork

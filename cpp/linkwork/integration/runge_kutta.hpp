@@ -1,0 +1,18 @@
+#pragma once
+
+#include "linkwork/integration/integrator.hpp"
+
+namespace linkwork {
+
+/// OptionError: sizes that do not fit, coefficients that are not finite, an implicit or an inconsistent method.
+void check(const ButcherTableau& tableau);
+
+/// Fills the first columns of k with k_i = f(t + c_i h, y + h sum_j a_ij k_j) for the stages of a method, with the
+/// sampled correction for a step h. On entry `dynamics` is evaluated at (t, y). `stage` is work space.
+void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
+                     MatrixXd& k, VectorXd& stage);
+
+/// y += h sum_i weights_i k_i
+void add_combination(double h, const ConstVector& weights, const MatrixXd& k, VectorXd& y);
+
+}  // namespace linkwork

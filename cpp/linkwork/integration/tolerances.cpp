@@ -1,0 +1,40 @@
+#include "linkwork/integration/tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+
+// The rotation that takes p to p + dp is conj(p) (p + dp) = |p|^2 + conj(p) dp: its angle is twice the vector part of
+// conj(p) dp / |p|^2, and a change of length alone is no rotation.
+BodyMaximum ErrorMeasure::of_change(const ConstVector& y, const ConstVector& y_new, const ConstVector& dy) const {
+  BodyMaximum largest;
+  const int nq = system_.q_size();
+  const auto ratio = [&](int place, int body) {
+    const double size = std::max(y.segment<3>(place).norm(), y_new.segment<3>(place).norm());
+    const double value = dy.segment<3>(place).norm() / bound(size);
+    if (!(value <= largest.value)) largest = {value, body};  // a NaN is the largest of all
+  };
+  for (int body = 0; body < system_.body_count() && !std::isnan(largest.value); ++body) {
+    const Vec4<double> p = y.segment<4>(7 * body + 3), dp = dy.segment<4>(7 * body + 3);
+    const Vec4<double> turn = quaternion_product<double>({p[0], -p[1], -p[2], -p[3]}, dp) / p.squaredNorm();
+    const double angle = 2.0 * turn.tail<3>().norm() / bound(1.0);
+    if (!(angle <= largest.value)) largest = {angle, body};
+    for (const int place : {7 * body, nq + 6 * body, nq + 6 * body + 3}) ratio(place, body);
+  }
+  return largest;
+}
+
+double ErrorMeasure::of_state(const ConstVector& y) const {
+  double largest = 1.0 / bound(1.0);
+  for (int body = 0; body < system_.body_count(); ++body)
+    for (const int place : {7 * body, system_.q_size() + 6 * body, system_.q_size() + 6 * body + 3}) {
+      const double size = y.segment<3>(place).norm();
+      largest = std::max(largest, size / bound(size));
+    }
+  return largest;
+}
+
+}  // namespace linkwork

@@ -1,0 +1,65 @@
+"""Runge-Kutta methods with an error estimate and an interpolant: they choose their steps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import _core
+from linkwork.errors import OptionError
+from linkwork.integrators.runge_kutta import ButcherTableau
+
+
+@dataclass(frozen=True)
+class EmbeddedPair(ButcherTableau):
+    """A `ButcherTableau` of s stages, and what adaptive steps need beside it. With k_s = f(t + h, y_next):
+
+    error         s + 1 weights: the estimate of the error is h sum_i error_i k_i, of order error_order + 1
+    second_error  empty, or weights of a second estimate e_2; the error is then e^2 / sqrt(e^2 + 0.01 e_2^2)
+    extra_A       further stages for the interpolant alone: row i has s + 1 + i numbers
+    extra_c       their places in the step
+    interpolant   a row for each stage: y(t + theta h) = y + h sum_i (sum_k interpolant_ik theta^(k+1)) k_i
+    dense_order   of the interpolant
+
+    At a fixed step only the method itself is used. OptionError: sizes that do not fit.
+    """
+
+    error_order: int
+    error: Sequence[float]
+    interpolant: Sequence[Sequence[float]]
+    dense_order: int
+    second_error: Sequence[float] = ()
+    extra_A: Sequence[Sequence[float]] = ()
+    extra_c: Sequence[float] = ()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        stages, extra = len(self.b), len(self.extra_c)
+        sizes = [len(row) for row in self.extra_A] == [stages + 1 + i for i in range(extra)]
+        if not sizes or len(self.error) != stages + 1 or len(self.interpolant) != stages + 1 + extra:
+            raise OptionError(
+                f"integrator '{self.name}': error needs {stages + 1} weights, interpolant "
+                f"{stages + 1 + extra} rows, and row i of extra_A {stages + 1} + i numbers",
+                code="tableau",
+            )
+
+    @property
+    def extra_matrix(self) -> NDArray[np.float64]:
+        """extra_A with a column for each stage (extra, s + 1 + extra)."""
+        square = np.zeros((len(self.extra_c), len(self.interpolant)))
+        for i, row in enumerate(self.extra_A):
+            square[i, : len(row)] = row
+        return square
+
+    def compiled_pair(self) -> _core.EmbeddedPair:
+        """The whole pair in the compiled module; `compiled` is the method at a fixed step."""
+        error, second_error, extra_c = (
+            np.array(numbers, float) for numbers in (self.error, self.second_error, self.extra_c)
+        )
+        interpolant = np.array(self.interpolant, float)
+        return _core.EmbeddedPair(
+            self.compiled(), self.error_order, error, second_error, self.extra_matrix, extra_c, interpolant
+        )

@@ -1,0 +1,184 @@
+"""When a run steps and what it keeps: with a fixed step, or with steps that follow tolerances."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core, checks
+from linkwork.errors import OptionError
+from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.options import check_number
+from linkwork.recording import PythonStep
+from linkwork.system import System
+
+__all__ = ["Adaptive", "Fixed", "plan"]
+
+#: Frames recorded where nothing is said about them, and the memory they may take [bytes].
+FRAMES, FRAME_BYTES = 1000, 2**30
+
+#: Beyond, a run is refused by the driver.
+MOST_STEPS = 1e15
+
+#: Where only the other tolerance is given; the smallest rtol that double precision holds.
+USUAL_RTOL, USUAL_RATIO, LEAST_RTOL = 1e-6, 1e-3, 1e-13
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """A run with a fixed step [s]."""
+
+    t_end: float
+    step: float
+    record_every: int
+
+    usual_integrator: ClassVar[str] = "rk4"
+
+    def expected_frames(self, run: _core.Run) -> int:
+        return run.steps_total // self.record_every + 2
+
+    def chosen(self) -> dict[str, Any]:
+        return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
+
+    def check(self, method: Integrator | PythonStep, system: System) -> None:
+        """OptionError: gains that are too large for the integrator at this step."""
+        if isinstance(method, Integrator):
+            checks.check_gains(method, system.compiled(), self.step)
+
+    def run(self, method: Integrator | PythonStep, system: System) -> _core.Simulation:
+        compiled = method.compiled() if isinstance(method, Integrator) else None
+        return _core.Simulation(system.compiled(), compiled, self.t_end, self.step, self.record_every)
+
+
+@dataclass(frozen=True)
+class Adaptive:
+    """A run with steps that follow tolerances; `record_every` 0: frames at `times`."""
+
+    t_end: float
+    rtol: float
+    atol: float
+    largest_step: float
+    record_every: int
+    times: NDArray[np.float64]
+
+    usual_integrator: ClassVar[str] = "dopri5"
+
+    def expected_frames(self, run: _core.Run) -> int | None:
+        return None if self.record_every else len(self.times) + 1
+
+    def chosen(self) -> dict[str, Any]:
+        return {
+            "t_end": self.t_end,
+            "rtol": self.rtol,
+            "atol": self.atol,
+            "largest_step": self.largest_step if math.isfinite(self.largest_step) else None,
+            "record_every": self.record_every or None,
+        }
+
+    def check(self, method: Integrator | PythonStep, system: System) -> None:
+        """OptionError: an integrator without an error estimate."""
+        if not isinstance(method, EmbeddedPair):
+            able = ", ".join(
+                f"'{name}'" for name, known in METHODS.items() if isinstance(known, EmbeddedPair)
+            )
+            name = getattr(method, "name", "of your own")
+            raise OptionError(
+                f"rtol and atol need an error estimate, which integrator '{name}' does not have: choose from "
+                f"{able}, or give a fixed step without rtol and atol",
+                code="conflict",
+            )
+
+    def run(self, method: Integrator | PythonStep, system: System) -> _core.AdaptiveSimulation:
+        assert isinstance(method, EmbeddedPair)
+        return _core.AdaptiveSimulation(
+            system.compiled(),
+            method.compiled_pair(),
+            self.t_end,
+            self.rtol,
+            self.atol,
+            self.largest_step,
+            self.record_every,
+            self.times.tolist(),
+        )
+
+
+def plan(
+    t_end: float,
+    step: float | None,
+    rtol: float | None,
+    atol: float | None,
+    record_every: int | None,
+    times: ArrayLike | None,
+    frame_bytes: int,
+) -> Fixed | Adaptive:
+    """The arguments of `simulate` as a schedule. OptionError: a value that makes no sense, or a conflict."""
+    check_number("t_end", t_end, positive=False, unit="s")
+    if step is not None:
+        check_number("step", step, positive=True, unit="s")
+    if record_every is not None:
+        _check_record_every(record_every)
+    most_frames = min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
+    if rtol is None and atol is None:
+        return _fixed(t_end, step, record_every, times, most_frames)
+    return _adaptive(t_end, step, rtol, atol, record_every, times, most_frames)
+
+
+def _fixed(
+    t_end: float, step: float | None, record_every: int | None, times: ArrayLike | None, most_frames: int
+) -> Fixed:
+    if step is None:
+        raise OptionError("step is missing: give a step [s], or rtol for steps that follow it", code="step")
+    if times is not None:
+        raise OptionError(
+            "times needs steps that follow tolerances: give rtol, or record_every instead of times",
+            code="conflict",
+        )
+    every = record_every or max(1, math.ceil(min(t_end / step, MOST_STEPS) / most_frames))
+    return Fixed(t_end, step, int(every))
+
+
+def _adaptive(
+    t_end: float,
+    step: float | None,
+    rtol: float | None,
+    atol: float | None,
+    record_every: int | None,
+    times: ArrayLike | None,
+    most_frames: int,
+) -> Adaptive:
+    rtol = USUAL_RTOL if rtol is None else rtol
+    check_number("rtol", rtol, positive=True)
+    if rtol < LEAST_RTOL:
+        raise OptionError(
+            f"rtol {rtol:g} is below {LEAST_RTOL:g}: double precision holds no more", code="rtol"
+        )
+    atol = USUAL_RATIO * rtol if atol is None else atol
+    check_number("atol", atol, positive=True)
+    if times is not None and record_every is not None:
+        raise OptionError("times and record_every both say what is recorded: give one", code="conflict")
+    if record_every is None and times is None:
+        times = np.linspace(0.0, t_end, most_frames + 1)
+    asked = np.zeros(0) if times is None else _checked_times(times, t_end)
+    return Adaptive(t_end, rtol, atol, math.inf if step is None else step, int(record_every or 0), asked)
+
+
+def _checked_times(times: ArrayLike, t_end: float) -> NDArray[np.float64]:
+    asked = np.atleast_1d(np.asarray(times, dtype=float))
+    if asked.ndim != 1 or not len(asked) or not np.isfinite(asked).all() or (np.diff(asked) <= 0).any():
+        raise OptionError("times must be finite and ascending, one at least", code="times")
+    if asked[0] < 0.0 or asked[-1] > t_end:
+        raise OptionError(
+            f"times go from {asked[0]:g} to {asked[-1]:g} s, the run from 0 to {t_end:g} s", code="times"
+        )
+    return asked
+
+
+def _check_record_every(given: Any) -> None:
+    if not isinstance(given, int | np.integer) or given < 1:
+        raise OptionError(
+            f"record_every {given!r} is not a positive whole number of steps", code="record_every"
+        )

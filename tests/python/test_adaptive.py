@@ -1,0 +1,273 @@
+"""Steps that follow tolerances: errors, output between steps, invariants, and what is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+from linkwork.integrators import METHODS, EmbeddedPair
+from numpy.typing import NDArray
+from reference_data import Series
+from small_mechanisms import driven_pendulum, slider_crank, spherical_pendulum, two_body_loop
+
+Floats = NDArray[np.float64]
+
+PAIRS = [name for name, method in METHODS.items() if isinstance(method, EmbeddedPair)]
+MECHANISMS = [spherical_pendulum, slider_crank, two_body_loop, driven_pendulum]
+
+
+def run(model: lw.Model, t_end: float, rtol: float, integrator: str = "dopri5", **options: Any) -> lw.Result:
+    return lw.simulate(model, t_end, integrator=integrator, rtol=rtol, progress=False, **options)
+
+
+def largest(x: Floats) -> float:
+    return float(np.abs(x).max())
+
+
+def difference(a: lw.Result, b: lw.Result) -> float:
+    """Of the motion, relative to the largest value."""
+    return max(largest(a.q - b.q) / largest(b.q), largest(a.v - b.v) / largest(b.v))
+
+
+# --- references ---
+
+
+def test_the_simple_pendulum_reaches_its_reference() -> None:
+    reference = Series("A01_pendulum")
+    result = run(mechanisms.pendulum(), 10.0, 1e-10, "tsit5", times=reference("t"))
+    assert largest(result.position[:, 0, :2] - reference("x", "y")) <= 1e-8
+    assert largest(-result.multipliers[:, 0] - reference("tension")) <= 1e-8 * largest(reference("tension"))
+
+
+def test_the_heavy_top_reaches_its_reference() -> None:
+    reference = Series("heavy_top")
+    result = run(mechanisms.heavy_top(), 2.0, 1e-10, "dop853", times=reference("t"))
+    assert largest(result.position[:, 0] - reference("x", "y", "z")) <= 1e-8
+
+
+def test_the_rod_pendulum_reaches_its_reference() -> None:
+    reference = Series("rod_pendulum")
+    result = run(mechanisms.rod_pendulum(), 10.0, 1e-10, "dop853", times=reference("t"))
+    exact = reference("Rx", "Ry")
+    assert largest(result.reaction("pin").force[:, :2] - exact) <= 1e-8 * largest(exact)
+
+
+# --- errors and tolerances ---
+
+
+@pytest.mark.parametrize("make", MECHANISMS)
+@pytest.mark.parametrize("name", PAIRS)
+def test_a_hundredth_of_the_tolerances_makes_about_a_hundredth_of_the_error(
+    name: str, make: Callable[[], lw.Model]
+) -> None:
+    times = np.linspace(0, 1.1, 12)
+    exact = run(make(), 1.1, 1e-13, "dop853", times=times)
+    coarse, fine = (difference(run(make(), 1.1, rtol, name, times=times), exact) for rtol in (1e-5, 1e-7))
+    assert fine < 1e-5
+    assert 20 < coarse / fine < 600, (coarse, fine)
+
+
+def test_bodies_at_rest_change_no_step() -> None:
+    """The largest error of all bodies counts, not a mean that bodies at rest would lower."""
+    alone, among = spherical_pendulum(), spherical_pendulum()
+    for k in range(20):
+        resting = among.body(f"resting {k}", mass=1.0, inertia=(1, 1, 1), position=(k, 5, 5))
+        among.fixed(among.ground, resting, at=(k, 5, 5))
+    few, many = (run(model, 1.0, 1e-6, record_every=1) for model in (alone, among))
+    np.testing.assert_allclose(many.t, few.t, rtol=1e-6)
+
+
+def test_the_steps_do_not_depend_on_the_axes_in_space() -> None:
+    turn = lw.rotation.from_axes((0, 0.6, 0.8), (1, 0, 0))
+    A = lw.rotation.matrix(turn)
+
+    def pendulum(A: Floats, orientation: Any) -> lw.Model:
+        model = lw.Model(gravity=A @ (0, 0, -9.81))
+        center, omega = np.array([0.6, 0.2, -0.5]), np.array([2.0, -4.0, 6.0])
+        bob = model.body("bob", mass=2.0, inertia=(0.3, 0.2, 0.1), position=A @ center, omega=omega,
+                         orientation=orientation, velocity=A @ np.cross(omega, center))  # fmt: skip
+        model.spherical(model.ground, bob, at=(0, 0, 0))
+        return model
+
+    straight, turned = (
+        run(pendulum(*axes), 1.0, 1e-6, record_every=1) for axes in ((np.eye(3), (1, 0, 0, 0)), (A, turn))
+    )
+    np.testing.assert_allclose(turned.t, straight.t, rtol=1e-6)
+    np.testing.assert_allclose(turned.position[:, 0], straight.position[:, 0] @ A.T, atol=1e-6)
+
+
+def test_the_free_top_is_judged_by_its_rotation() -> None:
+    """A body that turns in place: only the tolerance of the rotation and of omega can limit the steps."""
+    reference = Series("torquefree_symmetric")
+    exact = reference("q0", "q1", "q2", "q3")
+    for rtol in (1e-5, 1e-8):
+        result = run(mechanisms.torque_free_top(), 20.0, rtol, times=reference("t"))
+        found = result.orientation[:, 0]
+        angle = (
+            2 * np.linalg.norm(found * np.sign(np.sum(exact * found, axis=1))[:, None] - exact, axis=1).max()
+        )
+        assert 0.01 * rtol < angle < result.statistics["steps"] * rtol
+
+
+# --- invariants ---
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_energy_is_kept_to_the_tolerance(name: str) -> None:
+    result = run(two_body_loop(), 2.0, 1e-8, name)
+    assert largest(result.energy_error) <= 1e-6 * largest(result.kinetic_energy)
+
+
+def test_the_work_of_a_driven_joint_balances_the_energy() -> None:
+    result = run(driven_pendulum(), 2.0, 1e-9)
+    assert largest(result.work) > 1.0
+    assert largest(result.energy_error) <= 1e-6
+
+
+def swinging(position: Any, orientation: Any, velocity: Any, omega: Any) -> lw.Model:
+    """A body on a ball joint at the origin."""
+    model = lw.Model()
+    bob = model.body("bob", mass=2.0, inertia=(0.3, 0.2, 0.1), position=position, orientation=orientation,
+                     velocity=velocity, omega=omega)  # fmt: skip
+    model.spherical(model.ground, bob, at=(0, 0, 0))
+    return model
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_with_velocities_reversed_the_mechanism_goes_back(name: str) -> None:
+    rtol, center, omega = 1e-7, np.array([0.6, 0.2, -0.5]), np.array([2.0, -4.0, 6.0])
+    forth = run(swinging(center, (1, 0, 0, 0), np.cross(omega, center), omega), 1.0, rtol, name)
+    q, v = forth.q[-1, 0], forth.v[-1, 0]
+    v = np.append(np.cross(forth.omega_inertial[-1, 0], q[:3]), v[3:])  # exactly on the constraints
+    back = run(swinging(q[:3], q[3:], -v[:3], -v[3:]), 1.0, rtol, name)
+    assert largest(back.q[-1] - forth.q[0]) <= 100 * rtol
+    assert largest(back.v[-1] + forth.v[0]) <= 1000 * rtol
+
+
+def test_a_violation_of_the_constraints_stays_at_the_tolerance() -> None:
+    for rtol in (1e-5, 1e-8):
+        result = run(spherical_pendulum(), 20.0, rtol, record_every=1)
+        assert result.violation[:, 0].max() <= 10 * rtol
+        assert result.violation[:, 1].max() <= 100 * rtol
+
+
+# --- output ---
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_a_state_between_steps_is_that_of_a_run_that_steps_there(name: str) -> None:
+    rtol, t = 1e-7, 0.7315
+    between = run(slider_crank(), 1.0, rtol, name, times=[t])
+    there = run(slider_crank(), t, rtol, name, times=[t])
+    assert 0 < difference(between, there) <= 100 * rtol
+    assert largest(between.multipliers - there.multipliers) <= 1e-3 * largest(there.multipliers)
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_output_never_limits_a_step(name: str) -> None:
+    few = run(slider_crank(), 1.0, 1e-6, name, times=[1.0])
+    many = run(slider_crank(), 1.0, 1e-6, name, times=np.linspace(0, 1, 2001))
+    for what in ("steps", "rejected_steps", "smallest_step", "largest_step"):
+        assert many.statistics[what] == pytest.approx(few.statistics[what], rel=1e-6)
+    assert len(many) == 2001
+    np.testing.assert_allclose(many.q[-1], few.q[-1], rtol=0, atol=1e-12)
+
+
+def test_frames_come_at_the_requested_times_exactly() -> None:
+    times = [0.0, 0.1, 0.1 + 1e-12, 1 / 3, 1.0]
+    assert run(slider_crank(), 1.0, 1e-6, times=times).t.tolist() == times
+
+
+def test_every_step_is_recorded_on_request() -> None:
+    result = run(slider_crank(), 1.0, 1e-6, record_every=1)
+    steps = np.diff(result.t)
+    assert len(steps) == result.statistics["steps"]
+    assert steps.min() == pytest.approx(result.statistics["smallest_step"])
+    assert steps.max() == pytest.approx(result.statistics["largest_step"])
+    assert result.t[-1] == 1.0
+
+
+def test_every_third_step_and_the_last_are_recorded_on_request() -> None:
+    every, third = (run(slider_crank(), 1.0, 1e-6, record_every=k) for k in (1, 3))
+    np.testing.assert_array_equal(third.t, np.unique(np.append(every.t[::3], 1.0)))
+
+
+def test_without_a_request_frames_are_even() -> None:
+    result = run(slider_crank(), 1.0, 1e-6)
+    np.testing.assert_array_equal(result.t, np.linspace(0, 1, 1001))
+
+
+def test_a_run_of_no_time_is_the_initial_state() -> None:
+    assert run(slider_crank(), 0.0, 1e-6, record_every=1).t.tolist() == [0.0]
+
+
+# --- steps ---
+
+
+def test_no_step_is_larger_than_allowed() -> None:
+    free, bound = (run(slider_crank(), 1.0, 1e-6, step=step) for step in (None, 0.005))
+    assert free.statistics["largest_step"] > 0.01
+    assert bound.statistics["largest_step"] <= 0.005
+
+
+def test_where_nothing_moves_the_steps_grow_without_end() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("stone", mass=1.0, inertia=(1, 1, 1))
+    assert run(model, 1e6, 1e-6).statistics["steps"] <= 2
+
+
+def test_a_force_that_jumps_costs_rejected_steps_and_no_accuracy() -> None:
+    """1 N from t = 0.5 s on, 1 kg: (t - 0.5)^2 / 2."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1.0, inertia=(1, 1, 1))
+    model.force(body, force=(lambda t: 1.0 if t >= 0.5 else 0.0, 0, 0))
+    result = run(model, 1.0, 1e-8, step=0.1, times=[1.0])
+    assert result.statistics["rejected_steps"] > 5
+    assert result.position[-1, 0, 0] == pytest.approx(0.125, abs=1e-6)
+
+
+def test_a_force_without_bound_ends_in_an_error_that_says_when_and_where() -> None:
+    """x_ddot = 6 / (1 - t)^4 has the solution 1 / (1 - t)^2."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("rocket", mass=1.0, inertia=(1, 1, 1), position=(1, 0, 0), velocity=(2, 0, 0))
+    model.force(body, force=(lambda t: 6.0 / (1.0 - t) ** 4 if t != 1.0 else np.inf, 0, 0))
+    with pytest.raises((lw.StepSizeError, lw.NotFiniteError), match="body 'rocket'|infinite") as caught:
+        run(model, 2.0, 1e-8, atol=1e-12)
+    assert caught.value.time == pytest.approx(1.0, abs=1e-3)
+    assert caught.value.bodies in ([], ["rocket"])
+
+
+# --- what is refused ---
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"rtol": 1e-6, "integrator": "rk4"}, "error estimate.*'rk4'.*'dopri5'"),
+        ({"atol": 1e-6, "integrator": "abm4"}, "error estimate.*'abm4'"),
+        ({"rtol": 1e-6, "integrator": lambda system, t, y, h: y}, "error estimate"),
+        ({"rtol": 1e-15}, "1e-15.*double precision"),
+        ({"rtol": -1e-6}, "rtol -1e-06"),
+        ({"rtol": 1e-6, "atol": 0.0}, "atol 0.0"),
+        ({"rtol": 1e-6, "step": -1.0}, "step -1.0"),
+        ({"rtol": 1e-6, "times": [0.5], "record_every": 1}, "give one"),
+        ({"rtol": 1e-6, "times": [0.5, 0.2]}, "ascending"),
+        ({"rtol": 1e-6, "times": [0.5, 2.0]}, "0.5 to 2 s.*0 to 1 s"),
+        ({"rtol": 1e-6, "times": []}, "one at least"),
+        ({"step": 1e-3, "times": [0.5]}, "give rtol"),
+        ({}, "give a step"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(options: dict[str, Any], message: str) -> None:
+    with pytest.raises(lw.OptionError, match=message):
+        lw.simulate(slider_crank(), 1.0, progress=False, **options)
+
+
+def test_the_manifest_says_what_was_chosen() -> None:
+    chosen = run(slider_crank(), 0.1, 1e-7).manifest["options"]
+    assert (chosen["integrator"], chosen["rtol"], chosen["atol"]) == ("dopri5", 1e-7, 1e-10)
+    assert "rtol 1e-07" in run(slider_crank(), 0.1, 1e-7).summary()
