@@ -20,8 +20,10 @@ std::unique_ptr<Integrator> make_integrator(const py::object& method) {
   if (method.is_none()) return nullptr;
   if (py::isinstance<ButcherTableau>(method)) return make_runge_kutta(method.cast<ButcherTableau>());
   if (py::isinstance<MultistepCoefficients>(method)) return make_multistep(method.cast<MultistepCoefficients>());
+  if (py::isinstance<HalfExplicitTableau>(method)) return make_half_explicit(method.cast<HalfExplicitTableau>());
   if (py::isinstance<SemiImplicitEulerTag>(method)) return make_semi_implicit_euler();
-  throw OptionError("integrator", "integrator must be a Tableau, a Multistep, a SemiImplicitEuler or None");
+  throw OptionError("integrator",
+                    "integrator must be a Tableau, a Multistep, a HalfExplicit, a SemiImplicitEuler or None");
 }
 
 py::dict to_dict(Frames&& frames, const System& system) {
@@ -61,6 +63,23 @@ py::dict statistics(const Run& run) {
   return out;
 }
 
+void bind_events(py::module_& module) {
+  using Change = std::function<std::pair<VectorXd, bool>(double, const VectorXd&)>;
+  py::class_<Event>(module, "Event", "What happens when a function of (t, y) passes through zero; y = (q, v).")
+      .def(py::init([](std::string name, std::function<double(double, const VectorXd&)> function, int direction,
+                       bool terminal, std::optional<Change> change, double tolerance) {
+             Event event{std::move(name), std::move(function), direction, terminal, {}, tolerance};
+             if (change)
+               event.change = [change = std::move(*change)](double t, const VectorXd& y) {
+                 auto [after, ends] = change(t, y);
+                 return Changed{std::move(after), ends};
+               };
+             return event;
+           }),
+           py::arg("name"), py::arg("function"), py::arg("direction"), py::arg("terminal"), py::arg("change"),
+           py::arg("tolerance"));
+}
+
 void bind_runs(py::module_& module) {
   py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
       .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
@@ -92,13 +111,25 @@ void bind_runs(py::module_& module) {
 
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
-                       double largest_step, std::int64_t record_every, std::vector<double> times) {
+                       double largest_step, std::int64_t record_every, std::vector<double> times,
+                       std::vector<Event> events) {
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(
-                 dynamics, pair, AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times)});
+                 dynamics, pair, AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times)},
+                 std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
-           py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::keep_alive<1, 2>())
+           py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
+           py::keep_alive<1, 2>())
+      .def(
+          "take_occurrences",
+          [](AdaptiveSimulation& run) {
+            py::list out;
+            for (const Occurrence& it : run.take_occurrences())
+              out.append(py::make_tuple(it.event, it.t, it.before, it.after));
+            return out;
+          },
+          "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
       .def("statistics", [](const AdaptiveSimulation& run) {
         py::dict out = statistics(run);
         const StepStatistics& steps = run.step_statistics();
@@ -123,6 +154,11 @@ void bind_integration(py::module_& module) {
              return MultistepCoefficients{std::move(name), order, predictor, corrector, starter};
            }),
            py::arg("name"), py::arg("order"), py::arg("predictor"), py::arg("corrector"), py::arg("starter"));
+  py::class_<HalfExplicitTableau>(module, "HalfExplicit", "A half-explicit Runge-Kutta method.")
+      .def(py::init([](std::string name, int order, const MatrixXd& A, const MatrixXd& A_bar, bool explicit_first) {
+             return HalfExplicitTableau{std::move(name), order, A, A_bar, explicit_first};
+           }),
+           py::arg("name"), py::arg("order"), py::arg("A"), py::arg("A_bar"), py::arg("explicit_first_stage"));
   py::class_<SemiImplicitEulerTag>(module, "SemiImplicitEuler", "v' = v + h v_dot, q' = q + h N(q) v'.")
       .def(py::init<>());
   py::class_<EmbeddedPair>(module, "EmbeddedPair",
@@ -134,6 +170,7 @@ void bind_integration(py::module_& module) {
            }),
            py::arg("method"), py::arg("error_order"), py::arg("error"), py::arg("second_error"), py::arg("extra_A"),
            py::arg("extra_c"), py::arg("interpolant"));
+  bind_events(module);
   bind_runs(module);
 }
 

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         SingularSystemError,
         StepSizeError,
     )
+    from linkwork.events import Event, Occurrence, State
     from linkwork.handles import Body, Force, Joint
     from linkwork.model import Model
     from linkwork.progress import ProgressInfo
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Body",
     "BodyResult",
+    "Event",
     "FileError",
     "Force",
     "Joint",
@@ -47,11 +49,13 @@ __all__ = [
     "ModelError",
     "NotConvergedError",
     "NotFiniteError",
+    "Occurrence",
     "OptionError",
     "ProgressInfo",
     "Reaction",
     "Result",
     "SingularSystemError",
+    "State",
     "StepSizeError",
     "System",
     "__version__",
@@ -64,6 +68,7 @@ __all__ = [
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
+    "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("FileError", "LinkworkError", "LinkworkWarning", "ModelError", "NotConvergedError",
                         "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError"),

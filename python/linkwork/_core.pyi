@@ -14,7 +14,9 @@ __all__ = [
     "AdaptiveSimulation",
     "Dynamics",
     "EmbeddedPair",
+    "Event",
     "FormulationInfo",
+    "HalfExplicit",
     "KindInfo",
     "Model",
     "Multistep",
@@ -50,8 +52,13 @@ class AdaptiveSimulation(Run):
         largest_step: typing.SupportsFloat | typing.SupportsIndex,
         record_every: typing.SupportsInt | typing.SupportsIndex,
         times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        events: collections.abc.Sequence[Event] = [],
     ) -> None: ...
     def statistics(self) -> dict: ...
+    def take_occurrences(self) -> list:
+        """
+        (index of the event, t, y before, y after) of the events since the last call; y = (q, v).
+        """
 
 class Dynamics:
     """
@@ -143,6 +150,29 @@ class EmbeddedPair:
         interpolant: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
     ) -> None: ...
 
+class Event:
+    """
+    What happens when a function of (t, y) passes through zero; y = (q, v).
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        name: str,
+        function: collections.abc.Callable[
+            [float, typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]],
+            typing.SupportsFloat | typing.SupportsIndex,
+        ],
+        direction: typing.SupportsInt | typing.SupportsIndex,
+        terminal: bool,
+        change: collections.abc.Callable[
+            [float, typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]],
+            tuple[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], bool],
+        ]
+        | None,
+        tolerance: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+
 class FormulationInfo:
     """
     A registered formulation.
@@ -163,6 +193,21 @@ class FormulationInfo:
     def needs_mass(self) -> bool: ...
     @property
     def systems(self) -> list[str]: ...
+
+class HalfExplicit:
+    """
+    A half-explicit Runge-Kutta method.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        name: str,
+        order: typing.SupportsInt | typing.SupportsIndex,
+        A: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+        A_bar: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
+        explicit_first_stage: bool,
+    ) -> None: ...
 
 class KindInfo:
     """

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from linkwork import _core
 from linkwork.errors import LinkworkWarning, ModelError, OptionError
-from linkwork.integrators import Integrator
+from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model
 
 Floats = NDArray[np.float64]
@@ -23,6 +23,9 @@ LISTED = 5
 
 #: Gains times step above which continuous Baumgarte stabilization lowers the order of the integrator.
 ACCURATE_GAIN = 0.1
+
+#: To which half-explicit methods may fall where constraint equations repeat others (measured on Bricard's).
+REDUNDANT_ORDER = 4
 
 
 def check_bodies(model: Model) -> None:
@@ -86,6 +89,8 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
     alpha, beta = options.baumgarte_alpha, options.baumgarte_beta
     if options.stabilization != "baumgarte" or alpha is None or beta is None:
         return
+    if isinstance(method, HalfExplicit):  # refuses these gains itself
+        return
     gains = f"baumgarte_alpha {alpha:g} 1/s and baumgarte_beta {beta:g} 1/s"
     growth = method.growth(alpha * step, beta * step)
     if growth > 1 + 1e-9:
@@ -98,6 +103,24 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
     if max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
         lost = f"integrator '{method.name}' loses its order {method.order}"
         warnings.warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}", LinkworkWarning, stacklevel=4)
+
+
+def warn_of_redundancy(method: object, dynamics: _core.Dynamics) -> None:
+    """LinkworkWarning: dependent constraint equations that take an order from a half-explicit method.
+
+    Its stages lie off the constraints, where equations that repeat others contradict them. What the
+    formulation resolves of that changes the velocities of a step by O(h^5).
+    """
+    if not isinstance(method, HalfExplicit) or method.order <= REDUNDANT_ORDER:
+        return
+    count = len(dynamics.rank().dependent_rows)
+    if count:
+        warnings.warn(
+            f"{count} constraint equations repeat others: integrator '{method.name}' may fall from order "
+            f"{method.order} to {REDUNDANT_ORDER}; 'dopri5' does not",
+            LinkworkWarning,
+            stacklevel=3,
+        )
 
 
 def _warn_of(core: _core.Model, level: str, worst: NDArray[np.int64], residuals: Floats) -> None:

@@ -19,7 +19,8 @@ class Options(TypedDict, total=False):
     formulation: str
     #: matrix of the standard formulation: "kkt" (12.3), "schur" (12.5), or "auto" (default)
     system: str
-    #: "sampled_baumgarte" (default), "baumgarte" (12.8) or "none"
+    #: "sampled_baumgarte" (default), "baumgarte" (12.8), "projection" (default of half-explicit methods),
+    #: "position_projection", "velocity_projection" or "none"
     stabilization: str
     #: "auto" (default) or a name in `_core.linear_solvers()`
     linear_solver: str
@@ -126,9 +127,10 @@ def _gains(chosen: Mapping[str, Any]) -> dict[str, Any]:
         raise OptionError(
             f"{gains[0]} is given alone: give baumgarte_alpha and baumgarte_beta", code="conflict"
         )
-    if gains and stabilization == "none":
+    if gains and stabilization not in (None, "baumgarte", "sampled_baumgarte"):
         raise OptionError(
-            "baumgarte_alpha and baumgarte_beta have no meaning for stabilization 'none'", code="conflict"
+            f"baumgarte_alpha and baumgarte_beta have no meaning for stabilization '{stabilization}'",
+            code="conflict",
         )
     if not damped:
         return {}

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
+from linkwork.events import Occurrence
 from linkwork.header import Header
 from linkwork.integrators import Integrator
 from linkwork.interrupts import Interrupts
@@ -35,6 +36,7 @@ class Recorder(Protocol):
     """Where frames go."""
 
     def write(self, frames: Frames) -> None: ...
+    def note(self, occurrences: Sequence[Occurrence]) -> None: ...
     def abandon(self) -> None: ...
     def result(self, statistics: Mapping[str, Any]) -> Result: ...
 
@@ -43,17 +45,21 @@ class _Memory:
     def __init__(self, header: Header) -> None:
         self._header = header
         self._pieces: list[Frames] = []
+        self._occurrences: list[Occurrence] = []
 
     def write(self, frames: Frames) -> None:
         if len(frames["t"]):
             self._pieces.append(frames)
+
+    def note(self, occurrences: Sequence[Occurrence]) -> None:
+        self._occurrences.extend(occurrences)
 
     def abandon(self) -> None:
         self._pieces.clear()
 
     def result(self, statistics: Mapping[str, Any]) -> Result:
         joined = {name: np.concatenate([piece[name] for piece in self._pieces]) for name in self._pieces[0]}
-        return Result(joined, self._header, statistics)
+        return Result(joined, self._header, statistics, events=self._occurrences)
 
 
 class _File:
@@ -64,6 +70,9 @@ class _File:
 
     def write(self, frames: Frames) -> None:
         self._writer.write(frames)
+
+    def note(self, occurrences: Sequence[Occurrence]) -> None:
+        self._writer.write_events(occurrences)
 
     def abandon(self) -> None:
         self._writer.close()
@@ -85,20 +94,33 @@ def frame_bytes(model: Model) -> int:
     return 8 * (19 * model.body_count + model.row_count + 6 * model.joint_count + 7)
 
 
-def record(run: _core.Run, pieces: Iterator[Frames], to: Recorder, report: Report) -> float:
-    """Write the pieces as they come, and close the file however the run ends; the time they took [s]."""
+def record(
+    run: _core.Run, pieces: Iterator[Frames], to: Recorder, report: Report, labels: Sequence[str]
+) -> float:
+    """Write the pieces as they come, and close the file however the run ends; the time they took [s].
+
+    `labels` of the events, in the order in which the run knows them.
+    """
     spent, before = 0.0, time.perf_counter()
     try:
         for frames in pieces:
             spent += time.perf_counter() - before
+            to.note(_occurrences(run, labels))
             to.write(frames)
             report(run.t, run.steps_done)
             before = time.perf_counter()
     except BaseException:
+        to.note(_occurrences(run, labels))
         to.write(run.take_frames())
         to.abandon()
         raise
     return spent
+
+
+def _occurrences(run: _core.Run, labels: Sequence[str]) -> list[Occurrence]:
+    if not isinstance(run, _core.AdaptiveSimulation):
+        return []
+    return [Occurrence.of(labels[event], *rest) for event, *rest in run.take_occurrences()]
 
 
 def pieces(

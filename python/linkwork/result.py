@@ -18,6 +18,8 @@ from linkwork.header import Floats, Header, record_reactions
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from linkwork.events import Occurrence
+
 Frame = Literal["inertial", "joint"]
 
 
@@ -54,7 +56,7 @@ class Result:
     """
 
     def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
-                 run: str | None = None) -> None:  # fmt: skip
+                 run: str | None = None, events: Sequence[Occurrence] = ()) -> None:  # fmt: skip
         """`frames`: the arrays of `Simulation.advance` joined over time, or the fields of a result file."""
         shapes = header.frame_shapes()
         count = len(frames["t"])
@@ -64,6 +66,7 @@ class Result:
         }
         self._header = header
         self._run = run or uuid.uuid4().hex
+        self._events = tuple(events)
         self._places: dict[str, dict[str, int]] = {}
         self.statistics = dict(statistics)
         self.t: Floats = self._frames["t"][:]
@@ -92,6 +95,11 @@ class Result:
     def finished(self) -> bool:
         """False for the file of a run that was interrupted."""
         return bool(self.statistics)
+
+    @property
+    def events(self) -> tuple[Occurrence, ...]:
+        """The events that came, in order of time."""
+        return self._events
 
     def __len__(self) -> int:
         return len(self.t)
@@ -277,7 +285,7 @@ class Result:
         from linkwork import result_file
 
         self._need_reactions()
-        result_file.save(path, self._header, self._frames, self.statistics, self._run)
+        result_file.save(path, self._header, self._frames, self.statistics, self._run, self._events)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
@@ -285,7 +293,7 @@ class Result:
         from linkwork import stored_result
 
         stored = stored_result.read(path)
-        return cls(stored.fields, stored.header, stored.statistics, run=stored.run)
+        return cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
 
     def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
         """Energy, violation, positions and reactions in one figure, written to `path` when given."""

@@ -5,6 +5,7 @@
     /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
                violation (k, 3), reaction_force and reaction_torque (k, joints, 3), t (k,)
     /model/    the arrays of `Header`, and the names
+    /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
 
 The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
 a run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when
@@ -22,7 +23,7 @@ import os
 import shutil
 import time
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import TracebackType
@@ -33,6 +34,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork.errors import FileError
+from linkwork.events import Occurrence
 from linkwork.header import Floats, Header, record_reactions
 
 FORMAT, VERSION = "linkwork result", 2
@@ -109,6 +111,20 @@ class ResultWriter:
         self._pending.append(t)
         if time.monotonic() - self._flushed_at > FLUSH_SECONDS:
             self.flush()
+
+    def write_events(self, occurrences: Sequence[Occurrence]) -> None:
+        """Append events; like that of frames, their `t` grows last."""
+        if not occurrences:
+            return
+        with self._failures():
+            group = self._file.require_group("events")
+            for name, (shape, kind) in _event_fields(self._header.body_count).items():
+                if name not in group:
+                    group.create_dataset(name, (0, *shape), kind, maxshape=(None, *shape))
+                dataset = group[name]
+                start = len(dataset)
+                dataset.resize(start + len(occurrences), axis=0)
+                dataset[start:] = [_event_value(it, name) for it in occurrences]
 
     def flush(self) -> None:
         """Bring the frames so far to the file: first the data, then the times that make them count."""
@@ -213,6 +229,7 @@ def save(
     frames: Mapping[str, Any],
     statistics: Mapping[str, Any],
     run: str,
+    events: Sequence[Occurrence] = (),
 ) -> None:
     """Write a whole result: to a file beside, then renamed, so that `path` is never half written."""
     path = Path(path)
@@ -223,6 +240,7 @@ def save(
             block = max(1, 2**26 // _frame_bytes(header))
             for start in range(0, count, block):
                 writer.write({name: values[start : start + block] for name, values in frames.items()})
+            writer.write_events(events)
             writer.close(statistics)
         os.replace(beside, path)
     except FileError as error:
@@ -233,6 +251,22 @@ def save(
         ) from error
     finally:
         beside.unlink(missing_ok=True)
+
+
+def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
+    """Shape and type of what is kept of one event; `t` comes last."""
+    return {
+        "q": ((2, bodies, 7), "f8"),
+        "v": ((2, bodies, 6), "f8"),
+        "name": ((), h5py.string_dtype()),
+        "t": ((), "f8"),
+    }
+
+
+def _event_value(it: Occurrence, name: str) -> Any:
+    if name in ("q", "v"):
+        return [getattr(it, f"{name}_before"), getattr(it, f"{name}_after")]
+    return getattr(it, name)
 
 
 def _chunk_frames(shape: tuple[int, ...], expected: int | None) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -49,7 +50,15 @@ class Fixed:
         if isinstance(method, Integrator):
             checks.check_gains(method, system.compiled(), self.step)
 
-    def run(self, method: Integrator | PythonStep, system: System) -> _core.Simulation:
+    def run(
+        self, method: Integrator | PythonStep, system: System, events: Sequence[_core.Event]
+    ) -> _core.Simulation:
+        """OptionError: events, for which there is no interpolant."""
+        if events:
+            raise OptionError(
+                "events are located by an interpolant, which runs with a fixed step do not have: give rtol",
+                code="conflict",
+            )
         compiled = method.compiled() if isinstance(method, Integrator) else None
         return _core.Simulation(system.compiled(), compiled, self.t_end, self.step, self.record_every)
 
@@ -92,7 +101,9 @@ class Adaptive:
                 code="conflict",
             )
 
-    def run(self, method: Integrator | PythonStep, system: System) -> _core.AdaptiveSimulation:
+    def run(
+        self, method: Integrator | PythonStep, system: System, events: Sequence[_core.Event]
+    ) -> _core.AdaptiveSimulation:
         assert isinstance(method, EmbeddedPair)
         return _core.AdaptiveSimulation(
             system.compiled(),
@@ -103,6 +114,7 @@ class Adaptive:
             self.largest_step,
             self.record_every,
             self.times.tolist(),
+            list(events),
         )
 
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Iterable
 from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
 from linkwork import checks, integrators, recording, schedule
 from linkwork.errors import OptionError
+from linkwork.events import Event, compile_events
 from linkwork.header import Header
-from linkwork.integrators import Integrator
+from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.interrupts import Interrupts
 from linkwork.manifest import manifest
 from linkwork.model import Model
@@ -34,6 +36,7 @@ def simulate(
     atol: float | None = None,
     record_every: int | None = None,
     times: ArrayLike | None = None,
+    events: Event | Iterable[Event] = (),
     output: str | os.PathLike[str] | None = None,
     progress: ProgressOption = None,
     **options: Unpack[Options],
@@ -51,6 +54,8 @@ def simulate(
                   step: numpy.diff(result.t) are their sizes
     times         frames at these times (adaptive steps only), interpolated where no step ends: output never
                   limits a step. Without record_every and times: at most about 1000 frames, evenly
+    events        what happens when functions of the state pass through zero (adaptive steps only), see
+                  linkwork.Event; result.events lists what came
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     progress      None: a line on a terminal after two seconds; False: nothing; or a function of ProgressInfo
     options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
@@ -70,12 +75,18 @@ def simulate(
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model))
     checks.check_bodies(model)
     checks.check_tables(model, t_end)
+    method = _method(plan.usual_integrator if integrator is None else integrator)
+    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
+        options["stabilization"] = (
+            "projection"  # there is no acceleration to which a correction could be added
+        )
     system = System(model, **options)
-    method = _method(integrator or plan.usual_integrator)
     plan.check(method, system)
     checks.warn_of_residuals(model, system.compiled())
+    checks.warn_of_redundancy(method, system.compiled())
 
-    run = plan.run(method, system)
+    watched = compile_events(events, model)
+    run = plan.run(method, system, [event for _, event in watched])
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
              "record_every": record_every, **options}  # fmt: skip
     chosen = {**plan.chosen(), "integrator": _name(method), **system.options}
@@ -86,7 +97,7 @@ def simulate(
     setup_seconds = time.perf_counter() - started
     with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total) as report:
         pieces = recording.pieces(run, interrupts, method, system)
-        driver_seconds = recording.record(run, pieces, recorder, report)
+        driver_seconds = recording.record(run, pieces, recorder, report, [label for label, _ in watched])
     seconds = time.perf_counter() - started
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
     return recorder.result({**run.statistics(), **times_spent})

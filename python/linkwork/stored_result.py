@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.errors import FileError
+from linkwork.events import Occurrence
 from linkwork.header import Floats, Header
 from linkwork.result_file import FORMAT, MODEL_ARRAYS, MODEL_NAMES, VERSION, reason
 
@@ -65,6 +66,7 @@ class StoredRun:
     header: Header
     statistics: dict[str, Any]
     fields: dict[str, StoredField]
+    events: list[Occurrence]
 
 
 def read(path: str | os.PathLike[str]) -> StoredRun:
@@ -85,9 +87,10 @@ def read(path: str | os.PathLike[str]) -> StoredRun:
         header = _read_header(file)
         count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], path.stat().st_size))
         statistics = json.loads(file.attrs.get("statistics", "{}"))
+        events = _read_events(file)
     shapes = header.frame_shapes().items()
     fields = {name: StoredField(path, run, name, (count, *shape)) for name, shape in shapes}
-    return StoredRun(run, header, statistics, fields)
+    return StoredRun(run, header, statistics, fields, events)
 
 
 def _read_header(file: h5py.File) -> Header:
@@ -98,6 +101,18 @@ def _read_header(file: h5py.File) -> Header:
         values |= {"reaction_unique": np.zeros(joints, bool), "redundant_rows": np.zeros(0, np.int32)}
     values.update({name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES})
     return Header(manifest=json.loads(file.attrs["manifest"]), **values)
+
+
+def _read_events(file: h5py.File) -> list[Occurrence]:
+    if "events" not in file or "t" not in file["events"]:
+        return []
+    group = file["events"]
+    t = group["t"][()]
+    names = group["name"].asstr()[: len(t)]
+    return [
+        Occurrence(name, float(when), q[0], v[0], q[1], v[1])
+        for name, when, q, v in zip(names, t, group["q"][: len(t)], group["v"][: len(t)], strict=True)
+    ]
 
 
 def _frames_with_time(t: h5py.Dataset, count: int) -> int:

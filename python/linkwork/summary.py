@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,6 +28,7 @@ def numbers(result: Result) -> dict[str, Any]:
         "constraint_rank": result.header.row_count - len(result.redundant_rows),
         "unique_reactions": int(result.unique_reactions.sum()),
         "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
+        "events": [{"name": it.name, "t": it.t} for it in result.events],
         "finished": result.finished,
     }
 
@@ -51,6 +53,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
         ("energy", f"{_figure(found['energy_start'])} J at the start, error at most "
                    f"{_figure(found['max_energy_error'])} J"),
         ("reactions", _reactions(found)),
+        ("events", _events(result)),
         ("effort", _effort(result.statistics)),
     ]  # fmt: skip
 
@@ -73,6 +76,11 @@ def _reactions(found: dict[str, Any]) -> str:
         return ""
     rank = f"rank {found['constraint_rank']} of {found['constraints']}"
     return f"not unique in {left_open} of {found['joints']} joints ({rank}): shares of least norm"
+
+
+def _events(result: Result) -> str:
+    counts = Counter(it.name for it in result.events)
+    return ", ".join(f"{name} {count} times" if count > 1 else name for name, count in counts.items())
 
 
 def _effort(statistics: dict[str, Any]) -> str:

@@ -235,9 +235,7 @@ void Dynamics::add_correction(double h, MutableVector y) {
   y.head(system_.q_size()) += dq;
 }
 
-// The power of the constraints is v^T D^T lambda = lambda . (Phi_dot - Phi_t): -lambda . Phi_t for driven ones.
 void Dynamics::rates(MutableVector y_dot) {
-  const int nq = system_.q_size(), nv = system_.v_size();
   b_ = at_.gamma;
   if (kind_ == StabilizationKind::baumgarte) {
     const Gains gains = gains_or(textbook_gains);
@@ -245,10 +243,16 @@ void Dynamics::rates(MutableVector y_dot) {
   } else if (held_) {
     b_ += held_u_;
   }
-  solve(at_.g.head(nv), b_, v_dot_, lambda_);
+  solve(at_.g.head(system_.v_size()), b_, v_dot_, lambda_);
+  rates(v_dot_, lambda_, y_dot);
+}
+
+// The power of the constraints is v^T D^T lambda = lambda . (Phi_dot - Phi_t): -lambda . Phi_t for driven ones.
+void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const {
+  const int nq = system_.q_size(), nv = system_.v_size();
   system_.position_rates(y_.head(nq), y_.segment(nq, nv), y_dot.head(nq));
-  y_dot.segment(nq, nv) = v_dot_;
-  y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda_.dot(at_.Phi_t) : 0.0);
+  y_dot.segment(nq, nv) = v_dot;
+  y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
 }
 
 void throw_not_finite(const System& system, const VectorXd& y, double t) {

@@ -51,6 +51,11 @@ class Dynamics {
   /// D v_dot - gamma of all constraints, redundant ones included.
   void acceleration_residual(const ConstVector& v_dot, MutableVector residual);
 
+  /// Solves M x - D^T lambda = a, D x = b at the current state by the formulation.
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
+
+  StabilizationKind stabilization() const { return kind_; }
+
   // Sampled stabilization, for integrators. All three do nothing where another stabilization was chosen.
   bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
   /// Computes u from the current state with these gains (the user's, where given) and holds it for `rates`.
@@ -63,12 +68,13 @@ class Dynamics {
 
   /// y_dot at the current state, with the held correction or the continuous stabilization.
   void rates(MutableVector y_dot);
+  /// y_dot at the current state for accelerations and multipliers that were found otherwise.
+  void rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const;
 
   /// Called now and then inside long evaluations; may throw to end the run.
   void set_interrupt(std::function<void()> interrupt) { interrupt_ = std::move(interrupt); }
 
  private:
-  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void factorize_and_solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void check_masses(const FormulationInfo& info) const;
   void check_rank(const FormulationInfo& info) const;

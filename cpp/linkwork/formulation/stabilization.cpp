@@ -10,6 +10,10 @@ const std::vector<StabilizationInfo>& stabilizations() {
       {"baumgarte", StabilizationKind::baumgarte, "gamma - 2 alpha Phi_dot - beta^2 Phi in every evaluation, (12.8)"},
       {"sampled_baumgarte", StabilizationKind::sampled_baumgarte,
        "the same term computed once a step and held: keeps the order of the integrator"},
+      {"projection", StabilizationKind::projection,
+       "positions and velocities go back to the constraints after each step"},
+      {"position_projection", StabilizationKind::position_projection, "projection of positions alone"},
+      {"velocity_projection", StabilizationKind::velocity_projection, "projection of velocities alone"},
   };
   return all;
 }

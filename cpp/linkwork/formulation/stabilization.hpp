@@ -20,6 +20,10 @@ enum class StabilizationKind {
   /// u = -2 alpha Phi_dot - beta^2 Phi computed at the start of a step and held: with gains proportional to 1/h the
   /// violation vanishes in two steps, and the order of the integrator is kept because u does not vary inside a step.
   sampled_baumgarte,
+  /// After each step the state goes back to the constraints with the least change, see Projection.
+  projection,
+  position_projection,
+  velocity_projection,
 };
 
 struct StabilizationInfo {
@@ -30,6 +34,13 @@ struct StabilizationInfo {
 
 const std::vector<StabilizationInfo>& stabilizations();
 StabilizationKind stabilization_kind(const std::string& name);
+
+constexpr bool projects_positions(StabilizationKind kind) {
+  return kind == StabilizationKind::projection || kind == StabilizationKind::position_projection;
+}
+constexpr bool projects_velocities(StabilizationKind kind) {
+  return kind == StabilizationKind::projection || kind == StabilizationKind::velocity_projection;
+}
 
 /// Textbook gains of continuous Baumgarte stabilization.
 constexpr Gains textbook_gains{5.0, 5.0};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 namespace linkwork {
 namespace {
@@ -25,6 +26,11 @@ void check(const AdaptiveSchedule& schedule) {
     refuse("times", "must lie between 0 and t_end");
 }
 
+// Events that end steps accumulate, like the bounces of a ball, when so many in a row have come after ever shorter
+// times, the last of which is less than this part of t_end.
+constexpr int many_shorter = 8;
+constexpr double shorter = 0.999, short_time = 1e-6;
+
 std::string scientific(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
@@ -33,12 +39,14 @@ std::string scientific(double value) {
 
 }  // namespace
 
-AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& pair, const AdaptiveSchedule& schedule)
+AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& pair, const AdaptiveSchedule& schedule,
+                                       std::vector<Event> events)
     : Run(dynamics),
       schedule_(schedule),
       stepper_(pair),
       measure_(dynamics.system(), schedule.tolerances),
-      controller_(pair.error_order + 1) {
+      controller_(pair.error_order + 1),
+      watch_(std::move(events)) {
   check(schedule);
   stepper_.start(dynamics.y_size());
   work_.resize(dynamics.y_size());
@@ -61,7 +69,11 @@ void AdaptiveSimulation::begin() {
   evaluate(t_, y_);
   record_if_due();
   finished_ = t_ >= schedule_.t_end;
-  if (!finished_) dated(t_, NAN, [&] { step_ = initial_step(); });
+  if (finished_) return;
+  dated(t_, NAN, [&] {
+    watch_.start(t_, y_);
+    step_ = initial_step();
+  });
 }
 
 // Hairer, Norsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.4: a step in which the state
@@ -118,9 +130,51 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
 
 void AdaptiveSimulation::accept(double h, double error) {
   accepted_ = evaluated_ = true;
+  h_ = h;
+  y_new_ = stepper_.y_new();
   statistics_.smallest = std::min(statistics_.smallest, h);
   statistics_.largest = std::max(statistics_.largest, h);
   step_ = controller_.after_accepted(h, error);
+  stop_.reset();
+  if (!watch_.empty()) dated(t_, h, [&] { look_for_events(); });
+}
+
+void AdaptiveSimulation::look_for_events() {
+  if (stepper_.prepare_interpolation(dynamics_)) evaluated_ = false;
+  const System& system = dynamics_.system();
+  const Eigen::Index size = y_.size() - 1;
+  for (const EventWatch::Found& found : watch_.scan(stepper_, system, t_, h_)) {
+    stepper_.interpolate(system, found.theta, work_);
+    const double t = t_ + found.theta * h_;
+    of_step_.push_back({found.event, t, work_.head(size), work_.head(size)});
+    if (!watch_.event(found.event).stops()) continue;
+    stop_ = found;
+    t_new_ = t;
+    y_new_ = work_;
+    evaluated_ = false;
+  }
+}
+
+/// The work takes up the energy that the event makes or takes away.
+bool AdaptiveSimulation::apply(const Event& event) {
+  const System& system = dynamics_.system();
+  const Eigen::Index size = y_.size() - 1;
+  const auto energy = [&] {
+    return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
+  };
+  const double before = energy();
+  const Changed changed = event.change(t_, y_.head(size));
+  if (changed.y.size() != size || !changed.y.allFinite())
+    throw OptionError("event", "event '" + event.name + "': the state after it has a wrong size or is not finite");
+  y_.head(size) = changed.y;
+  system.normalize(y_.head(system.q_size()));
+  dynamics_.evaluate(t_, y_);
+  projection().positions(t_, y_);
+  projection().velocities(t_, y_);
+  dynamics_.evaluate(t_, y_);
+  y_[size] += energy() - before;
+  of_step_.back().after = y_.head(size);
+  return changed.ends;
 }
 
 void AdaptiveSimulation::reject(double h, const BodyMaximum& error) {
@@ -154,7 +208,7 @@ void AdaptiveSimulation::record_inside() {
   const double t = schedule_.times[next_time_++];
   dated(t, NAN, [&] {
     stepper_.prepare_interpolation(dynamics_);
-    stepper_.interpolate(dynamics_.system(), (t - t_) / (t_new_ - t_), work_);
+    stepper_.interpolate(dynamics_.system(), (t - t_) / h_, work_);
     dynamics_.evaluate(t, work_);
     recorder_.record(t, work_);
   });
@@ -164,21 +218,56 @@ void AdaptiveSimulation::record_inside() {
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
   t_ = t_new_;
-  y_ = stepper_.y_new();
+  y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
+  if (projects()) {
+    dated(t_, h_, [&] { projection().stabilize(t_, y_); });
+    evaluated_ = false;
+  }
   if (!evaluated_) evaluate(t_, y_);
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
+  if (stop_) finish_event();
+  std::move(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_));
+  of_step_.clear();
   record_if_due();
+  if (finished_ || !stop_) return;
+  dated(t_, NAN, [&] {
+    check_accumulation();
+    watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
+    step_ = initial_step();
+  });
+  controller_.restart();
+}
+
+void AdaptiveSimulation::finish_event() {
+  const Event& event = watch_.event(stop_->event);
+  finished_ = finished_ || event.terminal;
+  if (event.change) dated(t_, NAN, [&] { finished_ = apply(event) || finished_; });
+}
+
+void AdaptiveSimulation::check_accumulation() {
+  const double interval = t_ - last_stop_;
+  const bool vanishes = interval <= watch_.event(stop_->event).tolerance;
+  shorter_ = vanishes || interval <= shorter * last_interval_ ? shorter_ + 1 : 0;
+  last_stop_ = t_;
+  last_interval_ = interval;
+  if (shorter_ < many_shorter || interval >= short_time * schedule_.t_end) return;
+  throw StepSizeError("event",
+                      "event '" + watch_.event(stop_->event).name + "' comes after ever shorter times, at last " +
+                          scientific(interval) +
+                          " s: infinitely many would come before the run goes on; make it terminal, or let its "
+                          "change end the run when what bounces has become slow");
 }
 
 /// A state at which a step begins or ends.
 void AdaptiveSimulation::record_if_due() {
   const auto& times = schedule_.times;
-  bool due = schedule_.record_every > 0 && (finished_ || steps_done_ % schedule_.record_every == 0);
+  const bool last = finished_ && stop_;
+  bool due = schedule_.record_every > 0 && (finished_ || stop_ || steps_done_ % schedule_.record_every == 0);
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
-  if (due) dated(t_, NAN, [&] { recorder_.record(t_, y_); });
+  if (due || last) dated(t_, NAN, [&] { recorder_.record(t_, y_); });
 }
 
 }  // namespace linkwork

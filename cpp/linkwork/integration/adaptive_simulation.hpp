@@ -1,17 +1,21 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "linkwork/integration/embedded_pair.hpp"
+#include "linkwork/integration/events.hpp"
 #include "linkwork/integration/run.hpp"
 #include "linkwork/integration/step_control.hpp"
 
 namespace linkwork {
 
 /// How far to go, how exactly, and what to keep. Times in s. One of `record_every` and `times` says which states are
-/// recorded; output never limits the step.
+/// recorded; output never limits the step. An event that changes the state or ends the run ends a step: that state is
+/// recorded with `record_every`, and with `times` where it ends the run.
 struct AdaptiveSchedule {
   double t_end = 0.0;
   Tolerances tolerances;
@@ -26,13 +30,17 @@ struct StepStatistics {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
 };
 
-/// A run with steps as large as the tolerances allow.
+/// A run with steps as large as the tolerances allow. After an event that changes the state, velocities and positions
+/// go to the constraints (see Projection), the work counts what the event did, and the steps begin anew.
 class AdaptiveSimulation final : public Run {
  public:
-  AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& pair, const AdaptiveSchedule& schedule);
+  AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& pair, const AdaptiveSchedule& schedule,
+                     std::vector<Event> events = {});
 
   double t() const override { return t_; }
   const StepStatistics& step_statistics() const { return statistics_; }
+  /// The events of the steps finished since the last call.
+  std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
 
  private:
   void work() override;
@@ -41,8 +49,13 @@ class AdaptiveSimulation final : public Run {
   void attempt();
   BodyMaximum trial(double h);
   void accept(double h, double error);
+  void look_for_events();
+  void finish_event();
+  /// True where the change ends the run.
+  bool apply(const Event& event);
   void reject(double h, const BodyMaximum& error);
   [[noreturn]] void throw_step_size(const BodyMaximum& error) const;
+  void check_accumulation();
   bool output_inside() const;
   void record_inside();
   void finish_step();
@@ -54,7 +67,14 @@ class AdaptiveSimulation final : public Run {
   ErrorMeasure measure_;
   StepController controller_;
   StepStatistics statistics_;
-  double t_ = 0.0, t_new_ = 0.0;
+  EventWatch watch_;
+  std::vector<Occurrence> of_step_;        ///< found in the current step, which is not finished
+  std::vector<Occurrence> occurrences_;    ///< of finished steps
+  std::optional<EventWatch::Found> stop_;  ///< the event that ends the current step
+  double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
+  int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
+  double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
+  VectorXd y_new_;     ///< at t_new_
   double step_ = 0.0;  ///< what the controller proposes
   bool begun_ = false;
   bool accepted_ = false;   ///< the stepper holds the step from t_ to t_new_

@@ -14,6 +14,8 @@ class Integrator {
   virtual ~Integrator() = default;
   virtual const std::string& name() const = 0;
   virtual int order() const = 0;
+  /// OptionError: a choice of the run that this method cannot honor.
+  virtual void check_run(const Dynamics&) const {}
   /// Forgets earlier steps and sizes its memory.
   virtual void start(int y_size) = 0;
   /// Advances y from t to t + h. On entry `dynamics` is evaluated at (t, y): that evaluation is the first stage.
@@ -39,6 +41,16 @@ struct MultistepCoefficients {
   ButcherTableau starter;
 };
 
+/// Coefficients of a half-explicit Runge-Kutta method of s stages: A strictly lower triangular leads to the stages,
+/// A_bar lower triangular to the states that satisfy the velocity constraints, the last of which is the new state.
+struct HalfExplicitTableau {
+  std::string name;
+  int order = 0;
+  MatrixXd A, A_bar;
+  bool explicit_first_stage = false;  ///< it uses D v_dot = gamma; row 0 of A_bar is then not used
+};
+
+std::unique_ptr<Integrator> make_half_explicit(const HalfExplicitTableau& tableau);
 std::unique_ptr<Integrator> make_runge_kutta(const ButcherTableau& tableau);
 std::unique_ptr<Integrator> make_multistep(const MultistepCoefficients& coefficients);
 /// v' = v + h v_dot(q, v), q' = q + h N(q) v'.

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
+#include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -31,6 +33,14 @@ class Run {
   const VectorXd& y() const { return y_; }
 
  protected:
+  Projection& projection() {
+    if (!projection_) projection_ = std::make_unique<Projection>(dynamics_);
+    return *projection_;
+  }
+  bool projects() const {
+    return projects_positions(dynamics_.stabilization()) || projects_velocities(dynamics_.stabilization());
+  }
+
   /// A step, or a part of one.
   virtual void work() = 0;
 
@@ -39,6 +49,9 @@ class Run {
   VectorXd y_;  ///< at t()
   std::int64_t steps_done_ = 0;
   bool finished_ = false;
+
+ private:
+  std::unique_ptr<Projection> projection_;  ///< where one is needed
 };
 
 /// Calls `action`; an error that leaves it says when [s], which a stage may know better, and in a step of which size

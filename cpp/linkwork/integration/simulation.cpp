@@ -22,7 +22,9 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   if (steps > 1e15) throw OptionError("step", "t_end / step is more than 1e15 steps; use a larger step");
   steps_total_ = static_cast<std::int64_t>(steps);
   y_dot_.resize(y_.size());
-  if (integrator_) integrator_->start(static_cast<int>(y_.size()));
+  if (!integrator_) return;
+  integrator_->check_run(dynamics);
+  integrator_->start(static_cast<int>(y_.size()));
 }
 
 double Simulation::time_of(std::int64_t step) const {
@@ -60,6 +62,7 @@ void Simulation::finish_step() {
   const double t_new = time_of(steps_done_ + 1);
   if (!y_.allFinite()) dated(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
   system.normalize(y_.head(system.q_size()));
+  if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
   steps_done_ += 1;
   evaluated_ = false;
 }

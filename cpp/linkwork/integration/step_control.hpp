@@ -13,9 +13,9 @@ class StepController {
   explicit StepController(int estimate_order) : k_(estimate_order) {}
 
   double after_accepted(double h, double error) {
-    error = std::max(error, least_error);
-    const double factor = safety * std::pow(error, -0.7 / k_) * std::pow(last_error_, 0.4 / k_);
-    last_error_ = error;
+    const double factor =
+        error > 0.0 ? safety * std::pow(error, -0.7 / k_) * std::pow(last_error_, 0.4 / k_) : INFINITY;
+    last_error_ = std::max(error, least_error);
     const double most = rejected_ ? 1.0 : 5.0;
     rejected_ = false;
     return h * std::clamp(factor, 0.2, most);

@@ -16,7 +16,11 @@ _OPTIONS: tuple[tuple[str, type, str], ...] = (
     ("integrator", str, "rk4, dopri5, ab4, ...: any of `linkwork.integrators.METHODS`."),
     ("formulation", str, "standard, penalty or augmented_lagrangian."),
     ("system", str, "Linear system of the standard method: kkt, schur or auto."),
-    ("stabilization", str, "none, baumgarte or sampled_baumgarte."),
+    (
+        "stabilization",
+        str,
+        "none, baumgarte, sampled_baumgarte, projection, position_projection or velocity_projection.",
+    ),
     ("linear_solver", str, "cholmod, umfpack, klu, spqr, eigen_ldlt, dense or auto."),
     ("penalty", float, "Penalty factor; without it scaled to the mechanism."),
     ("baumgarte_alpha", float, "Gain of the velocity violation [1/s]."),

@@ -1,0 +1,121 @@
+#include "linkwork/integration/events.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "linkwork/math/brent.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+// Ends of the pieces of a step: two zeros within one are not seen. The first few count after an event.
+constexpr std::array<double, 14> places = {0x1p-22, 0x1p-20, 0x1p-18, 0x1p-16, 0x1p-14, 0x1p-12, 0x1p-10,
+                                           0x1p-8,  0x1p-6,  0x1p-4,  0.25,    0.5,     0.75,    1.0};
+constexpr std::size_t usual_places = 4;
+
+constexpr double line = 1e-7;     // of the size of q: for differences of an event's function
+constexpr double at_rest = 1e-6;  // of the speed before an event: what those differences resolve
+
+void check(const Event& event) {
+  const auto refuse = [&](const std::string& why) { throw OptionError("event", "event '" + event.name + "': " + why); };
+  if (!event.function) refuse("has no function");
+  if (event.direction < -1 || event.direction > 1) refuse("the direction must be 1 (rising), -1 (falling) or 0 (both)");
+  if (!(event.tolerance >= 0.0) || !std::isfinite(event.tolerance)) refuse("the tolerance must not be negative");
+}
+
+}  // namespace
+
+EventWatch::EventWatch(std::vector<Event> events)
+    : events_(std::move(events)), last_value_(events_.size(), 0.0), last_theta_(events_.size(), 0.0) {
+  for (const Event& event : events_) check(event);
+}
+
+double EventWatch::value(std::size_t index, double t, const VectorXd& y) {
+  q_and_v_ = y.head(y.size() - 1);
+  const double value = events_[index].function(t, q_and_v_);
+  if (std::isnan(value))
+    throw OptionError("event", "event '" + events_[index].name + "': its function is not a number");
+  return value;
+}
+
+void EventWatch::start(double t, const VectorXd& y) {
+  for (std::size_t k = 0; k < events_.size(); ++k) last_value_[k] = value(k, t, y);
+  fresh_ = false;
+}
+
+void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
+                         const Found& happened) {
+  start(t, y);
+  fresh_ = true;
+  const std::size_t k = happened.event;
+  const double through = happened.side * rate(system, k, t, before), now = happened.side * rate(system, k, t, y);
+  // So soon after a barrier the motion through zero is roundoff, and so may be its direction.
+  const double soon = events_[k].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * t;
+  const bool held = barrier_ == k && t - barrier_t_ <= soon;
+  const bool barrier = held || (through > 0.0 && now <= at_rest * through);
+  barrier_ = barrier ? std::optional(k) : std::nullopt;
+  barrier_t_ = t;
+  last_value_[k] = barrier ? -happened.side : 0.0;
+}
+
+/// Change of the function in time by the motion of the bodies, (g(q + s q_dot, v) - g(q, v)) / s. The difference is
+/// taken along a short line and not in time: it is as good for a slow motion as for a fast one.
+double EventWatch::rate(const System& system, std::size_t index, double t, const VectorXd& y) {
+  const int nq = system.q_size();
+  state_ = y;
+  VectorXd q_dot(nq);
+  system.position_rates(y.head(nq), y.segment(nq, system.v_size()), q_dot);
+  const double speed = q_dot.cwiseAbs().maxCoeff();
+  if (speed == 0.0) return 0.0;
+  const double s = line * (1.0 + y.head(nq).cwiseAbs().maxCoeff()) / speed;
+  state_.head(nq) += s * q_dot;
+  system.normalize(state_.head(nq));
+  return (value(index, t, state_) - value(index, t, y)) / s;
+}
+
+const std::vector<EventWatch::Found>& EventWatch::scan(const PairStepper& stepper, const System& system, double t,
+                                                       double h) {
+  found_.clear();
+  std::fill(last_theta_.begin(), last_theta_.end(), 0.0);
+  const auto stops = [&](const Found& found) { return events_[found.event].stops(); };
+  double from = 0.0;
+  for (std::size_t place = fresh_ ? 0 : places.size() - usual_places; place < places.size(); ++place) {
+    const std::size_t before = found_.size();
+    scan_piece(stepper, system, t, h, from, places[place]);
+    from = places[place];
+    const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(before);
+    std::stable_sort(begin, found_.end(), [](const Found& a, const Found& b) { return a.theta < b.theta; });
+    const auto stop = std::find_if(begin, found_.end(), stops);
+    if (stop == found_.end()) continue;
+    found_.erase(stop + 1, found_.end());
+    break;
+  }
+  fresh_ = false;
+  return found_;
+}
+
+void EventWatch::scan_piece(const PairStepper& stepper, const System& system, double t, double h, double from,
+                            double to) {
+  for (std::size_t k = 0; k < events_.size(); ++k) {
+    const auto at = [&](double theta) {
+      stepper.interpolate(system, theta, state_);
+      return value(k, t + theta * h, state_);
+    };
+    const double now = at(to), last = last_value_[k];
+    if (now == 0.0) continue;
+    if ((last < 0.0) != (now < 0.0) && last != 0.0 && events_[k].direction * now >= 0.0) {
+      const double a = std::min(last_theta_[k], from), fa = a == 0.0 ? at(a) : last;
+      // A sample of zero between the two has no sign, and at the start of a step the interpolant may round otherwise.
+      const double theta =
+          (fa < 0.0) == (now < 0.0) || fa == 0.0 ? a : brent(at, a, fa, to, now, events_[k].tolerance / h);
+      found_.push_back({k, theta, now > 0.0 ? 1.0 : -1.0});
+    }
+    last_value_[k] = now;
+    last_theta_[k] = to;
+  }
+}
+
+}  // namespace linkwork

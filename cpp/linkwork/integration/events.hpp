@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linkwork/integration/embedded_pair.hpp"
+
+namespace linkwork {
+
+/// The state y = (q, v) after an event.
+struct Changed {
+  VectorXd y;
+  bool ends = false;  ///< the run
+};
+
+/// What happens when a function of the state passes through zero. States are y = (q, v).
+struct Event {
+  std::string name;
+  std::function<double(double t, const VectorXd& y)> function;
+  int direction = 0;                                           ///< 1: rising, -1: falling, 0: both
+  bool terminal = false;                                       ///< ends the run
+  std::function<Changed(double t, const VectorXd& y)> change;  ///< empty: the state stays the same
+  double tolerance = 1e-12;                                    ///< of its time [s], beside roundoff
+
+  bool stops() const { return terminal || change; }  ///< ends the step
+};
+
+/// An event that came: when [s], and the states y = (q, v) before and after it.
+struct Occurrence {
+  std::size_t event;
+  double t;
+  VectorXd before, after;
+};
+
+/// Finds the events of a step from the signs of their functions at its end and at three places inside; after an event
+/// that ended a step also at places ever nearer to the start, where what came back at once can be seen to leave and to
+/// return. A value of zero has no sign: what is zero at the start begins to count when it has become positive or
+/// negative.
+///
+/// After an event that changed the state the sign is not known either, its function is zero up to roundoff, unless the
+/// change was a barrier: it stopped or turned back the motion through zero. Then the sign is that of the side from
+/// which the motion came, and to be on the other side is the same event again; a bounce too small to be seen is not
+/// lost.
+class EventWatch {
+ public:
+  /// OptionError: an event without a function, with a direction other than -1, 0, 1, or a negative tolerance.
+  explicit EventWatch(std::vector<Event> events);
+
+  struct Found {
+    std::size_t event;
+    double theta;  ///< place in the step, 0 to 1
+    double side;   ///< 1 or -1: the sign after it
+  };
+
+  bool empty() const { return events_.empty(); }
+  const Event& event(std::size_t index) const { return events_[index]; }
+
+  /// Takes the signs at (t, y), y = (q, v, work).
+  void start(double t, const VectorXd& y);
+  /// The same after an event that has changed the state at t from `before` to y.
+  void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened);
+  /// The events of the step from t to t + h in order of time, none after the first that ends the step. `stepper` can
+  /// interpolate.
+  const std::vector<Found>& scan(const PairStepper& stepper, const System& system, double t, double h);
+
+ private:
+  double value(std::size_t index, double t, const VectorXd& y);
+  double rate(const System& system, std::size_t index, double t, const VectorXd& y);
+  void scan_piece(const PairStepper& stepper, const System& system, double t, double h, double from, double to);
+
+  std::vector<Event> events_;
+  std::vector<double> last_value_, last_theta_;  ///< of the last sample that was not zero
+  std::vector<Found> found_;
+  bool fresh_ = false;                  ///< an event has just ended a step
+  std::optional<std::size_t> barrier_;  ///< the last event that ended a step, where its change was a barrier
+  double barrier_t_ = 0.0;
+  VectorXd state_, q_and_v_;
+};
+
+}  // namespace linkwork

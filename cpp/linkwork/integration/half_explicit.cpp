@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/integration/integrator.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+// Of the acceleration of a stage: its error enters the velocity times h.
+constexpr double exact = 1e-13, roundoff = 1e-8, shrinking = 0.5;
+constexpr int most_iterations = 50;
+
+void check(const HalfExplicitTableau& tableau) {
+  const Eigen::Index s = tableau.A.rows();
+  const auto refuse = [&](const std::string& why) {
+    throw OptionError("tableau", "half-explicit method '" + tableau.name + "': " + why);
+  };
+  if (s < 1 || tableau.A.cols() != s || tableau.A_bar.rows() != s || tableau.A_bar.cols() != s)
+    refuse("A and A_bar must be s x s");
+  if (!tableau.A.allFinite() || !tableau.A_bar.allFinite()) refuse("a coefficient is not finite");
+  if (tableau.A.triangularView<Eigen::Upper>().toDenseMatrix().cwiseAbs().maxCoeff() > 0.0)
+    refuse("A must be strictly lower triangular");
+  if (tableau.A_bar.triangularView<Eigen::StrictlyUpper>().toDenseMatrix().cwiseAbs().maxCoeff() > 0.0)
+    refuse("A_bar must be lower triangular");
+  const Eigen::Index first = tableau.explicit_first_stage ? 1 : 0;
+  if (s == first || tableau.A_bar.diagonal().tail(s - first).cwiseAbs().minCoeff() == 0.0)
+    refuse("the diagonal of A_bar must not vanish");
+  if (std::abs(tableau.A_bar.row(s - 1).sum() - 1.0) > 1e-12) refuse("the last row of A_bar must add up to 1");
+}
+
+/// Half-explicit Runge-Kutta, Brasey and Hairer (1993), SIAM J. Numer. Anal. 30, 538-552, and Murua (1997), Computing
+/// 59, 43-61. With Y_i = y + h sum_{j<i} a_ij k_j and Yb_i = y + h sum_{j<=i} ab_ij k_j, k = (N V, V'), stage i solves
+///   M V'_i - D(Q_i)^T L_i = g(Q_i, V_i),   D(Qb_i) V'_i = -(D(Qb_i) Vp_i + Phi_t(Qb_i)) / (h ab_ii),
+/// Vp_i the part of Vb_i without V'_i, so that Yb_i satisfies the velocity constraints; the new state is Yb_s.
+///
+/// The matrix [M D(Q_i)^T; D(Qb_i) 0] is not symmetric. Its solution is found by iterative refinement with the
+/// formulation's factorization at Q_i: with r = b - D(Qb_i) x,
+///   M dx - D(Q_i)^T dL = 0,   D(Q_i) dx = r.
+/// The residual shrinks by |(D(Qb_i) - D(Q_i)) M^-1 D^T S^-1| = O(h) each time, about the angle that bodies turn
+/// between Q_i and Qb_i.
+class HalfExplicit final : public Integrator {
+ public:
+  explicit HalfExplicit(const HalfExplicitTableau& tableau) : tableau_(tableau) { check(tableau); }
+
+  const std::string& name() const override { return tableau_.name; }
+  int order() const override { return tableau_.order; }
+
+  void check_run(const Dynamics& dynamics) const override {
+    const StabilizationKind kind = dynamics.stabilization();
+    if (kind == StabilizationKind::baumgarte || kind == StabilizationKind::sampled_baumgarte)
+      throw OptionError("conflict", "integrator '" + name() +
+                                        "' meets the velocity constraints themselves and has no " +
+                                        "use for stabilization '" + dynamics.options().stabilization +
+                                        "': choose 'projection', 'position_projection' or 'none'");
+  }
+
+  void start(int y_size) override {
+    k_.resize(y_size, tableau_.A.rows());
+    for (VectorXd* state : {&stage_, &met_}) state->resize(y_size);
+    at_.reset();
+  }
+
+  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
+    prepare(dynamics.system());
+    for (Eigen::Index i = 0; i < tableau_.A.rows(); ++i) {
+      if (i > 0) dynamics.evaluate(t + tableau_.A.row(i).sum() * h, sum(tableau_.A, i, i, h, y, stage_));
+      else stage_ = y;
+      if (i == 0 && tableau_.explicit_first_stage) dynamics.accelerations(x_, lambda_);
+      else constrain(dynamics, t, h, y, i);
+      dynamics.rates(x_, lambda_, k_.col(i));
+    }
+    sum(tableau_.A_bar, tableau_.A.rows() - 1, tableau_.A.rows(), h, y, stage_);
+    y = stage_;
+  }
+
+ private:
+  void prepare(const System& system) {
+    if (at_) return;
+    at_ = std::make_unique<Evaluation>(system.make_evaluation());
+    for (VectorXd* velocities : {&x_, &dx_}) velocities->setZero(system.v_size());
+    none_ = x_;
+    for (VectorXd* rows : {&lambda_, &dlambda_, &b_, &residual_}) rows->setZero(system.row_count());
+  }
+
+  /// out = y + h sum_{j < count} coefficients_ij k_j
+  VectorXd& sum(const MatrixXd& coefficients, Eigen::Index i, Eigen::Index count, double h, const VectorXd& y,
+                VectorXd& out) const {
+    out = y;
+    for (Eigen::Index j = 0; j < count; ++j)
+      if (coefficients(i, j) != 0.0) out += (h * coefficients(i, j)) * k_.col(j);
+    return out;
+  }
+
+  /// V'_i and L_i, at the state stage_ where `dynamics` is evaluated.
+  void constrain(Dynamics& dynamics, double t, double h, const VectorXd& y, Eigen::Index i) {
+    const System& system = dynamics.system();
+    const int nq = system.q_size(), nv = system.v_size();
+    const double own = h * tableau_.A_bar(i, i);
+    sum(tableau_.A_bar, i, i, h, y, met_);
+    system.position_rates(stage_.head(nq), stage_.segment(nq, nv), k_.col(i).head(nq));
+    met_.head(nq) += own * k_.col(i).head(nq);
+    system.evaluate_constraints(t + tableau_.A_bar.row(i).sum() * h, met_.head(nq), met_.segment(nq, nv), *at_);
+    b_ = at_->Phi_dot / -own;
+    dynamics.solve(dynamics.evaluation().g.head(nv), b_, x_, lambda_);
+    if (system.row_count() > 0) refine(dynamics);
+  }
+
+  void refine(Dynamics& dynamics) {
+    double last = INFINITY;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      dynamics.system().multiply_D(*at_, x_, residual_);
+      residual_ = b_ - residual_;
+      dynamics.solve(none_, residual_, dx_, dlambda_);
+      x_ += dx_;
+      lambda_ += dlambda_;
+      const double change = dx_.norm() / (1.0 + x_.norm());
+      if (change <= exact || (change <= roundoff && change > shrinking * last)) return;
+      if (!std::isfinite(change)) break;
+      last = change;
+    }
+    throw NotConvergedError("half_explicit", "integrator '" + name() +
+                                                 "': a stage does not meet its velocity constraints, the bodies turn "
+                                                 "too far in one step; use a smaller step");
+  }
+
+  HalfExplicitTableau tableau_;
+  std::unique_ptr<Evaluation> at_;  ///< of the constraints at Yb_i
+  MatrixXd k_;
+  VectorXd stage_, met_, x_, dx_, none_, lambda_, dlambda_, b_, residual_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_half_explicit(const HalfExplicitTableau& tableau) {
+  return std::make_unique<HalfExplicit>(tableau);
+}
+
+}  // namespace linkwork

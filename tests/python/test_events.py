@@ -1,0 +1,272 @@
+"""Events of adaptive runs: when they come, what they change, what is refused."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+from linkwork.integrators import METHODS, EmbeddedPair
+from numpy.typing import NDArray
+from scipy.special import ellipk
+
+Floats = NDArray[np.float64]
+
+GRAVITY = 9.81
+PAIRS = [name for name, method in METHODS.items() if isinstance(method, EmbeddedPair)]
+
+
+def run(model: lw.Model, t_end: float, *events: lw.Event, rtol: float = 1e-10, **options: Any) -> lw.Result:
+    return lw.simulate(model, t_end, rtol=rtol, events=events, progress=False, **options)
+
+
+def ball(height: float = 1.0) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, -GRAVITY))
+    model.body("ball", mass=2.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, height))
+    return model
+
+
+def floor(restitution: float, level: float = 0.0) -> lw.Event:
+    def height(t: float, state: lw.State) -> float:
+        return float(state.body("ball").position[2]) - level
+
+    def bounce(t: float, state: lw.State) -> None:
+        state.body("ball").velocity[2] *= -restitution
+
+    return lw.Event(height, direction=-1, change=bounce, name="floor")
+
+
+def clock(time: float, **options: Any) -> lw.Event:
+    return lw.Event(lambda t, state: t - time, name=f"at {time:g} s", **options)
+
+
+# --- when ---
+
+
+@pytest.mark.parametrize("integrator", PAIRS)
+def test_a_pendulum_passes_its_lowest_point_at_a_quarter_of_its_period(integrator: str) -> None:
+    """Released from the horizontal, the period is 4 sqrt(l / g) K(sin^2(45 deg))."""
+    rtol = 1e-8 if integrator == "bs32" else 1e-11
+    bottom = lw.Event(lambda t, state: state.body("bob").position[0], name="bottom")
+    result = run(mechanisms.pendulum(), 6.0, bottom, integrator=integrator, rtol=rtol)
+    quarter = np.sqrt(1 / GRAVITY) * ellipk(0.5)
+    exact = quarter * np.arange(1, 6.0 / quarter, 2)
+    assert [it.name for it in result.events] == ["bottom"] * len(exact)
+    np.testing.assert_allclose([it.t for it in result.events], exact, rtol=1000 * rtol)
+
+
+@pytest.mark.parametrize(("direction", "expected"), [(1, [0]), (-1, [1]), (0, [0, 1])])
+def test_the_direction_chooses_the_crossing(direction: int, expected: list[int]) -> None:
+    """A stone thrown up with 5 m/s crosses 1 m going up and coming down."""
+    model = lw.Model(gravity=(0, 0, -GRAVITY))
+    model.body("stone", mass=1.0, inertia=(1, 1, 1), velocity=(0, 0, 5))
+    event = lw.Event(lambda t, state: state.q[0, 2] - 1.0, direction=direction)
+    root = np.sqrt(25 - 2 * GRAVITY)
+    exact = np.array([5 - root, 5 + root]) / GRAVITY
+    found = [it.t for it in run(model, 1.5, event).events]
+    np.testing.assert_allclose(found, exact[expected], atol=1e-10)
+
+
+def test_events_of_one_step_come_in_order_of_time() -> None:
+    times = [0.7, 0.1, 0.4, 0.100001]
+    result = run(lw_resting(), 1.0, *(clock(time) for time in times))
+    assert result.statistics["steps"] <= 3
+    np.testing.assert_allclose([it.t for it in result.events], sorted(times), atol=1e-11)
+
+
+def lw_resting() -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("stone", mass=1.0, inertia=(1, 1, 1))
+    return model
+
+
+def test_an_event_that_changes_nothing_changes_no_step() -> None:
+    bottom = lw.Event(lambda t, state: state.body("bob").position[0])
+    bare, watched = (run(mechanisms.pendulum(), 3.0, *events, record_every=1) for events in ((), (bottom,)))
+    np.testing.assert_array_equal(bare.t, watched.t)
+    assert len(watched.events) == 3
+
+
+def test_a_value_of_zero_at_the_start_is_no_event() -> None:
+    event = lw.Event(lambda t, state: state.q[0, 2] - 1.0)
+    assert run(ball(), 0.3, event).events == ()
+
+
+# --- the end ---
+
+
+def test_a_terminal_event_ends_the_run_at_its_time() -> None:
+    impact = lw.Event(lambda t, state: state.body("ball").position[2], terminal=True, name="impact")
+    result = run(ball(), 5.0, impact, times=[0.1, 0.2, 3.0])
+    exact = np.sqrt(2 / GRAVITY)
+    np.testing.assert_allclose(result.t, [0.1, 0.2, exact], rtol=1e-10)
+    assert result.position[-1, 0, 2] == pytest.approx(0.0, abs=1e-10)
+    assert result.velocity[-1, 0, 2] == pytest.approx(-GRAVITY * exact, rel=1e-9)
+    assert "impact" in result.summary()
+
+
+def test_of_two_terminal_events_in_one_step_the_first_counts() -> None:
+    result = run(lw_resting(), 1.0, clock(0.6, terminal=True), clock(0.3, terminal=True), clock(0.2))
+    assert [it.name for it in result.events] == ["at 0.2 s", "at 0.3 s"]
+    assert result.t[-1] == pytest.approx(0.3)
+
+
+# --- changes ---
+
+
+@pytest.mark.parametrize("integrator", PAIRS)
+def test_a_ball_bounces_when_and_as_high_as_it_must(integrator: str) -> None:
+    restitution, first = 0.8, np.sqrt(2 / GRAVITY)
+    result = run(ball(), 3.0, floor(restitution), integrator=integrator, rtol=1e-8)
+    flights = 2 * first * restitution ** np.arange(1, 20)
+    exact = first + np.concatenate([[0.0], np.cumsum(flights)])
+    np.testing.assert_allclose([it.t for it in result.events], exact[exact < 3.0], atol=1e-7)
+    for k, it in enumerate(result.events):
+        assert it.v_before[0, 2] == pytest.approx(-GRAVITY * first * restitution**k, rel=1e-6)
+        assert it.v_after[0, 2] == pytest.approx(-restitution * it.v_before[0, 2], rel=1e-12)
+
+
+def test_the_work_counts_what_an_impact_takes() -> None:
+    result = run(ball(), 1.0, floor(0.5), record_every=1)
+    assert np.abs(result.energy_error).max() < 1e-10
+    lost = result.energy[0] - result.energy[-1]
+    assert lost == pytest.approx(2.0 * GRAVITY * (1 - 0.5**4), rel=1e-8)
+    assert result.work[-1] == pytest.approx(-lost)
+
+
+@pytest.mark.parametrize("level", [0.0, 1000.0])
+@pytest.mark.parametrize("restitution", [0.0, 1e-3, 0.01, 0.05, 0.2, 0.5, 0.8, 0.9, 0.95])
+def test_a_ball_never_falls_through_the_floor(restitution: float, level: float) -> None:
+    """Its bounces accumulate at sqrt(2 / g) (1 + e) / (1 - e); nothing after that is computed."""
+    end = np.sqrt(2 / GRAVITY) * (1 + restitution) / (1 - restitution)
+    with pytest.raises(lw.StepSizeError, match="event 'floor' comes after ever shorter times") as caught:
+        run(ball(level + 1.0), 1.5 * end, floor(restitution, level), rtol=1e-8)
+    assert caught.value.time == pytest.approx(end, rel=1e-3)
+
+
+def test_a_change_ends_the_run_where_it_says_so() -> None:
+    """After five bounces with e = 1/2 the speed is 1/32 of the first."""
+    bounce, first = floor(0.5).change, GRAVITY * np.sqrt(2 / GRAVITY)
+    assert bounce is not None
+
+    def bounce_or_rest(t: float, state: lw.State) -> bool:
+        bounce(t, state)
+        return bool(state.v[0, 2] < first / 20)
+
+    impact = lw.Event(floor(0.5).function, direction=-1, change=bounce_or_rest)
+    result = run(ball(), 3.0, impact)
+    assert len(result.events) == 5
+    assert result.t[-1] == result.events[-1].t
+    assert result.velocity[-1, 0, 2] == pytest.approx(first / 32)
+
+
+def test_a_kick_in_passing_is_given_once() -> None:
+    """A change that does not turn the motion back is no barrier: 1 m/s more at the passage through x = 0."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("cart", mass=1.0, inertia=(1, 1, 1), position=(-1, 0, 0), velocity=(1, 0, 0))
+
+    def kick(t: float, state: lw.State) -> None:
+        state.body("cart").velocity[0] += 1.0
+
+    result = run(model, 3.0, lw.Event(lambda t, state: state.q[0, 0], change=kick))
+    assert len(result.events) == 1
+    assert result.position[-1, 0, 0] == pytest.approx(4.0)
+
+
+def test_joints_answer_an_impulse_on_one_body() -> None:
+    """An impulse I across the free end of a pinned rod gives omega = I l / (m l^2 / 3), by way of the pin."""
+    impulse, kick = 0.3, 0.5
+    model = mechanisms.rod_pendulum()
+
+    def strike(t: float, state: lw.State) -> None:
+        rod = state.body("rod")
+        along = 2 * rod.position
+        across = np.array([-along[1], along[0], 0.0])
+        rod.velocity += impulse * across  # 1 kg
+        rod.omega[2] += impulse * 0.5 / (1 / 12)
+
+    result = run(model, 1.0, clock(kick, change=strike), record_every=1)
+    (it,) = result.events
+    jump = it.v_after[0] - it.v_before[0]
+    assert jump[5] == pytest.approx(3 * impulse, rel=1e-9)
+    along = 2 * it.q_before[0, :3]
+    np.testing.assert_allclose(jump[:3], 1.5 * impulse * np.array([-along[1], along[0], 0]), atol=1e-9)
+    assert result.violation[:, :2].max() < 1e-9
+    assert np.abs(result.energy_error).max() < 1e-8
+
+
+def test_a_pendulum_that_bounces_off_a_wall_without_loss_swings_for_ever() -> None:
+    """A wall at the lowest point, restitution 1: the mirror image of the free pendulum."""
+
+    def bounce(t: float, state: lw.State) -> None:
+        state.v *= -1.0
+
+    wall = lw.Event(lambda t, state: state.body("bob").position[0], direction=1, change=bounce, name="wall")
+    times = np.linspace(0, 4, 41)
+    free = run(mechanisms.pendulum(), 4.0, rtol=1e-11, times=times)
+    walled = run(mechanisms.pendulum(), 4.0, wall, rtol=1e-11, times=times)
+    assert len(walled.events) == 3
+    mirrored = -np.abs(free.position[:, 0, 0])
+    np.testing.assert_allclose(walled.position[:, 0, 0], mirrored, atol=1e-8)
+    np.testing.assert_allclose(walled.energy, walled.energy[0], atol=1e-8)
+
+
+def test_with_every_step_recorded_an_event_that_changes_the_state_has_a_frame() -> None:
+    result = run(ball(), 1.0, floor(0.5), record_every=3)
+    assert {it.t for it in result.events} <= set(result.t)
+    assert len(result.events) == 2
+
+
+# --- files ---
+
+
+def test_events_come_back_from_a_file(tmp_path: Path) -> None:
+    written = run(ball(), 1.0, floor(0.5), output=tmp_path / "run.h5")
+    in_memory = run(ball(), 1.0, floor(0.5))
+    in_memory.save(tmp_path / "saved.h5")
+    for result in (written, lw.Result.load(tmp_path / "saved.h5")):
+        assert [it.name for it in result.events] == ["floor", "floor"]
+        for found, exact in zip(result.events, in_memory.events, strict=True):
+            assert found.t == exact.t
+            for field in ("q_before", "v_before", "q_after", "v_after"):
+                np.testing.assert_array_equal(getattr(found, field), getattr(exact, field))
+
+
+def test_the_events_of_a_run_that_failed_are_in_its_file(tmp_path: Path) -> None:
+    with pytest.raises(lw.StepSizeError):
+        run(ball(), 3.0, floor(0.5), output=tmp_path / "run.h5")
+    result = lw.Result.load(tmp_path / "run.h5")
+    assert not result.finished
+    assert len(result.events) > 10
+
+
+# --- what is refused ---
+
+
+@pytest.mark.parametrize(
+    ("event", "message"),
+    [
+        (lambda t, state: 1.0, "is no linkwork.Event"),
+        (lw.Event(lambda t, state: float("nan"), name="odd"), "'odd'.*not a number"),
+        (lw.Event(lambda t, state: 1.0, name="odd", direction=2), "'odd'.*direction"),
+        (lw.Event(lambda t, state: 1.0, name="odd", tolerance=-1.0), "'odd'.*tolerance"),
+        (clock(0.1, change=lambda t, state: state), "at 0.1 s.*in place"),
+        (clock(0.1, change=lambda t, state: state.v.fill(np.inf)), "at 0.1 s.*not finite"),
+    ],
+)
+def test_an_event_that_makes_no_sense_is_refused_by_name(event: Any, message: str) -> None:
+    with pytest.raises(lw.OptionError, match=message):
+        run(ball(), 0.3, event)
+
+
+def test_events_need_adaptive_steps() -> None:
+    with pytest.raises(lw.OptionError, match="give rtol"):
+        lw.simulate(ball(), 0.3, 1e-3, events=floor(0.5), progress=False)
+
+
+def test_an_error_of_the_users_function_reaches_the_user() -> None:
+    with pytest.raises(lw.ModelError, match="no body named 'boll'"):
+        run(ball(), 0.3, lw.Event(lambda t, state: state.body("boll").position[2]))
