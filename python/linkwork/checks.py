@@ -25,7 +25,6 @@ LISTED = 5
 ACCURATE_GAIN = 0.1
 
 #: To which half-explicit methods may fall where constraint equations repeat others (measured on Bricard's).
-REDUNDANT_ORDER = 4
 
 
 def check_bodies(model: Model) -> None:
@@ -103,24 +102,6 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
     if max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
         lost = f"integrator '{method.name}' loses its order {method.order}"
         warnings.warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}", LinkworkWarning, stacklevel=4)
-
-
-def warn_of_redundancy(method: object, dynamics: _core.Dynamics) -> None:
-    """LinkworkWarning: dependent constraint equations that take an order from a half-explicit method.
-
-    Its stages lie off the constraints, where equations that repeat others contradict them. What the
-    formulation resolves of that changes the velocities of a step by O(h^5).
-    """
-    if not isinstance(method, HalfExplicit) or method.order <= REDUNDANT_ORDER:
-        return
-    count = len(dynamics.rank().dependent_rows)
-    if count:
-        warnings.warn(
-            f"{count} constraint equations repeat others: integrator '{method.name}' may fall from order "
-            f"{method.order} to {REDUNDANT_ORDER}; 'dopri5' does not",
-            LinkworkWarning,
-            stacklevel=3,
-        )
 
 
 def _warn_of(core: _core.Model, level: str, worst: NDArray[np.int64], residuals: Floats) -> None:

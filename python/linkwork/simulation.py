@@ -83,7 +83,6 @@ def simulate(
     system = System(model, **options)
     plan.check(method, system)
     checks.warn_of_residuals(model, system.compiled())
-    checks.warn_of_redundancy(method, system.compiled())
 
     watched = compile_events(events, model)
     run = plan.run(method, system, [event for _, event in watched])

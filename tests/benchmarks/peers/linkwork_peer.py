@@ -69,7 +69,7 @@ def _mean_acceleration(run: lw.Result, frame: int) -> Floats:
 def _dependent(model: lw.Model, formulation: str) -> np.ndarray[Any, np.dtype[np.bool_]]:
     core = model.compiled()
     dependent = np.zeros((core.joint_count, 5), bool)
-    for row in lw.System(model, formulation=formulation).compiled().rank().dependent_rows:
+    for row in lw.System(model, formulation=formulation).compiled().rank().redundant_rows:
         joint = int(np.searchsorted(core.joint_rows, row, side="right")) - 1
         dependent[joint, row - core.joint_rows[joint]] = True
     return dependent
