@@ -178,19 +178,71 @@ TEST_CASE("a body without joints falls freely") {
   });
 }
 
-TEST_CASE("a hub with many arms costs in proportion to its arms") {
-  const auto flops = [](int arms) {
+namespace {
+
+/// A body with balls to `arms` others whose neighbors are at fixed distances from each other, all round.
+Model hub(Random& random, int arms, bool loops, const Model& start = {}) {
+  Model model = start;
+  const int hub = static_cast<int>(model.bodies().size()), first = hub + 1;
+  model.add_body("hub" + std::to_string(hub), random_body(random));
+  for (int arm = 0; arm < arms; ++arm) {
+    const std::string number = std::to_string(first + arm);
+    model.add_body("arm" + number, random_body(random));
+    add_joint(model, random, "spherical", "shoulder" + number, hub, first + arm);
+  }
+  for (int arm = 0; loops && arm < arms; ++arm)
+    add_joint(model, random, "distance", "loop" + std::to_string(first + arm), first + arm, first + (arm + 1) % arms);
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("a hub with many arms costs in proportion to its arms, with loops too") {
+  const auto flops = [](int arms, bool loops) {
     Random random(15);
+    return block::Schedule(System(hub(random, arms, loops))).flops;
+  };
+  for (const bool loops : {false, true}) CHECK(flops(3000, loops) / flops(300, loops) < 10.1);
+}
+
+TEST_CASE("hubs in loops, with branches, joined to the ground and to each other, are solved exactly") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    for (const int arms : {14, 40}) {
+      Random random(static_cast<std::uint64_t>(arms));
+      Model model = hub(random, arms, true);
+      add_joint(model, random, "universal", "axle", ground, 0);
+      for (int branch = 0; branch < 3; ++branch) {
+        model.add_body("branch" + std::to_string(branch), random_body(random));
+        add_joint(model, random, "revolute", "pin" + std::to_string(branch), 0, arms + 1 + branch);
+      }
+      const int other = static_cast<int>(model.bodies().size());
+      model = hub(random, arms, true, model);
+      add_joint(model, random, "distance", "link", 0, other);
+      add_joint(model, random, "distance", "rope", 3, other + 5);
+      const System system(model);
+      CHECK(block::Schedule(system).hubs.size() == 2);
+      check_solves(solver, system, random, false);
+      check_solves(solver, system, random, true);
+    }
+  });
+}
+
+TEST_CASE("joints that a held hub would make dependent wait for the hub") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(17);
     Model model;
-    model.add_body("hub", random_body(random));
-    for (int arm = 1; arm <= arms; ++arm) {
-      model.add_body("arm" + std::to_string(arm), random_body(random));
-      add_joint(model, random, "revolute", "pin" + std::to_string(arm), 0, arm);
+    model.add_body("platform", random_body(random));
+    for (int leg = 1; leg <= 16; ++leg) {  // six of them with one equation more than a leg has freedoms
+      const std::string number = std::to_string(leg);
+      model.add_body("leg" + number, random_body(random));
+      add_joint(model, random, "spherical", "foot" + number, ground, leg);
+      add_joint(model, random, leg % 2 && leg < 12 ? "universal" : "distance", "ankle" + number, leg, 0);
     }
     const System system(model);
-    return block::Schedule(system).flops;
-  };
-  CHECK(flops(1000) / flops(100) < 10.1);
+    CHECK(block::Schedule(system).hubs.size() == 1);
+    check_solves(solver, system, random, false);
+    check_solves(solver, system, random, true);
+  });
 }
 
 TEST_CASE("a doubled joint is refused and named, and so is a body without mass") {

@@ -1,6 +1,7 @@
 #include "linkwork/linear/block/block_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "linkwork/linear/block/schedule.hpp"
 #include "linkwork/math/error.hpp"
@@ -9,6 +10,7 @@ namespace linkwork::block {
 namespace {
 
 constexpr double singular_pivot = 1e-15;
+constexpr double small_pivot = 1e-8;      // beyond it a joint waits for a hub, if there is one
 constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {
@@ -18,14 +20,9 @@ class BlockSolver final : public SaddleSolver {
   void analyze(const System& system, const Evaluation&) override {
     system_ = &system;
     refuse_massless();
-    schedule_ = std::make_unique<Schedule>(system);
-    factors_.assign(static_cast<std::size_t>(schedule_->factor_size) + slack, 0.0);
-    accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
-    panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
-    updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
-    scratch_.assign(static_cast<std::size_t>(lanes * schedule_->highest_front), 0.0);
-    pivots_.assign(static_cast<std::size_t>(schedule_->widest_front) + slack, 0.0);
-    factorize_masses();
+    postponed_.clear();
+    postponements_ = 0;
+    make_schedule();
     no_a_.resize(0);
   }
 
@@ -63,6 +60,17 @@ class BlockSolver final : public SaddleSolver {
                       details);
   }
 
+  void make_schedule() {
+    schedule_ = std::make_unique<Schedule>(*system_, postponed_);
+    factors_.assign(static_cast<std::size_t>(schedule_->factor_size) + slack, 0.0);
+    accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
+    panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
+    updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
+    scratch_.assign(static_cast<std::size_t>(lanes * schedule_->highest_front), 0.0);
+    pivots_.assign(static_cast<std::size_t>(schedule_->widest_front) + slack, 0.0);
+    factorize_masses();
+  }
+
   void factorize_masses() {
     mass_factors_.resize(static_cast<std::size_t>(schedule_->mass_factor_count));
     for (const Front& front : schedule_->fronts) {
@@ -76,6 +84,21 @@ class BlockSolver final : public SaddleSolver {
     }
   }
 
+  /// With hubs in the schedule: a joint that depends on others while the hubs after it are held is eliminated after
+  /// the next of them. Holding a hub can make six rows dependent, not more. False: nothing to be done.
+  bool postpone(int row) {
+    if (row < 0 || postponements_ == 6 * schedule_->hubs.size()) return false;
+    const int hub = schedule_->next_hub(row);
+    if (hub < 0) return false;
+    postponements_ += 1;
+    const int joint = system_->model().joint_of_row(row);
+    const auto found = std::find_if(postponed_.begin(), postponed_.end(), [&](auto& it) { return it.joint == joint; });
+    if (found == postponed_.end()) postponed_.push_back({joint, hub});
+    else found->hub = hub;
+    make_schedule();
+    return true;
+  }
+
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
     e_ = e;
     if (!schedule_->fronts.empty()) diagonal_.assign(e.data(), e.data() + e.size());
@@ -84,6 +107,9 @@ class BlockSolver final : public SaddleSolver {
              schedule_->fronts.data(),
              static_cast<std::ptrdiff_t>(schedule_->fronts.size()),
              schedule_->segments.data(),
+             schedule_->mixed.data(),
+             schedule_->hubs.data(),
+             schedule_->couplings.data(),
              schedule_->D_rows.data(),
              schedule_->unknowns.data(),
              system_->mass_blocks().data(),
@@ -96,9 +122,12 @@ class BlockSolver final : public SaddleSolver {
              updates_.data(),
              scratch_.data(),
              pivots_.data(),
-             diagonal_.data()};
+             diagonal_.data(),
+             schedule_->hubs.empty() ? singular_pivot : small_pivot};
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};
+    if (smallest.ratio < data_.breakdown && std::isfinite(smallest.ratio) && postpone(smallest.row))
+      return factorize(at, e, a, b);
     if (!(smallest_pivot_.ratio > singular_pivot))
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
   }
@@ -106,6 +135,8 @@ class BlockSolver final : public SaddleSolver {
   const System* system_ = nullptr;
   const Kernels* kernels_;
   std::unique_ptr<Schedule> schedule_;
+  std::vector<Schedule::Postponed> postponed_;
+  std::size_t postponements_ = 0;
   std::vector<double> factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_;
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;

@@ -11,18 +11,20 @@ namespace {
 
 constexpr int none = -1;
 
-/// Adjacency of the joints: neighbors[begin[k] .. begin[k+1]), ascending, without k itself.
+/// Adjacency of the nodes: neighbors[begin[k] .. begin[k+1]), ascending, without k itself.
 struct Adjacency {
   std::vector<int> begin, neighbors;
 };
 
-Adjacency adjacency_of(const JointGraph& graph) {
-  const std::size_t n = graph.weight.size();
+/// `name` maps nodes to those of a graph of n nodes, in which several may be one.
+Adjacency adjacency_of(const std::vector<std::vector<int>>& cliques, std::size_t n, const std::vector<int>& name) {
   std::vector<std::vector<int>> lists(n);
-  for (const std::vector<int>& clique : graph.cliques)
-    for (const int a : clique)
-      for (const int b : clique)
+  for (const std::vector<int>& clique : cliques)
+    for (const int first : clique)
+      for (const int second : clique) {
+        const int a = name[static_cast<std::size_t>(first)], b = name[static_cast<std::size_t>(second)];
         if (a != b) lists[static_cast<std::size_t>(a)].push_back(b);
+      }
   Adjacency out;
   out.begin.push_back(0);
   for (std::vector<int>& list : lists) {
@@ -82,8 +84,8 @@ std::vector<std::vector<int>> column_structures(const Adjacency& graph, const st
       mark[static_cast<std::size_t>(p)] = static_cast<int>(k);
       below[k].push_back(p);
     };
-    const auto joint = static_cast<std::size_t>(order[k]);
-    for (int e = graph.begin[joint]; e < graph.begin[joint + 1]; ++e)
+    const auto node = static_cast<std::size_t>(order[k]);
+    for (int e = graph.begin[node]; e < graph.begin[node + 1]; ++e)
       add(place[static_cast<std::size_t>(graph.neighbors[static_cast<std::size_t>(e)])]);
     for (const int child : children[k])
       for (const int p : below[static_cast<std::size_t>(child)]) add(p);
@@ -97,6 +99,12 @@ double rows_of(const std::vector<int>& weight_at, int first, int last) {
   return std::accumulate(weight_at.begin() + first, weight_at.begin() + last, 0.0);
 }
 
+double rows_of(const std::vector<int>& weight_at, const std::vector<int>& places) {
+  double sum = 0.0;
+  for (const int p : places) sum += weight_at[static_cast<std::size_t>(p)];
+  return sum;
+}
+
 /// Operations of a front that eliminates w rows and keeps r, with a fixed cost for handling it.
 double cost(double w, double r) {
   constexpr double handling = 400.0;
@@ -106,18 +114,13 @@ double cost(double w, double r) {
 /// Merges a supernode into its parent where that saves time in spite of the zeros that it adds. Only a child that ends
 /// where its parent begins can be merged.
 std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const std::vector<int>& weight_at) {
-  const auto rows = [&](const std::vector<int>& places) {
-    double sum = 0.0;
-    for (const int p : places) sum += weight_at[static_cast<std::size_t>(p)];
-    return sum;
-  };
   std::vector<Supernode> out;
   for (Supernode& node : nodes) {
     while (!out.empty() && out.back().last == node.first && !out.back().below.empty() &&
            out.back().below.front() < node.last) {
       const Supernode& child = out.back();
       const double w_child = rows_of(weight_at, child.first, child.last), w = rows_of(weight_at, node.first, node.last);
-      const double r_child = rows(child.below), r = rows(node.below);
+      const double r_child = rows_of(weight_at, child.below), r = rows_of(weight_at, node.below);
       if (cost(w_child + w, r) > cost(w_child, r_child) + cost(w, r) + 0.5 * r_child * r_child) break;
       node.first = child.first;
       out.pop_back();
@@ -127,13 +130,37 @@ std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const std::vecto
   return out;
 }
 
+/// An order in which each hub stands before the joints that must follow it: they are one node to the ordering.
+std::vector<int> order_nodes(const JointGraph& graph) {
+  const std::size_t n = graph.weight.size();
+  std::vector<int> name(n);
+  std::vector<std::vector<int>> members;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (graph.hub[k] != none) continue;
+    name[k] = static_cast<int>(members.size());
+    members.push_back({static_cast<int>(k)});
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    if (graph.hub[k] == none) continue;
+    name[k] = name[static_cast<std::size_t>(graph.hub[k])];
+    members[static_cast<std::size_t>(name[k])].push_back(static_cast<int>(k));
+  }
+  std::vector<int> out;
+  out.reserve(n);
+  for (const int node : fill_reducing_order(adjacency_of(graph.cliques, members.size(), name)))
+    for (const int member : members[static_cast<std::size_t>(node)]) out.push_back(member);
+  return out;
+}
+
 }  // namespace
 
 Elimination order_joint_graph(const JointGraph& graph) {
-  const Adjacency adjacency = adjacency_of(graph);
+  const std::size_t n = graph.weight.size();
+  std::vector<int> itself(n);
+  std::iota(itself.begin(), itself.end(), 0);
+  const Adjacency adjacency = adjacency_of(graph.cliques, n, itself);
   Elimination out;
-  out.order = fill_reducing_order(adjacency);
-  const std::size_t n = out.order.size();
+  out.order = order_nodes(graph);
   std::vector<int> weight_at(n);
   for (std::size_t k = 0; k < n; ++k) weight_at[k] = graph.weight[static_cast<std::size_t>(out.order[k])];
   std::vector<std::vector<int>> below = column_structures(adjacency, out.order);
@@ -152,8 +179,10 @@ Elimination order_joint_graph(const JointGraph& graph) {
   for (std::size_t s = 0; s < out.supernodes.size(); ++s)
     for (int k = out.supernodes[s].first; k < out.supernodes[s].last; ++k)
       out.supernode_of[static_cast<std::size_t>(k)] = static_cast<int>(s);
-  for (Supernode& node : out.supernodes)
+  for (Supernode& node : out.supernodes) {
     if (!node.below.empty()) node.parent = out.supernode_of[static_cast<std::size_t>(node.below.front())];
+    out.cost += cost(rows_of(weight_at, node.first, node.last), rows_of(weight_at, node.below));
+  }
   return out;
 }
 

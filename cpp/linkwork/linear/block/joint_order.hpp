@@ -4,13 +4,16 @@
 
 namespace linkwork::block {
 
-/// Joints and the cliques that they form on bodies.
+/// What is eliminated after the bodies, and the cliques that it forms: the joints on one body; a hub and one of its
+/// joints.
 struct JointGraph {
-  std::vector<int> weight;                ///< rows of each joint
-  std::vector<std::vector<int>> cliques;  ///< joints that share a body
+  std::vector<int> weight;  ///< rows of each joint; 6 for a hub
+  std::vector<int> hub;     ///< of a joint that must follow a hub at once: that hub, else -1
+  std::vector<std::vector<int>> cliques;
 };
 
-/// Joints that are eliminated together: places [first, last) of the order, and the places that remain coupled to them.
+/// Nodes of the graph that are eliminated together: places [first, last) of the order, and the places that remain
+/// coupled to them.
 struct Supernode {
   int first, last;
   int parent;              ///< supernode, or -1
@@ -18,12 +21,13 @@ struct Supernode {
 };
 
 struct Elimination {
-  std::vector<int> order;         ///< joint at each place
+  std::vector<int> order;         ///< node at each place
   std::vector<int> supernode_of;  ///< of each place
   std::vector<Supernode> supernodes;
+  double cost = 0.0;  ///< operations, with a fixed cost for handling each supernode
 };
 
-/// A fill-reducing order of the joints (minimum degree or nested dissection, whichever predicts fewer operations), and
+/// A fill-reducing order of the nodes (minimum degree or nested dissection, whichever predicts fewer operations), and
 /// its supernodes, small ones amalgamated.
 Elimination order_joint_graph(const JointGraph& graph);
 

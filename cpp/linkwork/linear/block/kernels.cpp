@@ -36,9 +36,9 @@ LINKWORK_INLINE Vector mass_column(const MassBlock& mass, int c, double a_c) {
 
 constexpr double not_a_number = -__builtin_inf();  // as a ratio of pivots: the smallest of all
 
-/// Keeps the smallest pivot relative to its diagonal entry.
-LINKWORK_INLINE void note(SmallestPivot& smallest, double pivot, double diagonal, int row) {
-  if (pivot >= smallest.ratio * diagonal) return;
+/// Keeps the smallest pivot relative to its diagonal entry; what follows a breakdown is its consequence.
+LINKWORK_INLINE void note(SmallestPivot& smallest, double pivot, double diagonal, int row, const Data& data) {
+  if (pivot >= smallest.ratio * diagonal || smallest.ratio < data.breakdown) return;
   const double ratio = pivot / diagonal;
   smallest = {ratio == ratio ? ratio : not_a_number, row};
 }
@@ -90,7 +90,7 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k) diagonal[k] = S[k][k];
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
       const Vector pivot = lane(S[k], k), inverse = splat(1.0 / pivot[0]);
-      note(smallest, pivot[0], diagonal[k], step.row + k);
+      note(smallest, pivot[0], diagonal[k], step.row + k, data);
       const Vector K = S[k] * inverse;
       T[k] = V[k] * inverse;
       LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) {
@@ -173,6 +173,9 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
 //
 // A body is a front of its own: what it keeps are the rows of its joints, and the update is its part of D M^-1 D^T.
 // Joints are eliminated in supernodes. Every front goes through the same steps, 8 columns at a time.
+//
+// A hub, a body with many joints, is eliminated among the joints, for it would couple all of them: then the matrix is
+// [S D; D^T -M] with S of the other bodies, quasi-definite, and pivots of hubs are negative.
 
 LINKWORK_INLINE double* right_hand_side_of(const Front& front, const Data& data) {
   return data.panels + front.panel + front.width * static_cast<std::ptrdiff_t>(front.stride());
@@ -195,9 +198,9 @@ void clear(const Front& front, const Data& data) {
   for (int p = 0; p < front.stride(); p += lanes) store(right + p, splat(0.0));
 }
 
-LINKWORK_INLINE Vector body_right_hand_side(const Front& front, const Data& data, const double* a) {
-  if (front.slot < 0) return load_first<6>(a + 6 * front.body);
-  const double* accumulator = data.accumulators + front.slot * accumulator_size;
+LINKWORK_INLINE Vector body_right_hand_side(int body, int slot, const Data& data, const double* a) {
+  if (slot < 0) return load_first<6>(a + 6 * body);
+  const double* accumulator = data.accumulators + slot * accumulator_size;
   Vector out = splat(0.0);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) out += unit(c) * splat(accumulator[c * lanes + right_hand_side]);
   return out;
@@ -212,34 +215,70 @@ LINKWORK_INLINE void gather_D(const Front& front, const Data& data, int first, N
   gather<6>(rows, columns);
 }
 
+LINKWORK_INLINE Vector column_of_mass(int body, int slot, int c, const Data& data) {
+  if (slot >= 0) return load(data.accumulators + slot * accumulator_size + c * lanes);
+  return mass_column(data.mass[body], c, 0.0);
+}
+
 /// Fills a body's front with [M; D | a].
 void begin_body(const Front& front, const Data& data, const double* a) {
   double* panel = data.panels + front.panel;
   const std::ptrdiff_t stride = front.stride();
   const Vector first_six = lanes_before(6);
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-    Vector column;
-    if (front.slot >= 0) column = load(data.accumulators + front.slot * accumulator_size + c * lanes);
-    else column = mass_column(data.mass[front.body], c, 0.0);
-    store(panel + c * stride, column * first_six);
-  }
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
+      store(panel + c * stride, column_of_mass(front.body, front.slot, c, data) * first_six);
   for (int first = 0; first < front.kept; first += width) {
     Native columns[6];
     gather_D(front, data, first, columns);
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c) store_native(panel + c * stride + front.top + first, columns[c]);
   }
   double* right = panel + 6 * stride;
-  store(right, body_right_hand_side(front, data, a));
+  store(right, body_right_hand_side(front.body, front.slot, data, a));
   for (int p = front.top; p < front.stride(); p += lanes) store(right + p, splat(0.0));
 }
 
-void begin_joints(const Front& front, const Data& data, const double* b) {
+/// Adds b, and -a of hubs, to the right-hand side of a front of joints.
+void add_given(const Front& front, const Data& data, const double* a, const double* b) {
   double* right = right_hand_side_of(front, data);
-  for (int c = 0; c < front.width; ++c) {
-    const int row = data.unknowns[front.unknown + c];
-    column_of(front, data, c)[c] += data.e[row];
-    right[c] += b[row];
+  for (int c = 0; c < front.width; ++c)
+    if (const int row = data.unknowns[front.unknown + c]; row >= 0) right[c] += b[row];
+  if (front.mixed < 0) return;
+  const MixedFront& mixed = data.mixed[front.mixed];
+  for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h) {
+    const Vector a_hub = body_right_hand_side(data.hubs[h].body, data.hubs[h].slot, data, a);
+    for (int k = 0; k < 6; ++k) right[data.hubs[h].position + k] -= a_hub[k];
   }
+}
+
+/// -M of hubs and their D, into the lower triangle.
+void add_hubs(const Front& front, const MixedFront& mixed, const Data& data) {
+  for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h) {
+    const Hub& hub = data.hubs[h];
+    for (int c = 0; c < 6; ++c) {
+      const Vector column = column_of_mass(hub.body, hub.slot, c, data);
+      double* to = column_of(front, data, hub.position + c) + hub.position;
+      for (int r = c; r < 6; ++r) to[r] -= column[r];
+    }
+  }
+  for (int k = mixed.first_coupling; k < mixed.first_coupling + mixed.couplings; ++k) {
+    const Coupling& coupling = data.couplings[k];
+    const double* D = data.D + coupling.D;
+    const bool hub_first = coupling.hub < coupling.joint;
+    for (int r = 0; r < coupling.rows; ++r)
+      for (int c = 0; c < 6; ++c) {
+        const int joint = coupling.joint + r, hub = coupling.hub + c;
+        column_of(front, data, hub_first ? hub : joint)[hub_first ? joint : hub] += D[6 * r + c];
+      }
+  }
+}
+
+void begin_joints(const Front& front, const Data& data, const double* a, const double* b) {
+  const bool mixed = front.mixed >= 0;
+  if (mixed && data.mixed[front.mixed].childless) clear(front, data);
+  for (int c = 0; c < front.width; ++c)
+    if (const int row = data.unknowns[front.unknown + c]; row >= 0) column_of(front, data, c)[c] += data.e[row];
+  if (mixed) add_hubs(front, data.mixed[front.mixed], data);
+  add_given(front, data, a, b);
 }
 
 /// C(:, w) = (C(:, w) or 0) -+ sum_k A(:, k) B(k, w) for `columns` columns, `rows` vectors of rows at a time.
@@ -346,7 +385,8 @@ void eliminate(const Front& front, const Data& data, int k0, SmallestPivot& smal
       if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, -1};
     } else {
       const int row = data.unknowns[front.unknown + k0 + k];
-      note(smallest, pivot[0], data.diagonal[row], row);
+      if (row >= 0) note(smallest, pivot[0], data.diagonal[row], row, data);
+      else note(smallest, -pivot[0], 0.0, -1, data);
     }
     data.pivots[k0 + k] = pivot[0];
     inverse[k] = splat(1.0 / pivot[0]);
@@ -466,8 +506,8 @@ void factor_body(const Front& front, const Data& data, const double* a, Smallest
   for (int r = 0; r < front.size - 6; ++r) data.diagonal[row[r]] += update[r * (front.kept + 1l)];
 }
 
-void factor_joints(const Front& front, const Data& data, const double* b, SmallestPivot& smallest) {
-  begin_joints(front, data, b);
+void factor_joints(const Front& front, const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
+  begin_joints(front, data, a, b);
   const int last = front.top + front.size - front.width;
   if (front.width <= lanes) {
     with_depth(front.width, [&](auto depth) {
@@ -521,7 +561,7 @@ SmallestPivot factor(const Data& data, const double* a, const double* b) {
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
     const Front& front = data.fronts[f];
     if (front.body >= 0) factor_body(front, data, a, smallest);
-    else factor_joints(front, data, b, smallest);
+    else factor_joints(front, data, a, b, smallest);
     if (front.parent < 0) continue;
     if (front.begins_parent) clear(data.fronts[front.parent], data);
     extend_add(front, data);
@@ -556,10 +596,12 @@ void forward_front(const Front& front, const Data& data, const double* a, const 
     eliminate_constant_mass<true>(front, data, a);
   } else {
     if (front.body >= 0) {
-      store(right, body_right_hand_side(front, data, a));
+      store(right, body_right_hand_side(front.body, front.slot, data, a));
       for (int p = front.top; p < front.stride(); p += lanes) store(right + p, splat(0.0));
     } else {
-      for (int c = 0; c < front.width; ++c) right[c] += b[data.unknowns[front.unknown + c]];
+      if (front.mixed >= 0 && data.mixed[front.mixed].childless)
+        for (int p = 0; p < front.stride(); p += lanes) store(right + p, splat(0.0));
+      add_given(front, data, a, b);
     }
     for (int k0 = 0; k0 < front.width; k0 += lanes)
       with_depth(depth_at(front, k0), [&](auto depth) { forward_block<depth>(front, data, k0); });
@@ -619,7 +661,14 @@ void backward_front(const Front& front, const Data& data, const double* a, doubl
   }
   for (int k0 = (front.width - 1) / lanes * lanes; k0 >= 0; k0 -= lanes)
     with_depth(depth_at(front, k0), [&](auto depth) { backward_block<depth>(front, data, k0); });
-  for (int k = 0; k < front.width; ++k) lambda[data.unknowns[front.unknown + k]] = right[k];
+  for (int k = 0; k < front.width; ++k) {
+    const int unknown = data.unknowns[front.unknown + k];
+    (unknown >= 0 ? lambda[unknown] : x[~unknown]) = right[k];
+  }
+  if (front.mixed < 0) return;
+  const MixedFront& mixed = data.mixed[front.mixed];
+  for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h)
+    if (data.hubs[h].slot >= 0) leave_for_children(load_first<6>(x + 6 * data.hubs[h].body), data.hubs[h].slot, data);
 }
 
 void backward(const Data& data, const double* a, double* x, double* lambda) {

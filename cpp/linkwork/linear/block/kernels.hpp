@@ -41,8 +41,9 @@ struct Front {
   int body;                ///< the body, or -1 for a front of joints
   int slot;                ///< accumulator of the body, or -1
   int mass_factor;         ///< of a body without branches, else -1
+  int mixed;               ///< place in `mixed` of a front of joints that has to do with hubs, or -1
   bool begins_parent;      ///< the first child: the parent is cleared before its update is added
-  std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in x (body) or lambda (joints)
+  std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in lambda, or ~ the index in x
   std::ptrdiff_t panel, update;
   std::ptrdiff_t D_row;         ///< of a body: place in `D_rows`
   int first_segment, segments;  ///< runs of kept rows that stand together in the parent
@@ -58,6 +59,25 @@ struct Segment {
   int begin, parent_begin, length;
 };
 
+/// A body that is eliminated among joints instead of before them: its rows are -M x + D^T lambda = -a.
+struct Hub {
+  int body;
+  int slot;      ///< accumulator, or -1
+  int position;  ///< of its first row in the front
+};
+
+/// D of a hub in the rows of one of its joints, at the first positions of the two in the front.
+struct Coupling {
+  int joint, hub, rows;
+  std::ptrdiff_t D;
+};
+
+/// Hubs that a front eliminates, and couplings between hubs and joints of which it eliminates one.
+struct MixedFront {
+  int first_hub, hubs, first_coupling, couplings;
+  bool childless;  ///< nothing else clears it
+};
+
 /// M = L D L^T of a body without branches: constant, and all of L but three numbers is that of a unit matrix.
 struct MassFactor {
   double L43, L53, L54;
@@ -71,6 +91,9 @@ struct Data {
   const Front* fronts;
   std::ptrdiff_t front_count;
   const Segment* segments;
+  const MixedFront* mixed;
+  const Hub* hubs;
+  const Coupling* couplings;
   const std::ptrdiff_t* D_rows;  ///< for each kept row of a body's front, where its row of D is
   const int* unknowns;
   const MassBlock* mass;
@@ -84,6 +107,7 @@ struct Data {
   double* scratch;   ///< 8 columns of the highest front
   double* pivots;    ///< of the widest front
   double* diagonal;  ///< diag(D M^-1 D^T + E) of the rows in the core
+  double breakdown;  ///< relative pivot from which no elimination should go on
 };
 
 /// The smallest pivot relative to its diagonal entry, and its constraint row or -1.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <span>
 
 #include "linkwork/linear/block/joint_order.hpp"
 
@@ -181,15 +182,21 @@ class TreeBuilder {
   int slots_ = 0;
 };
 
-/// Fills the core: fronts of its bodies and of supernodes of joints.
+/// Joints that share a body with this many others make it a hub where that takes fewer operations, ...
+constexpr std::size_t joints_of_a_hub = 8;
+/// ... and this many in any case: their pairs alone would be too many.
+constexpr std::size_t joints_of_a_large_hub = 1000;
+
+/// Fills the core: fronts of its bodies and of supernodes of joints and hubs.
 class CoreBuilder {
  public:
-  CoreBuilder(const System& system, const Branches& branches, const TreeBuilder& tree, Schedule& out)
-      : system_(system), branches_(branches), tree_(tree), out_(out) {
+  CoreBuilder(const System& system, const Branches& branches, const TreeBuilder& tree,
+              const std::vector<Schedule::Postponed>& postponed, Schedule& out)
+      : system_(system), branches_(branches), tree_(tree), postponed_(postponed), out_(out) {
     for (int joint = 0; joint < system.joint_count(); ++joint)
       if (!branches.joint_peeled[static_cast<std::size_t>(joint)]) joints_.push_back(joint);
     if (joints_.empty()) return;
-    order_joints();
+    choose_order();
     place_bodies();
     append_fronts();
     share_panel();
@@ -198,29 +205,92 @@ class CoreBuilder {
   }
 
  private:
-  int rows_of(int joint) const {
+  /// The nodes of the elimination: joints of the core by their place in `joints_`, then hubs.
+  struct Order {
+    std::vector<int> hubs;      ///< bodies
+    std::vector<int> hub_node;  ///< per body, or none
+    Elimination elimination;
+    double cost = 0.0;
+  };
+
+  int rows_of_joint(int joint) const {
     const auto& rows = system_.model().joint_rows();
     return rows[static_cast<std::size_t>(joint) + 1] - rows[static_cast<std::size_t>(joint)];
   }
+  int joint_count() const { return static_cast<int>(joints_.size()); }
+  bool is_hub(int node) const { return node >= joint_count(); }
+  int hub_body(int node) const { return order_.hubs[static_cast<std::size_t>(node - joint_count())]; }
+  int rows_of(int node) const { return is_hub(node) ? 6 : rows_of_joint(joints_[static_cast<std::size_t>(node)]); }
+  int node_at(int position) const { return order_.elimination.order[static_cast<std::size_t>(position)]; }
+  int rows_at(int position) const { return rows_of(node_at(position)); }
+  int position_of(int node) const { return position_[static_cast<std::size_t>(node)]; }
 
-  void order_joints() {
+  void choose_order() {
     core_index_.assign(static_cast<std::size_t>(system_.joint_count()), none);
     for (std::size_t k = 0; k < joints_.size(); ++k)
       core_index_[static_cast<std::size_t>(joints_[k])] = static_cast<int>(k);
-    JointGraph graph;
-    graph.weight.reserve(joints_.size());
-    for (const int joint : joints_) graph.weight.push_back(rows_of(joint));
+    std::vector<int> candidates;
+    std::size_t most = 0;
     for (int body = 0; body < system_.body_count(); ++body) {
-      std::vector<int> clique = core_joints(body);
-      if (!clique.empty()) graph.cliques.push_back(std::move(clique));
+      const std::size_t joints = core_joints(body).size();
+      if (joints >= joints_of_a_hub) candidates.push_back(body);
+      most = std::max(most, joints);
     }
-    elimination_ = order_joint_graph(graph);
-    position_.resize(joints_.size());
-    for (std::size_t k = 0; k < joints_.size(); ++k)
-      position_[static_cast<std::size_t>(elimination_.order[k])] = static_cast<int>(k);
+    if (most <= joints_of_a_large_hub) order_ = order_with({});
+    if (!candidates.empty()) {
+      Order mixed = order_with(std::move(candidates));
+      if (most > joints_of_a_large_hub || !postponed_.empty() || mixed.cost < 0.7 * order_.cost)
+        order_ = std::move(mixed);
+    }
+    const std::vector<int>& order = order_.elimination.order;
+    position_.resize(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) position_[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   }
 
-  /// Core indices of the joints in loops on a body.
+  Order order_with(std::vector<int> hubs) const {
+    Order out;
+    out.hubs = std::move(hubs);
+    out.hub_node.assign(static_cast<std::size_t>(system_.body_count()), none);
+    JointGraph graph;
+    for (const int joint : joints_) graph.weight.push_back(rows_of_joint(joint));
+    for (const int body : out.hubs) {
+      out.hub_node[static_cast<std::size_t>(body)] = static_cast<int>(graph.weight.size());
+      graph.weight.push_back(6);
+    }
+    graph.hub.assign(graph.weight.size(), none);
+    for (int body = 0; body < system_.body_count(); ++body) {
+      std::vector<int> clique = core_joints(body);
+      if (const int node = out.hub_node[static_cast<std::size_t>(body)]; node != none) {
+        for (const int joint : clique) {
+          graph.cliques.push_back({node, joint});
+          if (only_on_hubs(joints_[static_cast<std::size_t>(joint)], out))
+            graph.hub[static_cast<std::size_t>(joint)] = node;
+        }
+      } else if (!clique.empty()) {
+        const double rows = std::accumulate(clique.begin(), clique.end(), 0.0, [&](double sum, int joint) {
+          return sum + graph.weight[static_cast<std::size_t>(joint)];
+        });
+        out.cost += 36.0 * rows + 6.0 * rows * rows;
+        graph.cliques.push_back(std::move(clique));
+      }
+    }
+    for (const Schedule::Postponed& it : postponed_)
+      graph.hub[static_cast<std::size_t>(core_index_[static_cast<std::size_t>(it.joint)])] =
+          out.hub_node[static_cast<std::size_t>(it.hub)];
+    out.elimination = order_joint_graph(graph);
+    out.cost += out.elimination.cost;
+    return out;
+  }
+
+  /// Nothing is eliminated before such a joint that it could pivot on.
+  bool only_on_hubs(int joint, const Order& order) const {
+    for (const int index : system_.joint_blocks(joint))
+      if (order.hub_node[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].body)] == none)
+        return false;
+    return true;
+  }
+
+  /// The joints in loops on a body, as nodes.
   std::vector<int> core_joints(int body) const {
     std::vector<int> out;
     for (const int index : system_.body_blocks(body)) {
@@ -230,23 +300,24 @@ class CoreBuilder {
     return out;
   }
 
-  /// Each body stands before the supernode of its first joint.
+  /// Each body but hubs stands before the supernode of its first joint.
   void place_bodies() {
-    bodies_of_.resize(elimination_.supernodes.size());
+    bodies_of_.resize(order_.elimination.supernodes.size());
     for (int body = 0; body < system_.body_count(); ++body) {
+      if (order_.hub_node[static_cast<std::size_t>(body)] != none) continue;
       int first = none;
-      for (const int core : core_joints(body))
-        if (first == none || position_[static_cast<std::size_t>(core)] < first)
-          first = position_[static_cast<std::size_t>(core)];
-      if (first != none)
-        bodies_of_[static_cast<std::size_t>(elimination_.supernode_of[static_cast<std::size_t>(first)])].push_back(
-            body);
+      for (const int node : core_joints(body))
+        if (first == none || position_of(node) < first) first = position_of(node);
+      if (first != none) bodies_of_[static_cast<std::size_t>(supernode_of(first))].push_back(body);
     }
   }
 
+  int supernode_of(int position) const { return order_.elimination.supernode_of[static_cast<std::size_t>(position)]; }
+
   void append_fronts() {
-    front_of_.assign(elimination_.supernodes.size(), none);
-    for (std::size_t s = 0; s < elimination_.supernodes.size(); ++s) {
+    const std::size_t count = order_.elimination.supernodes.size();
+    front_of_.assign(count, none);
+    for (std::size_t s = 0; s < count; ++s) {
       for (const int body : bodies_of_[s]) append_body(body, static_cast<int>(s));
       append_joints(static_cast<int>(s));
     }
@@ -258,13 +329,14 @@ class CoreBuilder {
     front.body = body;
     front.slot = tree_.slot(body);
     front.mass_factor = front.slot == none ? out_.mass_factor_count++ : none;
+    front.mixed = none;
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
     front.D_row = static_cast<std::ptrdiff_t>(out_.D_rows.size());
-    for (int k = 0; k < 6; ++k) out_.unknowns.push_back(6 * body + k);
+    append_unknowns_of_body(body);
     std::vector<std::pair<int, int>> blocks;  // (position of the joint, block)
     for (const int index : system_.body_blocks(body)) {
       const int core = core_index_[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].joint)];
-      if (core != none) blocks.emplace_back(position_[static_cast<std::size_t>(core)], index);
+      if (core != none) blocks.emplace_back(position_of(core), index);
     }
     std::sort(blocks.begin(), blocks.end());
     int row = 6;
@@ -282,25 +354,66 @@ class CoreBuilder {
   }
 
   void append_joints(int s) {
-    const Supernode& node = elimination_.supernodes[static_cast<std::size_t>(s)];
+    const Supernode& supernode = order_.elimination.supernodes[static_cast<std::size_t>(s)];
     Front front{};
     front.body = none;
     front.slot = none;
     front.mass_factor = none;
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
     int size = 0;
-    for (int k = node.first; k < node.last; ++k) size += append_rows(k);
+    for (int k = supernode.first; k < supernode.last; ++k) size += append_unknowns(node_at(k));
     front.width = size;
-    for (const int k : node.below) size += append_rows(k);
+    for (const int k : supernode.below) size += append_unknowns(node_at(k));
+    front.mixed = append_mixed(supernode, front.width);
     front_of_[static_cast<std::size_t>(s)] = static_cast<int>(out_.fronts.size());
-    finish(front, size, node.parent, node.below);
+    finish(front, size, supernode.parent, supernode.below);
   }
 
-  int append_rows(int position) {
-    const int joint = joints_[static_cast<std::size_t>(elimination_.order[static_cast<std::size_t>(position)])];
-    const int rows = rows_of(joint), first = system_.model().joint_rows()[static_cast<std::size_t>(joint)];
-    for (int k = 0; k < rows; ++k) out_.unknowns.push_back(first + k);
-    return rows;
+  int append_unknowns(int node) {
+    if (is_hub(node)) {
+      append_unknowns_of_body(hub_body(node));
+    } else {
+      const int first = system_.model().joint_rows()[static_cast<std::size_t>(joints_[static_cast<std::size_t>(node)])];
+      for (int k = 0; k < rows_of(node); ++k) out_.unknowns.push_back(first + k);
+    }
+    return rows_of(node);
+  }
+
+  void append_unknowns_of_body(int body) {
+    for (int k = 0; k < 6; ++k) out_.unknowns.push_back(~(6 * body + k));
+  }
+
+  /// What a front has to do with hubs: place in `mixed`, or none.
+  int append_mixed(const Supernode& supernode, int width) {
+    if (order_.hubs.empty()) return none;
+    MixedFront mixed{static_cast<int>(out_.hubs.size()), 0, static_cast<int>(out_.couplings.size()), 0, false};
+    std::map<int, int> row_of;  // of each node in the front
+    int row = 0;
+    const int padding = static_cast<int>(padded(width)) - width;
+    const auto place = [&](int position) {
+      const int node = node_at(position);
+      row_of[node] = row < width ? row : row + padding;
+      row += rows_of(node);
+    };
+    const auto eliminates = [&](int node) { return position_of(node) < supernode.last; };
+    for (int k = supernode.first; k < supernode.last; ++k) place(k);
+    for (const int k : supernode.below) place(k);
+    for (const auto& [node, first_row] : row_of)
+      if (is_hub(node)) {
+        if (eliminates(node)) out_.hubs.push_back({hub_body(node), tree_.slot(hub_body(node)), first_row});
+      } else {
+        for (const int index : system_.joint_blocks(joints_[static_cast<std::size_t>(node)])) {
+          const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
+          const auto hub = row_of.find(order_.hub_node[static_cast<std::size_t>(block.body)]);
+          if (hub != row_of.end() && (eliminates(node) || eliminates(hub->first)))
+            out_.couplings.push_back({first_row, hub->second, block.rows, block.offset});
+        }
+      }
+    mixed.hubs = static_cast<int>(out_.hubs.size()) - mixed.first_hub;
+    mixed.couplings = static_cast<int>(out_.couplings.size()) - mixed.first_coupling;
+    if (mixed.hubs == 0 && mixed.couplings == 0) return none;
+    out_.mixed.push_back(mixed);
+    return static_cast<int>(out_.mixed.size()) - 1;
   }
 
   void finish(Front& front, int size, int parent_supernode, std::vector<int> below) {
@@ -336,6 +449,7 @@ class CoreBuilder {
     for (std::size_t f = 0; f < out_.fronts.size(); ++f) {
       Front& front = out_.fronts[f];
       if (!begun[f]) front.update = updates_.take(update_size(front));
+      if (!begun[f] && front.mixed != none) out_.mixed[static_cast<std::size_t>(front.mixed)].childless = true;
       const int s = parent_supernode_[f];
       front.parent = s == none ? none : front_of_[static_cast<std::size_t>(s)];
       front.first_segment = static_cast<int>(out_.segments.size());
@@ -344,7 +458,7 @@ class CoreBuilder {
         front.begins_parent = !begun[static_cast<std::size_t>(front.parent)];
         if (front.begins_parent) parent.update = updates_.take(update_size(parent));
         begun[static_cast<std::size_t>(front.parent)] = 1;
-        append_segments(below_[f], elimination_.supernodes[static_cast<std::size_t>(s)], parent);
+        append_segments(below_[f], order_.elimination.supernodes[static_cast<std::size_t>(s)], parent);
       }
       front.segments = static_cast<int>(out_.segments.size()) - front.first_segment;
       updates_.give_back(front.update);
@@ -380,27 +494,45 @@ class CoreBuilder {
     }
   }
 
-  int rows_at(int position) const {
-    return rows_of(joints_[static_cast<std::size_t>(elimination_.order[static_cast<std::size_t>(position)])]);
-  }
-
   const System& system_;
   const Branches& branches_;
   const TreeBuilder& tree_;
+  const std::vector<Schedule::Postponed>& postponed_;
   Schedule& out_;
   std::vector<int> joints_, core_index_, position_, front_of_, parent_supernode_;
   std::vector<std::vector<int>> bodies_of_, below_;
-  Elimination elimination_;
+  Order order_;
   std::ptrdiff_t shared_panel_ = 0;
   Places updates_;
 };
 
 }  // namespace
 
-Schedule::Schedule(const System& system) {
+Schedule::Schedule(const System& system, const std::vector<Postponed>& postponed) {
   const Branches branches = find_branches(system);
   const TreeBuilder tree(system, branches, *this);
-  const CoreBuilder core(system, branches, tree, *this);
+  const CoreBuilder core(system, branches, tree, postponed, *this);
+}
+
+int Schedule::next_hub(int row) const {
+  bool found = false;
+  for (const Front& front : fronts) {
+    const auto own = unknowns.begin() + front.unknown;
+    found = found || (front.body < 0 && std::find(own, own + front.width, row) != own + front.width);
+    if (!found) continue;
+    for (int f = static_cast<int>(&front - fronts.data()); f >= 0; f = fronts[static_cast<std::size_t>(f)].parent) {
+      const Front& above = fronts[static_cast<std::size_t>(f)];
+      if (above.mixed < 0) continue;
+      const auto first = unknowns.begin() + above.unknown;
+      const auto joint = std::find(first, first + above.width, row);
+      for (const MixedFront& it = mixed[static_cast<std::size_t>(above.mixed)];
+           const Hub& hub :
+           std::span(hubs).subspan(static_cast<std::size_t>(it.first_hub), static_cast<std::size_t>(it.hubs)))
+        if (joint == first + above.width || hub.position > joint - first) return hub.body;
+    }
+    return -1;
+  }
+  return -1;
 }
 
 }  // namespace linkwork::block

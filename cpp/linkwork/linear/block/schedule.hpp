@@ -13,13 +13,24 @@ namespace linkwork::block {
 /// Open branches go leaf to root, each body with the joint that holds it: no fill, and no cancellation, because
 /// inertias only add up on the way. What is left are closed loops, the core: its bodies first, then its joints in a
 /// fill-reducing order of the graph "joints that share a body", gathered into supernodes (multifrontal method, Duff and
-/// Reid 1983).
+/// Reid 1983). Bodies with many joints, hubs, are eliminated among the joints where that takes fewer operations.
 struct Schedule {
-  explicit Schedule(const System& system);
+  /// A joint that must not be eliminated before a hub, because it is dependent on the others while the hub is held.
+  struct Postponed {
+    int joint, hub;  ///< the hub is a body
+  };
+  explicit Schedule(const System& system, const std::vector<Postponed>& postponed = {});
+
+  /// The hub to which the joint of a constraint row can be postponed: the next one to be eliminated that it affects, or
+  /// -1.
+  int next_hub(int row) const;
 
   std::vector<TreeStep> steps;
   std::vector<Front> fronts;
   std::vector<Segment> segments;
+  std::vector<MixedFront> mixed;
+  std::vector<Hub> hubs;
+  std::vector<Coupling> couplings;
   std::vector<std::ptrdiff_t> D_rows;
   std::vector<int> unknowns;
   std::ptrdiff_t factor_size = 0;  ///< doubles of tree factors
