@@ -43,6 +43,37 @@ LINKWORK_INLINE void note(SmallestPivot& smallest, double pivot, double diagonal
   smallest = {ratio == ratio ? ratio : not_a_number, row};
 }
 
+// --- memory ----------------------------------------------------------------------------------------------------------
+//
+// A large model does not fit into the caches, and its order is not the one that a processor guesses: what comes a few
+// steps later is asked for in time.
+
+constexpr int steps_ahead = 8, fronts_ahead = 6;
+constexpr std::ptrdiff_t most_prefetched = 64 * lanes;  // of a front; more would drive out what is needed now
+
+/// Lines of 64 bytes, to be read, or written too.
+template <bool written>
+LINKWORK_INLINE void prefetch(const double* from, std::ptrdiff_t count) {
+  for (std::ptrdiff_t k = 0; k < count; k += lanes) __builtin_prefetch(from + k, written, 3);
+}
+
+LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
+  prefetch<false>(data.D + step.D_body, 6 * step.rows);
+  prefetch<false>(data.D + step.D_parent, 6 * step.rows);
+  prefetch<true>(data.factors + step.storage, step_storage(step.rows));
+  __builtin_prefetch(&data.mass[step.body]);
+}
+
+LINKWORK_INLINE void prefetch_front(const Front& front, const Data& data) {
+  if (front.body >= 0) {
+    const std::ptrdiff_t* D_rows = data.D_rows + front.D_row;
+    for (int r = 0; r < front.size - 6; ++r) __builtin_prefetch(data.D + D_rows[r]);
+  }
+  if (!front.keeps_panel()) return;
+  const std::ptrdiff_t size = (front.width + 1) * static_cast<std::ptrdiff_t>(front.stride());
+  prefetch<true>(data.panels + front.panel, size < most_prefetched ? size : most_prefetched);
+}
+
 // --- open branches ---------------------------------------------------------------------------------------------------
 //
 // A body b held by one joint with rows D_b, D_p (p: the parent). With M_b = L D L^T, W = D_b L^-T and
@@ -551,6 +582,7 @@ void extend_add(const Front& front, const Data& data) {
 void factor_branches(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
   for (std::ptrdiff_t s = 0; s < data.step_count; ++s) {
     const TreeStep& step = data.steps[s];
+    if (s + steps_ahead < data.step_count) prefetch_step(data.steps[s + steps_ahead], data);
     LINKWORK_BY_ROWS(factor_step, step, data, a, b, smallest)
   }
 }
@@ -560,6 +592,7 @@ SmallestPivot factor(const Data& data, const double* a, const double* b) {
   factor_branches(data, a, b, smallest);
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
     const Front& front = data.fronts[f];
+    if (f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
     if (front.body >= 0) factor_body(front, data, a, smallest);
     else factor_joints(front, data, a, b, smallest);
     if (front.parent < 0) continue;
@@ -617,7 +650,10 @@ void forward_front(const Front& front, const Data& data, const double* a, const 
 void forward(const Data& data, const double* a, const double* b) {
   SmallestPivot unchanged;
   factor_branches(data, a, b, unchanged);
-  for (std::ptrdiff_t f = 0; f < data.front_count; ++f) forward_front(data.fronts[f], data, a, b);
+  for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
+    if (f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
+    forward_front(data.fronts[f], data, a, b);
+  }
 }
 
 /// Leaves the solution where the right-hand side was: own unknowns and those that the front kept.
@@ -672,9 +708,16 @@ void backward_front(const Front& front, const Data& data, const double* a, doubl
 }
 
 void backward(const Data& data, const double* a, double* x, double* lambda) {
-  for (std::ptrdiff_t f = data.front_count; f-- > 0;) backward_front(data.fronts[f], data, a, x, lambda);
+  for (std::ptrdiff_t f = data.front_count; f-- > 0;) {
+    if (f >= fronts_ahead) prefetch_front(data.fronts[f - fronts_ahead], data);
+    backward_front(data.fronts[f], data, a, x, lambda);
+  }
   for (std::ptrdiff_t s = data.step_count; s-- > 0;) {
     const TreeStep& step = data.steps[s];
+    if (s >= steps_ahead) {
+      const TreeStep& ahead = data.steps[s - steps_ahead];
+      prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
+    }
     LINKWORK_BY_ROWS(backward_step, step, data, x, lambda)
   }
 }
