@@ -58,12 +58,29 @@ LINKWORK_INLINE void multiply(const Pack* D_i, const Pack* D_j, const Pack* v_i,
   }
 }
 
+/// Asks for what a large model has in memory only: constants to be read, bodies, and the place of D.
+template <int rows>
+LINKWORK_INLINE void prefetch_joints(const JointArrays& joints, int first, const double* q, const double* v,
+                                     const ConstraintArrays& out) {
+  constexpr int line = 8;
+  for (int k = 0; k < 24 * width; k += line) __builtin_prefetch(joints.attachment + 24l * first + k);
+  for (int l = 0; l < width && first + l < joints.count; ++l) {
+    __builtin_prefetch(q + 7l * joints.body_j[first + l]);
+    __builtin_prefetch(v + 6l * joints.body_j[first + l]);
+    const double* D = out.D + joints.D[first + l];
+    for (int k = 0; k < 12 * rows; k += line) __builtin_prefetch(D + k, 1);
+  }
+}
+
 template <class Joint>
 LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q, const double* v,
                                      const Signal<double>* signals, const ConstraintArrays& out) {
   constexpr int rows = Joint::rows, max_parameters = 8;
+  constexpr int ahead = 16, many = 2000;
   Signal<Pack> parameters[max_parameters];
   for (int first = 0; first < joints.count; first += width) {
+    if (joints.count > many && first + ahead + width <= joints.count)
+      prefetch_joints<rows>(joints, first + ahead, q, v, out);
     for (int p = 0; p < joints.parameter_count; ++p)
       parameters[p] =
           load_parameter(joints.parameters + first * joints.parameter_count + p, joints.parameter_count, signals);
