@@ -46,6 +46,11 @@ class BlockSolver final : public SaddleSolver {
   }
 
   std::int64_t factor_nonzeros() const override { return schedule_->nonzeros; }
+  std::optional<double> flops() const override { return schedule_->flops; }
+  std::optional<std::int64_t> factor_bytes() const override {
+    const auto doubles = factors_.size() + accumulators_.size() + panels_.size() + updates_.size() + scratch_.size();
+    return static_cast<std::int64_t>(doubles * sizeof(double));
+  }
 
  private:
   void refuse_massless() const {
