@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any
 
 from linkwork import _core
-from linkwork.benchmark.choices import check_choices, choose_formulation
+from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.first_step import FirstStep, make_first_step
 from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.residuals import residuals
@@ -68,7 +68,6 @@ class Comparison:
     joints: int
     rows: int
     formulation: str
-    formulation_reason: str | None  #: why another than the default
     t: float | None  #: time of the state [s]; None where no solver reached one
     solvers: list[Measured | Refused]
 
@@ -76,7 +75,7 @@ class Comparison:
 def compare_solvers(
     subject: Subject,
     solvers: Sequence[str] | None = None,
-    formulation: str | None = None,
+    formulation: str = "standard",
     system: str = "auto",
     *,
     rounds: int = ROUNDS,
@@ -85,10 +84,9 @@ def compare_solvers(
 ) -> Comparison:
     """Time the right-hand side with several linear solvers in alternation, after one step of the mechanism.
 
-    solvers      names; None: all that there are
-    formulation  None: "standard", or "augmented_lagrangian" where that is refused
-    rounds       of which the medians are taken; slow solvers get fewer
-    limit        time [s] for a process that builds the mechanism and makes its first step
+    solvers  names; None: all that there are
+    rounds   of which the medians are taken; slow solvers get fewer
+    limit    time [s] for a process that builds the mechanism and makes its first step
 
     Each solver makes that step in a process of its own first, which gives its peak memory; a solver that
     fails there is Refused. OptionError: a name that does not exist, a mechanism or a number that cannot be.
@@ -96,14 +94,11 @@ def compare_solvers(
     names = list(dict.fromkeys(solvers or [info.name for info in _core.linear_solvers()]))
     check_choices(names, formulation, system, rounds, limit)
     model = subject.build()
-    with counting(progress, 1 + len(names) + rounds) as report:
-        report(0, "formulation")
-        formulation, reason = choose_formulation(subject, formulation, limit)
-        options: Options = {"formulation": formulation, "system": system}
-
+    options: Options = {"formulation": formulation, "system": system}
+    with counting(progress, len(names) + rounds) as report:
         steps: dict[str, FirstStep] = {}
         refused: dict[str, Refused] = {}
-        for place, name in enumerate(names, 1):
+        for place, name in enumerate(names):
             beat = partial(report, place, f"{name}: first step")
             step = isolated(
                 make_first_step, subject, {**options, "linear_solver": name}, seconds=limit, beat=beat
@@ -115,7 +110,7 @@ def compare_solvers(
 
         candidates = {}
         for name, own in steps.items():
-            report(1 + len(names), f"{name}: symbolic analysis")
+            report(len(names), f"{name}: symbolic analysis")
             state = next(iter(steps.values()))  # the same for all
             try:
                 candidates[name] = _Candidate(model, {**options, "linear_solver": name}, state, own, rounds)
@@ -124,7 +119,7 @@ def compare_solvers(
                 refused[name] = Refused(name, str(error), code)
         for number in range(rounds):
             for name, candidate in candidates.items():
-                report(1 + len(names) + number, f"{name}: round {number + 1} of {rounds}")
+                report(len(names) + number, f"{name}: round {number + 1} of {rounds}")
                 candidate.timing.measure()
     found = {name: candidate.measured(name) for name, candidate in candidates.items()} | refused
     return Comparison(
@@ -134,7 +129,6 @@ def compare_solvers(
         joints=model.joint_count,
         rows=model.row_count,
         formulation=formulation,
-        formulation_reason=reason,
         t=next((step.t for step in steps.values()), None),
         solvers=[found[name] for name in names],
     )

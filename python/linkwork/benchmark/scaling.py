@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.benchmark import memory
-from linkwork.benchmark.choices import check_choices, choose_formulation
+from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import Timing
@@ -58,18 +58,16 @@ class Growth:
 
     mechanism: str
     formulation: str
-    formulation_reason: str | None  #: why another than the default
     linear_solver: str
     sizes: list[Size | Missing]
-    exponent: (
-        float | None
-    )  #: of the fit: time of a right-hand side ~ bodies ^ exponent; None: fewer than two sizes
+    #: of the fit: time of a right-hand side ~ bodies ^ exponent; None: fewer than two sizes
+    exponent: float | None
 
 
 def growth(
     subjects: Sequence[Subject],
     linear_solver: str = "auto",
-    formulation: str | None = None,
+    formulation: str = "standard",
     *,
     rounds: int = ROUNDS,
     limit: float = LIMIT_SECONDS,
@@ -77,21 +75,18 @@ def growth(
 ) -> Growth:
     """Time right-hand sides of one mechanism in several sizes, each in a process of its own.
 
-    formulation  None: "standard", or "augmented_lagrangian" where that is refused
-    rounds       of which the medians are taken; slow sizes get fewer
-    limit        time [s] for each size
+    rounds  of which the medians are taken; slow sizes get fewer
+    limit   time [s] for each size
 
     A size that fails is Missing. OptionError: a name that does not exist, a number that cannot be, no size.
     """
     check_choices([linear_solver], formulation, "auto", rounds, limit)
     if not subjects:
         raise OptionError("no size to measure", code="bodies")
-    with counting(progress, len(subjects) + 1) as report:
-        report(0, "formulation")
-        formulation, reason = choose_formulation(subjects[0], formulation, limit)
-        options: Options = {"formulation": formulation, "linear_solver": linear_solver}
-        sizes: list[Size | Missing] = []
-        for place, subject in enumerate(subjects, 1):
+    options: Options = {"formulation": formulation, "linear_solver": linear_solver}
+    sizes: list[Size | Missing] = []
+    with counting(progress, len(subjects)) as report:
+        for place, subject in enumerate(subjects):
             bodies = subject.bodies
             beat = partial(report, place, f"{bodies:,} bodies")
             answer: Size | Missing | Failure
@@ -99,7 +94,7 @@ def growth(
             if isinstance(answer, Failure):
                 answer = Missing(bodies, answer.reason, answer.code)
             sizes.append(answer)
-    return Growth(subjects[0].mechanism, formulation, reason, linear_solver, sizes, _exponent(sizes))
+    return Growth(subjects[0].mechanism, formulation, linear_solver, sizes, _exponent(sizes))
 
 
 def measure_size(subject: Subject, options: Options, rounds: int) -> Size:

@@ -53,9 +53,11 @@ class Run:
     mechanism: str
     parameters: dict[str, Any]
     bodies: int
-    t_end: float
-    step: float
-    options: dict[str, Any]
+    formulation: str
+    linear_solver: str
+    integrator: str
+    t_end: float  #: [s]
+    step: float  #: [s]
     seconds: float  #: in all
     setup_seconds: float
     compiled_share: float  #: of the time in all, spent in the compiled module
@@ -64,10 +66,10 @@ class Run:
     max_position_violation: float
 
 
-#: mechanism, parameters, t_end [s], step [s], options: runs of 10 s that a user waits for.
-LONG_RUNS: tuple[tuple[Subject, float, float, Mapping[str, Any]], ...] = (
-    (Subject("bricard", {}), 10.0, 1e-3, {}),
-    (Subject("four_bar", {"n": 40}), 10.0, 1e-3, {"penalty": 1e9, "max_iterations": 1000}),
+#: mechanism, t_end [s], step [s]: runs that a user waits for.
+LONG_RUNS: tuple[tuple[Subject, float, float], ...] = (
+    (Subject("bricard", {}), 10.0, 1e-3),
+    (Subject("four_bar", {"n": 40}), 10.0, 1e-3),
 )
 
 
@@ -78,7 +80,7 @@ def time_steps(
 
     OptionError, ModelError: parameters that make no mechanism. LinkworkError: a run that fails.
     """
-    check_choices(["auto"], None, "auto", rounds, 1.0)
+    check_choices(["auto"], "standard", "auto", rounds, 1.0)
     with counting(progress, rounds + 1) as report:
         stepped = []
         for subject in subjects:
@@ -91,24 +93,20 @@ def time_steps(
     return [one.measured() for one in stepped]
 
 
-def long_run(
-    subject: Subject,
-    t_end: float,
-    step: float,
-    options: Mapping[str, Any] | None = None,
-    progress: ShowOption = None,
-) -> Run:
-    """One run by RK4 with the mechanism's settings; `options` come before them. LinkworkError: it fails."""
+def long_run(subject: Subject, t_end: float, step: float, progress: ShowOption = None) -> Run:
+    """One run by RK4, else with the settings that the mechanism recommends. LinkworkError: it fails."""
     model = subject.build()
-    result = _simulate(subject, model, t_end, step, options or {}, progress=progress)
-    found = result.statistics
+    result = _simulate(subject, model, t_end, step, progress=progress)
+    found, chosen = result.statistics, result.manifest["options"]
     return Run(
         mechanism=subject.mechanism,
         parameters=dict(subject.parameters),
         bodies=model.body_count,
+        formulation=chosen["formulation"],
+        linear_solver=chosen["linear_solver"],
+        integrator=chosen["integrator"],
         t_end=t_end,
         step=step,
-        options=dict(options or {}),
         seconds=found["seconds"],
         setup_seconds=found["setup_seconds"],
         compiled_share=found["driver_seconds"] / found["seconds"],
@@ -131,9 +129,7 @@ class _Stepped:
 
     def run(self, steps: int) -> Result:
         end = steps * self.step
-        self.result = _simulate(
-            self.subject, self.model, end, self.step, {}, record_every=steps, progress=False
-        )
+        self.result = _simulate(self.subject, self.model, end, self.step, record_every=steps, progress=False)
         return self.result
 
     def measured(self) -> Steps:
@@ -162,8 +158,6 @@ class _Stepped:
         return float(statistics.median(result[name] for result in self.results))
 
 
-def _simulate(
-    subject: Subject, model: Model, t_end: float, step: float, options: Mapping[str, Any], **how: Any
-) -> Result:
-    settings = {**subject.record.settings, **options, "t_end": t_end, "step": step}
+def _simulate(subject: Subject, model: Model, t_end: float, step: float, **how: Any) -> Result:
+    settings = {**subject.record.settings, "t_end": t_end, "step": step}
     return simulate(model, integrator="rk4", **settings, **how)

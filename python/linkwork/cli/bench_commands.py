@@ -45,11 +45,9 @@ PARAMETERS = click.option(
     help="A parameter of the mechanism, such as joint=spherical; may be given again.",
 )  # fmt: skip
 FORMULATION = click.option(
-    "--formulation",
-    metavar="NAME",
-    help="standard, penalty or augmented_lagrangian.  [default: standard, or augmented_lagrangian for "
-    "mechanisms with redundant joints or massless bodies]",
-)
+    "--formulation", default="standard", show_default=True, metavar="NAME",
+    help="standard, penalty or augmented_lagrangian.",
+)  # fmt: skip
 JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 
 

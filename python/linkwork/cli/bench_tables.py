@@ -15,13 +15,13 @@ FACTORS = ("solver", "analyze", "flops", "GFlop/s", "factors", "nonzeros", "fill
 SIZES = ("bodies", "ns per body", "build", "compile", "analyze", "bytes per body", "at the peak")
 STEPS = ("mechanism", "method", "bodies", "us per step", "ns per body, rhs")
 SHARES = ("evaluate", "factorize", "solve", "rest")
-RUNS = ("mechanism", "options", "bodies", "step [s]", "time [s]", "setup [s]", "compiled", "energy error [J]")
+RUNS = ("mechanism", "method", "bodies", "step [s]", "time [s]", "setup [s]", "compiled", "energy error [J]")
 
 
 def show_comparison(found: Comparison) -> None:
     counts = f"{found.bodies:,} bodies, {found.joints:,} joints, {found.rows:,} constraints"
     print(f"{found.mechanism}{_shown(found.parameters)}: {counts}")
-    _show_method(found.formulation, found.formulation_reason)
+    print(f"formulation {found.formulation}")
     measured = [solver for solver in found.solvers if isinstance(solver, Measured)]
     if measured:
         out.print_table(
@@ -43,7 +43,7 @@ def show_comparison(found: Comparison) -> None:
 
 def show_growth(found: Growth) -> None:
     print(f"{found.mechanism}, linear solver {found.linear_solver}")
-    _show_method(found.formulation, found.formulation_reason)
+    print(f"formulation {found.formulation}")
     measured = [_size_cells(size) for size in found.sizes if isinstance(size, Size)]
     if measured:
         title = "One right-hand side, time to set up, resident memory"
@@ -105,7 +105,7 @@ def _step_cells(one: Steps) -> tuple[str, ...]:
 def _run_cells(run: Run) -> tuple[str, ...]:
     return (
         run.mechanism + _shown(run.parameters),
-        ", ".join(f"{name} {value:g}" for name, value in run.options.items()),
+        f"{run.formulation}, {run.linear_solver}",
         f"{run.bodies:,}",
         f"{run.step:g}",
         f"{run.seconds:.3g}",
@@ -113,10 +113,6 @@ def _run_cells(run: Run) -> tuple[str, ...]:
         f"{run.compiled_share:.1%}",
         f"{run.max_energy_error:.1e}",
     )
-
-
-def _show_method(formulation: str, reason: str | None) -> None:
-    print(f"formulation {formulation}" + (f", because {reason}" if reason else ""))
 
 
 def _show_machine() -> None:
