@@ -1,6 +1,8 @@
 #include "bindings.hpp"
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/instruction_set.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -152,6 +154,9 @@ void bind_information(py::module_& module) {
         return out;
       });
   module.def("linear_solvers", [] { return linear_solvers(); });
+  module.def(
+      "instruction_set", [] { return best_instruction_set().name; },
+      "The instruction set that the hot loops use on this processor, such as x86-64-v3.");
   py::class_<FormulationInfo>(module, "FormulationInfo", "A registered formulation.")
       .def_readonly("name", &FormulationInfo::name)
       .def_readonly("documentation", &FormulationInfo::documentation)
@@ -212,9 +217,10 @@ py::dict statistics(const Dynamics& dynamics) {
   out["solves"] = cost.solves;
   out["evaluate_time"] = cost.evaluate_time;
   out["factorize_time"] = cost.factorize_time;
+  out["assemble_time"] = dynamics.assemble_time();
   out["solve_time"] = cost.solve_time;
   out["smallest_pivot"] = cost.smallest_pivot;
-  out["factor_nonzeros"] = dynamics.factor_nonzeros();
+  out["factor_nonzeros"] = dynamics.factorization_cost().factor_nonzeros;
   out["iterations"] = iterations.iterations;
   out["most_iterations"] = iterations.most;
   out["raised_penalties"] = iterations.raised;
@@ -225,12 +231,51 @@ py::dict statistics(const Dynamics& dynamics) {
   return out;
 }
 
+py::dict factorization_cost(const Dynamics& dynamics) {
+  const FactorizationCost cost = dynamics.factorization_cost();
+  py::dict out;
+  out["matrix_nonzeros"] = cost.matrix_nonzeros;
+  out["factor_nonzeros"] = cost.factor_nonzeros;
+  out["flops"] = cost.flops;
+  out["bytes"] = cost.bytes;
+  return out;
+}
+
+py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& y, int repeats) {
+  const VectorXd full = with_work(dynamics, y);
+  RightHandSideTimes times;
+  {
+    const py::gil_scoped_release release;
+    times = time_right_hand_sides(dynamics, t, full, repeats);
+  }
+  py::dict out;
+  out["evaluate"] = times.evaluate;
+  out["assemble"] = times.assemble;
+  out["factorize"] = times.factorize;
+  out["solve"] = times.solve;
+  out["reactions"] = times.reactions;
+  out["whole"] = times.whole;
+  return out;
+}
+
+void bind_measurements(py::class_<Dynamics>& dynamics) {
+  dynamics.def("statistics", &statistics)
+      .def("factorization_cost", &factorization_cost,
+           "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.")
+      .def("right_hand_side_times", &right_hand_side_times, py::arg("t"), py::arg("y"), py::arg("repeats"),
+           "Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, "
+           "reactions, and the whole, which may be less than their sum.")
+      .def("analysis_time", &time_analysis, py::call_guard<py::gil_scoped_release>(),
+           "Time of one symbolic analysis, by a solver like the one in use [s].");
+}
+
 }  // namespace
 
 void bind_formulation(py::module_& module) {
   bind_information(module);
   bind_options(module);
-  py::class_<Dynamics>(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.")
+  py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
+  dynamics
       .def(py::init<const Model&, const Options&>(), py::arg("model"), py::arg("options"),
            py::call_guard<py::gil_scoped_release>())
       .def_property_readonly("body_count", [](const Dynamics& d) { return d.system().body_count(); })
@@ -253,8 +298,8 @@ void bind_formulation(py::module_& module) {
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
       .def("rank", &Dynamics::rank, py::return_value_policy::copy)
       .def("dependent_groups", &groups, py::arg("most"),
-           "(row, rows that imply it, both in words) of the first redundant rows.")
-      .def("statistics", &statistics);
+           "(row, rows that imply it, both in words) of the first redundant rows.");
+  bind_measurements(dynamics);
 }
 
 }  // namespace linkwork::python

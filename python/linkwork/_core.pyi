@@ -31,6 +31,7 @@ __all__ = [
     "TimeFunction",
     "force_kinds",
     "formulations",
+    "instruction_set",
     "joint_kinds",
     "linear_solvers",
     "stabilizations",
@@ -76,6 +77,10 @@ class Dynamics:
         """
         (v_dot, multipliers) of the mechanism itself, without stabilization.
         """
+    def analysis_time(self) -> float:
+        """
+        Time of one symbolic analysis, by a solver like the one in use [s].
+        """
     def dependent_groups(
         self, most: typing.SupportsInt | typing.SupportsIndex
     ) -> list[tuple[int, list[int], str]]:
@@ -99,6 +104,10 @@ class Dynamics:
         """
         M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.
         """
+    def factorization_cost(self) -> dict:
+        """
+        matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.
+        """
     def initial_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         y = (q, v), 13 per body.
@@ -118,6 +127,15 @@ class Dynamics:
     ) -> tuple:
         """
         Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes; (k, joints, 3) for k times, states and multipliers.
+        """
+    def right_hand_side_times(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        repeats: typing.SupportsInt | typing.SupportsIndex,
+    ) -> dict:
+        """
+        Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, reactions, and the whole, which may be less than their sum.
         """
     def statistics(self) -> dict: ...
     @property
@@ -558,6 +576,11 @@ class TimeFunction:
 
 def force_kinds() -> list[KindInfo]: ...
 def formulations() -> list[FormulationInfo]: ...
+def instruction_set() -> str:
+    """
+    The instruction set that the hot loops use on this processor, such as x86-64-v3.
+    """
+
 def joint_kinds() -> list[KindInfo]: ...
 def linear_solvers() -> list[SolverInfo]: ...
 def stabilizations() -> list[StabilizationInfo]: ...

@@ -16,13 +16,21 @@ from linkwork.model import Model
 
 def manifest(model: Model, given: Mapping[str, Any], chosen: Mapping[str, Any]) -> dict[str, Any]:
     """Versions, machine, model and options: `given` as the user wrote them, `chosen` with none left open."""
-    import linkwork
-
     return {
         "model": model.name,
         "model_hash": model.hash(),
         "options": dict(chosen),
         "options_given": {name: _plain(value) for name, value in given.items()},
+        **platform_facts(),
+        "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+    }
+
+
+def platform_facts() -> dict[str, Any]:
+    """Versions, platform, processor and its cores."""
+    import linkwork
+
+    return {
         "versions": {
             "linkwork": linkwork.__version__,
             "numpy": np.__version__,
@@ -31,7 +39,6 @@ def manifest(model: Model, given: Mapping[str, Any], chosen: Mapping[str, Any]) 
         "platform": platform.platform(),
         "cpu": _cpu(),
         "cores": os.cpu_count(),
-        "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
     }
 
 

@@ -1,6 +1,7 @@
 """Progress of a long run: one line on a terminal, or a call of the user's function.
 
-`simulate` reports through `reporting(...)`; whether anything is shown is decided here.
+`simulate` reports through `reporting(...)`, a series of tasks through `counting(...)`; whether anything is
+shown is decided here.
 """
 
 from __future__ import annotations
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 
 #: What `simulate(progress=...)` takes: None shows a line on a terminal, False shows nothing.
 ProgressOption = Callable[["ProgressInfo"], object] | Literal[False] | None
+
+#: What a series of tasks takes: None shows a line on a terminal, False shows nothing.
+ShowOption = Literal[False] | None
 
 #: A run is silent for this long [s]: most are over by then.
 SILENT_SECONDS = 2.0
@@ -70,9 +74,26 @@ def reporting(progress: ProgressOption, t_end: float, steps_total: int = 0) -> I
     def report(t: float, steps_done: int) -> None:
         info = ProgressInfo(t, t_end, steps_done, steps_total, time.monotonic() - started)
         if line is not None:
-            line.show(info)
+            line.show(info.elapsed, info.fraction, describe(info))
         elif callable(progress):
             progress(info)
+
+    try:
+        yield report
+    finally:
+        if line is not None:
+            line.close()
+
+
+@contextmanager
+def counting(show: ShowOption, total: int) -> Iterator[Callable[[int, str], None]]:
+    """Give a series of tasks its `report(done, what)`, called as each begins; shown as by `reporting`."""
+    started = time.monotonic()
+    line = _Line() if show is None and _is_terminal() else None
+
+    def report(done: int, what: str) -> None:
+        if line is not None:
+            line.show(time.monotonic() - started, min(done / total, 1.0), what)
 
     try:
         yield report
@@ -93,15 +114,15 @@ class _Line:
     def __init__(self) -> None:
         self._progress: Progress | None = None
 
-    def show(self, info: ProgressInfo) -> None:
-        if info.elapsed < SILENT_SECONDS:
+    def show(self, elapsed: float, fraction: float, text: str) -> None:
+        if elapsed < SILENT_SECONDS:
             return
         if self._progress is None:
             self._progress = _terminal_progress()
             self._progress.start()
             self._progress.add_task("", total=1.0)
         task = self._progress.task_ids[0]
-        self._progress.update(task, completed=info.fraction, description=describe(info))
+        self._progress.update(task, completed=fraction, description=text)
 
     def close(self) -> None:
         if self._progress is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any
 
 import linkwork as lw
@@ -56,6 +57,8 @@ FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
     "pendulum": ({}, 5, 0),
     "rod_pendulum": ({}, 1, 0),
     "chain": ({"bodies": 4}, 4, 0),
+    "binary_tree": ({"bodies": 7, "joint": "spherical"}, 21, 0),
+    "hub": ({"arms": 5}, 1 + 3 * 5, 0),
     "heavy_top": ({}, 3, 0),
     "torque_free_top": ({}, 6, 0),
     "four_bar": ({"n": 2}, 1, 6),
@@ -88,8 +91,76 @@ def test_the_rods_of_a_net_are_a_meter_long(n: int) -> None:
     assert (model.body_count, np.abs(arms - 0.5).max()) == (2 * n * (n - 1), pytest.approx(0, abs=1e-14))
 
 
+@pytest.mark.parametrize("arms", [3, 4, 5, 12, 13])
+def test_each_loop_of_a_hub_takes_one_freedom(arms: int) -> None:
+    D = dense_D(lw.mechanisms.hub(arms, loops=True))
+    singular_values = np.linalg.svd(D, compute_uv=False)
+    assert D.shape[1] - D.shape[0] == 1 + 2 * arms
+    assert singular_values[-1] > 0.5 / arms * singular_values[0]
+
+
+def test_a_hub_keeps_its_angular_momentum_about_the_axle_while_its_arms_rise() -> None:
+    model = lw.mechanisms.hub(5)
+    result = lw.simulate(model, t_end=0.5, step=1e-3)
+    mass, inertia = model.compiled().mass, model.compiled().inertia
+    spin = np.einsum("kbij,bjl,kbl->kbi", lw.rotation.matrix(result.orientation), inertia, result.omega)
+    momentum = (mass[:, None] * np.cross(result.position, result.velocity) + spin).sum(axis=1)[:, 2]
+    assert momentum == pytest.approx(np.full(len(result), momentum[0]), rel=1e-9)
+    assert result.body("arm[0]").position[-1, 2] > result.body("arm[0]").position[0, 2] + 0.01
+
+
+def test_the_left_and_the_right_half_of_a_binary_tree_fall_alike() -> None:
+    result = lw.simulate(lw.mechanisms.binary_tree(7, "spherical"), t_end=0.5, step=1e-3)
+    mirrored = [0, 2, 1, 6, 5, 4, 3]
+    assert result.position == pytest.approx(result.position[:, mirrored] * (1, -1, 1), abs=1e-9)
+    assert result.position[-1, :, 2].max() < -0.1
+
+
+@pytest.mark.parametrize("name", [name for name, mechanism in MECHANISMS.items() if mechanism.size])
+@pytest.mark.parametrize("bodies", [24, 25, 100])
+def test_the_size_of_a_mechanism_is_the_largest_with_no_more_bodies(name: str, bodies: int) -> None:
+    mechanism = MECHANISMS[name]
+    assert mechanism.size
+    value = mechanism.size.value_for(bodies)
+    counts = [mechanism.function(**{mechanism.size.parameter: v}).body_count for v in (value, value + 1)]
+    assert counts[0] == mechanism.size.bodies(value)
+    assert counts[0] <= bodies < counts[1]
+
+
 def test_a_large_net_is_built_at_once() -> None:
     assert lw.mechanisms.net(100).body_count == 19800
+
+
+def python_calls(name: str, bodies: int) -> int:
+    """How many functions are called in building a mechanism."""
+    mechanism = MECHANISMS[name]
+    assert mechanism.size
+    value, calls = mechanism.size.value_for(bodies), 0
+
+    def count(*_: Any) -> None:
+        nonlocal calls
+        calls += 1
+
+    sys.setprofile(count)
+    try:
+        mechanism.function(**{mechanism.size.parameter: value})
+    finally:
+        sys.setprofile(None)
+    return calls
+
+
+@pytest.mark.parametrize("name", ["chain", "binary_tree", "hub", "net"])
+def test_building_a_mechanism_takes_no_more_calls_for_more_bodies(name: str) -> None:
+    """But for the levels of the tree: there is one in every doubling."""
+    python_calls(name, 100)
+    few, many = python_calls(name, 100), python_calls(name, 6400)
+    assert many - few < 20 * np.log2(6400 / 100)
+
+
+@pytest.mark.parametrize("joint", ["revolute", "spherical"])
+def test_each_joint_of_a_binary_tree_leaves_its_freedom(joint: str) -> None:
+    D = dense_D(lw.mechanisms.binary_tree(10, joint))
+    assert D.shape[1] - np.linalg.matrix_rank(D, tol=1e-9) == 10 * {"revolute": 1, "spherical": 3}[joint]
 
 
 @pytest.mark.parametrize("joint", ["revolute", "spherical", "universal"])
@@ -103,6 +174,10 @@ def test_a_chain_can_have_several_joints(joint: str) -> None:
     [
         ("chain", {"bodies": 0}, ["bodies 0"]),
         ("chain", {"joint": "sperical"}, ["'sperical'", "'spherical'"]),
+        ("binary_tree", {"bodies": 0}, ["bodies 0"]),
+        ("binary_tree", {"joint": "univresal"}, ["'univresal'", "'revolute'"]),
+        ("hub", {"arms": 0}, ["arms 0"]),
+        ("hub", {"arms": 2, "loops": True}, ["arms 2", "3"]),
         ("four_bar", {"n": 0}, ["n 0"]),
         ("net", {"n": 2}, ["n 2", "3"]),
     ],

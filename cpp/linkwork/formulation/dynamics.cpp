@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
 namespace {
@@ -11,17 +12,6 @@ namespace {
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr auto poll_interval = std::chrono::milliseconds(50);
-
-/// Adds the time from construction to destruction.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  double& total_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
@@ -150,6 +140,17 @@ VectorXd Dynamics::initial_y() const {
   return y;
 }
 
+FactorizationCost Dynamics::factorization_cost() const {
+  if (system_.row_count() == 0) return {0, 0, 0.0, 0};
+  const SaddleSolver& saddle = formulation_->saddle();
+  std::int64_t kkt_nonzeros = 21 * std::int64_t{system_.body_count()};  // half of [M D^T; D 0] by blocks
+  for (const ConstraintBlock& block : system_.blocks()) kkt_nonzeros += 6 * std::int64_t{block.rows};
+  return {saddle.matrix_nonzeros().value_or(kkt_nonzeros), saddle.factor_nonzeros(), saddle.flops(),
+          saddle.factor_bytes()};
+}
+
+double Dynamics::assemble_time() const { return formulation_->saddle().assemble_time(); }
+
 void Dynamics::poll() {
   if (!interrupt_ || system_.body_count() < polled_bodies) return;
   const auto now = std::chrono::steady_clock::now();
@@ -171,13 +172,16 @@ void Dynamics::evaluate(double t, const ConstVector& y) {
   factorized_ = false;
 }
 
-/// The first solve after an evaluation factorizes; a state that is not finite makes the matrix singular: say which it
-/// is.
-void Dynamics::factorize_and_solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot,
-                                   MutableVector lambda) {
+void Dynamics::factorize() {
+  if (system_.row_count() > 0 && !factorized_) count_factorization([&] { formulation_->factorize(at_); });
+}
+
+/// A state that is not finite makes the matrix singular: say which it is.
+template <class Work>
+void Dynamics::count_factorization(Work factorize) {
   const Stopwatch watch(statistics_.factorize_time);
   try {
-    formulation_->factorize_and_solve(at_, a, b, v_dot, lambda);
+    factorize();
   } catch (const SingularSystemError&) {
     const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
     if (pivots && y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
@@ -193,7 +197,8 @@ void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
   kept_b_ = b;
   dropped_.take_from(kept_b_);
-  if (!factorized_) return factorize_and_solve(a, kept_b_, v_dot, lambda);
+  if (!factorized_)
+    return count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept_b_, v_dot, lambda); });
   const Stopwatch watch(statistics_.solve_time);
   formulation_->solve(a, kept_b_, v_dot, lambda);
 }

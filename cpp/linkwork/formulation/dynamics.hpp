@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "linkwork/formulation/dropped_rows.hpp"
@@ -23,6 +24,14 @@ struct DynamicsStatistics {
   double smallest_pivot = 1.0;  ///< over the run; see Pivot
 };
 
+/// What a factorization takes; see LinearSolver. Of a solver that forms no matrix it is the kkt matrix that counts.
+struct FactorizationCost {
+  std::int64_t matrix_nonzeros = 0;  ///< of the lower triangle
+  std::int64_t factor_nonzeros = 0;
+  std::optional<double> flops;
+  std::optional<std::int64_t> bytes;
+};
+
 /// A System with a formulation and a stabilization: the right-hand side of y_dot = f(t, y), y = (q, v, work), with the
 /// work of the forces that have no potential [J] as the last entry.
 class Dynamics {
@@ -34,16 +43,16 @@ class Dynamics {
   const Evaluation& evaluation() const { return at_; }
   const DynamicsStatistics& statistics() const { return statistics_; }
   const IterationStatistics& iterations() const { return formulation_->iterations(); }
-  std::int64_t factor_nonzeros() const {
-    return system_.row_count() > 0 ? formulation_->saddle().factor_nonzeros() : 0;
-  }
+  FactorizationCost factorization_cost() const;  ///< of the last one
+  double assemble_time() const;                  ///< part of the factorize_time; see SaddleSolver
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
   const RankReport& rank() const { return rank_; }
 
-  /// Evaluates and factorizes at (t, y): everything below refers to this state. Redundant rows are zero in the D of
-  /// the `evaluation`.
+  /// Evaluates at (t, y): everything below refers to this state. Redundant rows are zero in the D of the `evaluation`.
   void evaluate(double t, const ConstVector& y);
+  /// Factorizes ahead of the first solution, which else does both.
+  void factorize();
 
   /// Accelerations and multipliers of the mechanism itself, without stabilization. The multipliers of redundant
   /// constraints are those of MinimumNorm.
@@ -75,7 +84,8 @@ class Dynamics {
   void set_interrupt(std::function<void()> interrupt) { interrupt_ = std::move(interrupt); }
 
  private:
-  void factorize_and_solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
+  template <class Work>
+  void count_factorization(Work factorize);
   void check_masses(const FormulationInfo& info) const;
   void check_rank(const FormulationInfo& info) const;
   void check_kkt() const;

@@ -1,4 +1,5 @@
 #include "linkwork/linear/saddle_solver.hpp"
+#include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork::detail {
 namespace {
@@ -20,18 +21,10 @@ class KktSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd&) override {
-    const int n = system_->body_count();
-    for (std::size_t k = 0; k < system_->blocks().size(); ++k) {
-      const ConstraintBlock& block = system_->blocks()[k];
-      const auto rows = scale_.segment(6 * n + block.row, block.rows);
-      const auto columns = scale_.segment<6>(6 * block.body);
-      auto lower = matrix_->block(lower_[k]);
-      lower = rows.asDiagonal() * block_of(at, block) * columns.asDiagonal();
-      matrix_->block(upper_[k]) = lower.transpose();
-    }
+    assemble(at);
     smallest_pivot_ = solver_->factorize(matrix_->matrix());
     if (!(smallest_pivot_.ratio > singular_pivot))
-      throw_singular(*system_, "kkt", smallest_pivot_, smallest_pivot_.row - 6 * n);
+      throw_singular(*system_, "kkt", smallest_pivot_, smallest_pivot_.row - system_->v_size());
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
@@ -44,6 +37,9 @@ class KktSolver final : public SaddleSolver {
   }
 
   std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
+  std::optional<double> flops() const override { return solver_->flops(); }
+  std::optional<std::int64_t> factor_bytes() const override { return solver_->factor_bytes(); }
+  std::optional<std::int64_t> matrix_nonzeros() const override { return triangle_nonzeros(matrix_->matrix()); }
 
  private:
   void build_pattern() {
@@ -85,6 +81,18 @@ class KktSolver final : public SaddleSolver {
     const VectorXd mobility = system_->row_mobility(typical);
     for (Eigen::Index row = 0; row < mobility.size(); ++row)
       if (mobility[row] > 0.0) scale_[6 * n + row] = 1.0 / std::sqrt(mobility[row]);
+  }
+
+  void assemble(const Evaluation& at) {
+    const Stopwatch watch(assemble_time_);
+    for (std::size_t k = 0; k < system_->blocks().size(); ++k) {
+      const ConstraintBlock& block = system_->blocks()[k];
+      const auto rows = scale_.segment(system_->v_size() + block.row, block.rows);
+      const auto columns = scale_.segment<6>(6 * block.body);
+      auto lower = matrix_->block(lower_[k]);
+      lower = rows.asDiagonal() * block_of(at, block) * columns.asDiagonal();
+      matrix_->block(upper_[k]) = lower.transpose();
+    }
   }
 
   const System* system_ = nullptr;

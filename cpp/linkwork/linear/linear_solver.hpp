@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,10 @@ class LinearSolver {
   virtual void solve(Eigen::Ref<MatrixXd> x) = 0;
   /// Entries of the factors.
   virtual std::int64_t factor_nonzeros() const = 0;
+  /// Of the last factorization, multiplications and additions, as the backend counts them; none where it does not.
+  virtual std::optional<double> flops() const { return {}; }
+  /// Memory that the factors take with their indices and workspace [bytes]; none where it is not known.
+  virtual std::optional<std::int64_t> factor_bytes() const { return {}; }
 };
 
 class SaddleSolver;

@@ -1,6 +1,7 @@
 #include "linkwork/linear/saddle_solver.hpp"
 
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork::detail {
 namespace {
@@ -21,16 +22,7 @@ class NormalSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd& e) override {
-    penalty_ = e.cwiseInverse();
-    add_masses();
-    using Weighted = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
-    for (const Term& term : terms_) {
-      const ConstraintBlock& c = system_->blocks()[static_cast<std::size_t>(term.c)];
-      const Weighted weighted = block_of(at, c).transpose() * penalty_.segment(c.row, c.rows).asDiagonal();
-      matrix_->block(term.place) +=
-          (weighted.lazyProduct(block_of(at, system_->blocks()[static_cast<std::size_t>(term.b)]))).transpose();
-    }
-    if (storage_ == Storage::full) matrix_->mirror();
+    assemble(at, e);
     smallest_pivot_ = solver_->factorize(matrix_->matrix());
     if (!(smallest_pivot_.ratio > singular_pivot)) throw_free_body();
     at_ = &at;
@@ -48,6 +40,9 @@ class NormalSolver final : public SaddleSolver {
   }
 
   std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
+  std::optional<double> flops() const override { return solver_->flops(); }
+  std::optional<std::int64_t> factor_bytes() const override { return solver_->factor_bytes(); }
+  std::optional<std::int64_t> matrix_nonzeros() const override { return triangle_nonzeros(matrix_->matrix()); }
 
  private:
   /// N_bc += D_b^T E^-1 D_c, with b and c blocks of the same joint.
@@ -80,6 +75,20 @@ class NormalSolver final : public SaddleSolver {
           const int column = system_->blocks()[static_cast<std::size_t>(c)].body;
           if (row <= column) visit(b, c, row, column);
         }
+  }
+
+  void assemble(const Evaluation& at, const VectorXd& e) {
+    const Stopwatch watch(assemble_time_);
+    penalty_ = e.cwiseInverse();
+    add_masses();
+    using Weighted = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+    for (const Term& term : terms_) {
+      const ConstraintBlock& c = system_->blocks()[static_cast<std::size_t>(term.c)];
+      const Weighted weighted = block_of(at, c).transpose() * penalty_.segment(c.row, c.rows).asDiagonal();
+      matrix_->block(term.place) +=
+          (weighted.lazyProduct(block_of(at, system_->blocks()[static_cast<std::size_t>(term.b)]))).transpose();
+    }
+    if (storage_ == Storage::full) matrix_->mirror();
   }
 
   void add_masses() {

@@ -36,9 +36,16 @@ class SaddleSolver {
   /// Of the last factorization; see Pivot.
   double smallest_pivot() const { return smallest_pivot_.ratio; }
   virtual std::int64_t factor_nonzeros() const = 0;
+  virtual std::optional<double> flops() const { return {}; }               ///< see LinearSolver
+  virtual std::optional<std::int64_t> factor_bytes() const { return {}; }  ///< see LinearSolver
+  /// Entries in the lower triangle of the matrix; none from a solver that forms no matrix.
+  virtual std::optional<std::int64_t> matrix_nonzeros() const { return {}; }
+  /// Spent in assembling the matrix, in all [s]; zero where the factorization does it on its way.
+  double assemble_time() const { return assemble_time_; }
 
  protected:
   Pivot smallest_pivot_;
+  double assemble_time_ = 0.0;
 };
 
 /// The forms by name: "kkt", "schur", "normal".

@@ -1,4 +1,5 @@
 #include "linkwork/linear/saddle_solver.hpp"
+#include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork::detail {
 namespace {
@@ -22,19 +23,7 @@ class SchurSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd& e) override {
-    matrix_->set_zero();
-    for (std::size_t joint = 0; joint < diagonal_.size(); ++joint) {
-      auto block = matrix_->block(diagonal_[joint]);
-      block.diagonal() = e.segment(system_->model().joint_rows()[joint], block.rows());
-    }
-    using Weighted = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
-    Weighted weighted;
-    for (const Term& term : terms_) {
-      if (term.first_of_block) weighted = divide_by_mass(at, system_->blocks()[static_cast<std::size_t>(term.l)]);
-      matrix_->block(term.place) +=
-          block_of(at, system_->blocks()[static_cast<std::size_t>(term.k)]).lazyProduct(weighted);
-    }
-    if (storage_ == Storage::full) matrix_->mirror();
+    assemble(at, e);
     smallest_pivot_ = solver_->factorize(matrix_->matrix());
     if (!(smallest_pivot_.ratio > singular_pivot))
       throw_singular(*system_, "schur", smallest_pivot_, smallest_pivot_.row);
@@ -53,6 +42,9 @@ class SchurSolver final : public SaddleSolver {
   }
 
   std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
+  std::optional<double> flops() const override { return solver_->flops(); }
+  std::optional<std::int64_t> factor_bytes() const override { return solver_->factor_bytes(); }
+  std::optional<std::int64_t> matrix_nonzeros() const override { return triangle_nonzeros(matrix_->matrix()); }
 
  private:
   /// S_kl += D_k M^-1 D_l^T, with k and l blocks of the same body.
@@ -96,6 +88,23 @@ class SchurSolver final : public SaddleSolver {
           first = false;
         }
       }
+  }
+
+  void assemble(const Evaluation& at, const VectorXd& e) {
+    const Stopwatch watch(assemble_time_);
+    matrix_->set_zero();
+    for (std::size_t joint = 0; joint < diagonal_.size(); ++joint) {
+      auto block = matrix_->block(diagonal_[joint]);
+      block.diagonal() = e.segment(system_->model().joint_rows()[joint], block.rows());
+    }
+    using Weighted = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+    Weighted weighted;
+    for (const Term& term : terms_) {
+      if (term.first_of_block) weighted = divide_by_mass(at, system_->blocks()[static_cast<std::size_t>(term.l)]);
+      matrix_->block(term.place) +=
+          block_of(at, system_->blocks()[static_cast<std::size_t>(term.k)]).lazyProduct(weighted);
+    }
+    if (storage_ == Storage::full) matrix_->mirror();
   }
 
   /// M_b^-1 D_lb^T.

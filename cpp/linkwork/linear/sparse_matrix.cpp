@@ -8,6 +8,15 @@
 
 namespace linkwork {
 
+std::int64_t triangle_nonzeros(const SparseMatrix& A) {
+  std::int64_t count = 0;
+  for (int column = 0; column < A.size; ++column)
+    for (int k = A.column_begin[static_cast<std::size_t>(column)];
+         k < A.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
+      count += A.row[static_cast<std::size_t>(k)] <= column ? 1 : 0;
+  return count;
+}
+
 BlockMatrix::BlockMatrix(const std::vector<int>& sizes, std::vector<BlockIndex> blocks, Storage storage) {
   first_.assign(sizes.size() + 1, 0);
   std::partial_sum(sizes.begin(), sizes.end(), first_.begin() + 1);

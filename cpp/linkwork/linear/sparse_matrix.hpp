@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "linkwork/math/types.hpp"
@@ -16,6 +17,9 @@ struct SparseMatrix {
   std::vector<int> column_begin, row;
   std::vector<double> value;
 };
+
+/// Entries on and below the diagonal, or on and above it where only that triangle is stored.
+std::int64_t triangle_nonzeros(const SparseMatrix& A);
 
 /// Row and column of a dense block.
 struct BlockIndex {

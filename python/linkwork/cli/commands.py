@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from linkwork.cli import base
+from linkwork.cli.bench_commands import bench
 
 if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism
@@ -75,6 +76,9 @@ def check() -> None:
 
     Degrees of freedom, rank of the constraints, redundant joints, initial residuals, inertias.
     """
+
+
+linkwork.add_command(bench)
 
 
 @linkwork.command("list")

@@ -46,11 +46,15 @@ def _command(
 
 
 def _parameter_options(mechanism: Mechanism) -> list[click.Option]:
-    """An option for every parameter of the mechanism's function: its type is the type of its default."""
+    """An option for every parameter of the mechanism's function: its type is the type of its default.
+
+    A yes or no is a flag.
+    """
     return [
         click.Option(
             ["--" + parameter.name.replace("_", "-"), parameter.name],
             type=type(parameter.default),
+            is_flag=isinstance(parameter.default, bool),
             default=parameter.default,
             show_default=True,
             help=parameter.description,

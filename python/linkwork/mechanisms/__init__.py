@@ -5,11 +5,13 @@ lw.simulate(lw.mechanisms.chain(100), t_end=1.0, step=1e-3)
 
 from __future__ import annotations
 
+from linkwork.mechanisms.binary_tree import BINARY_TREE, binary_tree
 from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
 from linkwork.mechanisms.heavy_top import HEAVY_TOP, heavy_top
-from linkwork.mechanisms.mechanism import Mechanism, Parameter
+from linkwork.mechanisms.hub import HUB, hub
+from linkwork.mechanisms.mechanism import Mechanism, Parameter, Size
 from linkwork.mechanisms.net import NET, net
 from linkwork.mechanisms.pendulum import PENDULUM, pendulum
 from linkwork.mechanisms.rod_pendulum import ROD_PENDULUM, rod_pendulum
@@ -21,10 +23,13 @@ __all__ = [
     "MECHANISMS",
     "Mechanism",
     "Parameter",
+    "Size",
+    "binary_tree",
     "bricard",
     "chain",
     "four_bar",
     "heavy_top",
+    "hub",
     "net",
     "pendulum",
     "rod_pendulum",
@@ -40,6 +45,8 @@ MECHANISMS: dict[str, Mechanism] = {
         PENDULUM,
         ROD_PENDULUM,
         CHAIN,
+        BINARY_TREE,
+        HUB,
         HEAVY_TOP,
         TORQUE_FREE_TOP,
         FOUR_BAR,

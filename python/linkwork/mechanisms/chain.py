@@ -8,7 +8,7 @@ import numpy as np
 
 from linkwork import Model, OptionError
 from linkwork.errors import nearest
-from linkwork.mechanisms.mechanism import Mechanism, at_least
+from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import square_rod
 
 #: The joints that can be between links, with what each needs beside its point.
@@ -42,4 +42,4 @@ def chain(bodies: int = 10, joint: str = "revolute") -> Model:
     return model
 
 
-CHAIN = Mechanism(chain, t_end=2.0, step=1e-3)
+CHAIN = Mechanism(chain, size=Size("bodies"), t_end=2.0, step=1e-3)

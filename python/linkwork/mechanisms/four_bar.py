@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from linkwork import Model
-from linkwork.mechanisms.mechanism import Mechanism, at_least
+from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import thin_rod
 from linkwork.rotation import from_axes
 
@@ -38,4 +38,4 @@ def four_bar(n: int = 1) -> Model:
     return model
 
 
-FOUR_BAR = Mechanism(four_bar, t_end=10.0, step=1e-3)
+FOUR_BAR = Mechanism(four_bar, size=Size("n", lambda n: 2 * n + 1), t_end=10.0, step=1e-3)

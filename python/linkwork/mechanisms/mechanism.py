@@ -11,7 +11,7 @@ from typing import Any
 from linkwork.errors import ModelError
 from linkwork.model import Model
 
-__all__ = ["Mechanism", "Parameter", "at_least"]
+__all__ = ["Mechanism", "Parameter", "Size", "at_least"]
 
 
 @dataclass(frozen=True)
@@ -23,15 +23,33 @@ class Parameter:
     description: str
 
 
+@dataclass(frozen=True)
+class Size:
+    """The parameter that makes a mechanism large, and how many bodies a value of it gives."""
+
+    parameter: str
+    bodies: Callable[[int], int] = lambda value: value
+
+    def value_for(self, bodies: int) -> int:
+        """The largest value that gives no more than so many bodies, found by bisection; at least 1."""
+        low, high = 1, max(bodies, 1) + 1
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (middle, high) if self.bodies(middle) <= bodies else (low, middle)
+        return low
+
+
 @dataclass(frozen=True, init=False)
 class Mechanism:
     """A function that builds a model, and recommended arguments for `simulate`."""
 
     function: Callable[..., Model]
+    size: Size | None  #: None: the mechanism has one size only
     settings: Mapping[str, Any]
 
-    def __init__(self, function: Callable[..., Model], **settings: Any) -> None:
+    def __init__(self, function: Callable[..., Model], size: Size | None = None, **settings: Any) -> None:
         object.__setattr__(self, "function", function)
+        object.__setattr__(self, "size", size)
         object.__setattr__(self, "settings", settings)
 
     @property

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.mechanisms.mechanism import Mechanism, at_least
+from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import square_rod
 from linkwork.rotation import from_axes
 
@@ -73,4 +73,4 @@ def _stars(at_node: Indices) -> tuple[Indices, tuple[Indices, Indices]]:
     return hub, (np.nonzero(others)[0], at_node[others])
 
 
-NET = Mechanism(net, t_end=2.0, step=1e-3)
+NET = Mechanism(net, size=Size("n", lambda n: 2 * n * (n - 1)), t_end=2.0, step=1e-3)

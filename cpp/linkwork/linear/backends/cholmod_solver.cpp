@@ -58,6 +58,8 @@ class Cholmod final : public LinearSolver {
   std::int64_t factor_nonzeros() const override {
     return factor_->is_super ? static_cast<std::int64_t>(factor_->xsize) : static_cast<std::int64_t>(factor_->nzmax);
   }
+  std::optional<double> flops() const override { return common_.fl; }
+  std::optional<std::int64_t> factor_bytes() const override { return static_cast<std::int64_t>(common_.memory_inuse); }
 
  private:
   static cholmod_sparse view(const SparseMatrix& matrix) {

@@ -14,6 +14,10 @@ void copy_to_dense(const SparseMatrix& A, MatrixXd& dense) {
       dense(A.row[static_cast<std::size_t>(k)], column) = A.value[static_cast<std::size_t>(k)];
 }
 
+double cubed(Eigen::Index n) { return std::pow(static_cast<double>(n), 3); }
+
+std::int64_t bytes_of(const MatrixXd& matrix) { return static_cast<std::int64_t>(sizeof(double)) * matrix.size(); }
+
 /// Cholesky of the upper triangle.
 class DenseCholesky final : public LinearSolver {
  public:
@@ -27,6 +31,8 @@ class DenseCholesky final : public LinearSolver {
 
   void solve(Eigen::Ref<MatrixXd> x) override { llt_.solveInPlace(x); }
   std::int64_t factor_nonzeros() const override { return matrix_.size(); }
+  std::optional<double> flops() const override { return cubed(matrix_.rows()) / 3.0; }
+  std::optional<std::int64_t> factor_bytes() const override { return bytes_of(matrix_) + bytes_of(llt_.matrixLLT()); }
 
  private:
   Pivot smallest_pivot() const {
@@ -71,6 +77,8 @@ class DenseLu final : public LinearSolver {
 
   void solve(Eigen::Ref<MatrixXd> x) override { x = lu_.solve(x).eval(); }
   std::int64_t factor_nonzeros() const override { return matrix_.size(); }
+  std::optional<double> flops() const override { return 2.0 * cubed(matrix_.rows()) / 3.0; }
+  std::optional<std::int64_t> factor_bytes() const override { return bytes_of(matrix_) + bytes_of(lu_.matrixLU()); }
 
  private:
   MatrixXd matrix_;

@@ -32,9 +32,27 @@ class EigenLdlt final : public LinearSolver {
 
   void solve(Eigen::Ref<MatrixXd> x) override { x = ldlt_.solve(x).eval(); }
 
-  std::int64_t factor_nonzeros() const override { return ldlt_.matrixL().nestedExpression().nonZeros() + copy_.rows(); }
+  std::int64_t factor_nonzeros() const override { return L().nonZeros() + copy_.rows(); }
+
+  /// sum over columns of (entries, the diagonal included)^2
+  std::optional<double> flops() const override {
+    const auto* begin = L().outerIndexPtr();
+    double sum = 0.0;
+    for (Eigen::Index c = 0; c < L().cols(); ++c) sum += std::pow(begin[c + 1] - begin[c] + 1, 2);
+    return sum;
+  }
+  std::optional<std::int64_t> factor_bytes() const override {
+    const std::int64_t vectors = copy_.rows() * static_cast<std::int64_t>(sizeof(double) + 4 * sizeof(int));
+    return bytes_of(L()) + bytes_of(copy_) + vectors;  // D; the permutation and its inverse, tree and column counts
+  }
 
  private:
+  static std::int64_t bytes_of(const Eigen::SparseMatrix<double>& matrix) {
+    return matrix.data().allocatedSize() * static_cast<std::int64_t>(sizeof(double) + sizeof(int)) +
+           (matrix.cols() + 1) * static_cast<std::int64_t>(sizeof(int));
+  }
+  const Eigen::SparseMatrix<double>& L() const { return ldlt_.matrixL().nestedExpression(); }
+
   Eigen::SparseMatrix<double> copy_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper> ldlt_;
 };

@@ -50,6 +50,12 @@ class Klu final : public LinearSolver {
   }
 
   std::int64_t factor_nonzeros() const override { return numeric_ ? std::int64_t{numeric_->lnz} + numeric_->unz : 0; }
+  std::optional<double> flops() const override {
+    klu_common common = common_;  // KLU writes the count there
+    if (!numeric_ || !klu_flops(symbolic_, numeric_, &common)) return {};
+    return common.flops;
+  }
+  std::optional<std::int64_t> factor_bytes() const override { return static_cast<std::int64_t>(common_.memusage); }
 
  private:
   void solve_column(double* column) { klu_solve(symbolic_, numeric_, matrix_->size, 1, column, &common_); }

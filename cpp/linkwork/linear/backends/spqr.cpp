@@ -55,6 +55,8 @@ class Spqr final : public LinearSolver {
   }
 
   std::int64_t factor_nonzeros() const override { return static_cast<std::int64_t>(common_.SPQR_istat[0]); }
+  std::optional<double> flops() const override { return common_.SPQR_flopcount; }
+  std::optional<std::int64_t> factor_bytes() const override { return static_cast<std::int64_t>(common_.memory_inuse); }
 
  private:
   cholmod_sparse view(const SparseMatrix& matrix) {

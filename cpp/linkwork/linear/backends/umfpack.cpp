@@ -49,6 +49,10 @@ class Umfpack final : public LinearSolver {
   std::int64_t factor_nonzeros() const override {
     return static_cast<std::int64_t>(info_[UMFPACK_LNZ] + info_[UMFPACK_UNZ]);
   }
+  std::optional<double> flops() const override { return info_[UMFPACK_FLOPS]; }
+  std::optional<std::int64_t> factor_bytes() const override {
+    return static_cast<std::int64_t>(info_[UMFPACK_NUMERIC_SIZE] * info_[UMFPACK_SIZE_OF_UNIT]);
+  }
 
  private:
   static void check(int status) {

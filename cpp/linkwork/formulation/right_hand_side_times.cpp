@@ -1,0 +1,74 @@
+#include "linkwork/formulation/right_hand_side_times.hpp"
+
+#include "linkwork/math/stopwatch.hpp"
+
+namespace linkwork {
+namespace {
+
+/// The parts of a right-hand side, with their results.
+class RightHandSide {
+ public:
+  RightHandSide(Dynamics& dynamics, double t, const VectorXd& y)
+      : dynamics_(dynamics),
+        t_(t),
+        y_(y),
+        v_dot_(dynamics.system().v_size()),
+        lambda_(dynamics.system().row_count()),
+        force_(3, dynamics.system().joint_count()),
+        torque_(3, dynamics.system().joint_count()) {}
+
+  void evaluate() { dynamics_.evaluate(t_, y_); }
+  void factorize() { dynamics_.factorize(); }
+  void solve() { dynamics_.accelerations(v_dot_, lambda_); }
+  void reactions() {
+    dynamics_.system().reactions(dynamics_.evaluation(), y_.head(dynamics_.system().q_size()), lambda_, force_,
+                                 torque_);
+  }
+
+ private:
+  Dynamics& dynamics_;
+  double t_;
+  VectorXd y_, v_dot_, lambda_;
+  Eigen::Matrix3Xd force_, torque_;
+};
+
+template <class Part>
+void timed(double& total, Part part) {
+  const Stopwatch watch(total);
+  part();
+}
+
+}  // namespace
+
+RightHandSideTimes time_right_hand_sides(Dynamics& dynamics, double t, const VectorXd& y, int repeats) {
+  RightHandSide f(dynamics, t, y);
+  RightHandSideTimes times;
+  const double assembled_before = dynamics.assemble_time();
+  for (int k = 0; k < repeats; ++k) {
+    timed(times.evaluate, [&] { f.evaluate(); });
+    timed(times.factorize, [&] { f.factorize(); });
+    timed(times.solve, [&] { f.solve(); });
+    timed(times.reactions, [&] { f.reactions(); });
+  }
+  times.assemble = dynamics.assemble_time() - assembled_before;
+  times.factorize -= times.assemble;
+  timed(times.whole, [&] {
+    for (int k = 0; k < repeats; ++k) {
+      f.evaluate();
+      f.solve();
+      f.reactions();
+    }
+  });
+  return times;
+}
+
+double time_analysis(const Dynamics& dynamics) {
+  double time = 0.0;
+  if (dynamics.system().row_count() == 0) return time;
+  const Options& chosen = dynamics.options();
+  const auto solver = make_saddle_solver(chosen.system, linear_solver_info(chosen.linear_solver));
+  timed(time, [&] { solver->analyze(dynamics.system(), dynamics.evaluation()); });
+  return time;
+}
+
+}  // namespace linkwork

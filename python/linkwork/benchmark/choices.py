@@ -1,0 +1,19 @@
+"""The choices of a benchmark, checked before it begins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from linkwork.errors import OptionError
+from linkwork.options import compile_options
+
+
+def check_choices(solvers: Sequence[str], formulation: str, system: str, rounds: int, limit: float) -> None:
+    """OptionError: a name that does not exist, a number that cannot be."""
+    for solver in solvers:
+        compile_options({"linear_solver": solver, "formulation": formulation, "system": system})
+    if rounds < 1:
+        raise OptionError(f"repeats {rounds} is too small: at least 1", code="repeats")
+    if not (math.isfinite(limit) and limit > 0):
+        raise OptionError(f"limit {limit:g} s must be a finite number, positive", code="limit")

@@ -1,0 +1,65 @@
+"""What is measured: a mechanism of a certain size."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from linkwork.errors import OptionError, nearest
+from linkwork.mechanisms import MECHANISMS, Mechanism
+
+if TYPE_CHECKING:
+    from linkwork.model import Model
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A mechanism by name and the arguments of its function: small enough to be sent to another process."""
+
+    mechanism: str
+    parameters: Mapping[str, Any]
+
+    @classmethod
+    def of(
+        cls, mechanism: str, bodies: int | None = None, parameters: Mapping[str, Any] | None = None
+    ) -> Subject:
+        """A registered mechanism with its parameters, or the largest with no more than so many bodies.
+
+        OptionError: no such mechanism or parameter; `bodies` of a mechanism that has one size only.
+        """
+        if mechanism not in MECHANISMS:
+            raise OptionError(
+                f"no mechanism '{mechanism}'{nearest(mechanism, MECHANISMS)}", code="unknown_mechanism"
+            )
+        record = MECHANISMS[mechanism]
+        chosen = dict(parameters or {})
+        known = [parameter.name for parameter in record.parameters]
+        for name in chosen:
+            if name not in known:
+                raise OptionError(
+                    f"{mechanism}: no parameter '{name}'{nearest(name, known)}", code="unknown_option"
+                )
+        if bodies is not None:
+            if record.size is None:
+                raise OptionError(
+                    f"bodies {bodies}: mechanism '{mechanism}' has one size only", code="one_size"
+                )
+            chosen = {record.size.parameter: record.size.value_for(bodies)} | chosen
+        return cls(mechanism, chosen)
+
+    @property
+    def record(self) -> Mechanism:
+        return MECHANISMS[self.mechanism]
+
+    @property
+    def bodies(self) -> int:
+        """How many it has. ModelError, OptionError: parameters that make no mechanism."""
+        size = self.record.size
+        if size is not None and size.parameter in self.parameters:
+            return size.bodies(self.parameters[size.parameter])
+        return self.build().body_count
+
+    def build(self) -> Model:
+        """The model. ModelError, OptionError: parameters that make no mechanism."""
+        return self.record.function(**self.parameters)

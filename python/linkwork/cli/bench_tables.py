@@ -1,0 +1,138 @@
+"""What `linkwork bench` shows people."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from linkwork import benchmark
+from linkwork.benchmark import Comparison, Growth, Measured, Missing, Refused, Run, Size, Steps
+from linkwork.cli import output as out
+
+#: Keys of ns_per_body, and columns.
+PARTS = ("evaluate", "assemble", "factorize", "solve", "reactions", "whole")
+FACTORS = ("solver", "analyze", "flops", "GFlop/s", "factors", "nonzeros", "fill", "peak memory", "residuals")
+SIZES = ("bodies", "ns per body", "build", "compile", "analyze", "bytes per body", "at the peak")
+STEPS = ("mechanism", "method", "bodies", "us per step", "ns per body, rhs")
+SHARES = ("evaluate", "factorize", "solve", "rest")
+RUNS = ("mechanism", "method", "bodies", "step [s]", "time [s]", "setup [s]", "compiled", "energy error [J]")
+
+
+def show_comparison(found: Comparison) -> None:
+    counts = f"{found.bodies:,} bodies, {found.joints:,} joints, {found.rows:,} constraints"
+    print(f"{found.mechanism}{_shown(found.parameters)}: {counts}")
+    print(f"formulation {found.formulation}")
+    measured = [solver for solver in found.solvers if isinstance(solver, Measured)]
+    if measured:
+        out.print_table(
+            ("solver", "matrix", *PARTS),
+            [(s.solver, s.system, *(f"{s.ns_per_body[part]:,.0f}" for part in PARTS)) for s in measured],
+            title="One right-hand side, ns per body (assemble 0: part of factorize)",
+            left=2,
+        )
+        out.print_table(
+            FACTORS,
+            [_factor_cells(solver) for solver in measured],
+            title="Analysis, one factorization, residuals of M v_dot - D^T lambda = g and D v_dot = gamma",
+        )
+    refused = [(s.solver, s.reason) for s in found.solvers if isinstance(s, Refused)]
+    if refused:
+        out.print_table(("solver", "why not"), refused, title="Left out", left=2)
+    _show_machine()
+
+
+def show_growth(found: Growth) -> None:
+    print(f"{found.mechanism}, linear solver {found.linear_solver}")
+    print(f"formulation {found.formulation}")
+    measured = [_size_cells(size) for size in found.sizes if isinstance(size, Size)]
+    if measured:
+        title = "One right-hand side, time to set up, resident memory"
+        out.print_table(SIZES, measured, title=title, left=0)
+    missing = [(f"{size.bodies:,}", size.reason) for size in found.sizes if isinstance(size, Missing)]
+    if missing:
+        out.print_table(("bodies", "why not"), missing, title="Left out", left=2)
+    if found.exponent is not None:
+        print(f"\nA right-hand side takes ~ bodies ^ {found.exponent:.2f}.")
+    _show_machine()
+
+
+def show_steps(steps: Sequence[Steps], runs: Sequence[Run]) -> None:
+    title = "One step of RK4, and what takes its time (factorize: with the first solution)"
+    out.print_table((*STEPS, *SHARES), [_step_cells(one) for one in steps], title=title, left=2)
+    if runs:
+        title = f"Runs of {runs[0].t_end:g} s through simulate"
+        out.print_table(RUNS, [_run_cells(run) for run in runs], title=title, left=2)
+    _show_machine()
+
+
+def _factor_cells(solver: Measured) -> tuple[str, ...]:
+    rate = solver.flops_per_second
+    return (
+        solver.solver,
+        f"{1e3 * solver.analyze_seconds:.3g} ms",
+        "unknown" if solver.flops is None else f"{solver.flops:.3g}",
+        "unknown" if rate is None else f"{1e-9 * rate:.2f}",
+        _bytes(solver.factor_bytes),
+        f"{solver.factor_nonzeros:,}",
+        f"{solver.fill:.2f}",
+        _bytes(solver.peak_bytes),
+        f"{solver.residuals['motion']:.0e} {solver.residuals['constraint']:.0e}",
+    )
+
+
+def _size_cells(size: Size) -> tuple[str, ...]:
+    times = (size.build_seconds, size.compile_seconds, size.analyze_seconds)
+    return (
+        f"{size.bodies:,}",
+        f"{size.ns_per_body['whole']:,.0f}",
+        *(f"{seconds:.3g} s" for seconds in times),
+        _count(size.bytes_per_body),
+        _count(size.peak_bytes_per_body),
+    )
+
+
+def _step_cells(one: Steps) -> tuple[str, ...]:
+    return (
+        one.mechanism,
+        f"{one.formulation}, {one.linear_solver}",
+        f"{one.bodies:,}",
+        f"{one.us_per_step:,.1f}",
+        f"{one.ns_per_body_and_evaluation:,.0f}",
+        *(f"{one.shares[part]:.0%}" for part in SHARES),
+    )
+
+
+def _run_cells(run: Run) -> tuple[str, ...]:
+    return (
+        run.mechanism + _shown(run.parameters),
+        f"{run.formulation}, {run.linear_solver}",
+        f"{run.bodies:,}",
+        f"{run.step:g}",
+        f"{run.seconds:.3g}",
+        f"{run.setup_seconds:.3g}",
+        f"{run.compiled_share:.1%}",
+        f"{run.max_energy_error:.1e}",
+    )
+
+
+def _show_machine() -> None:
+    facts = benchmark.machine()
+    version, when = facts["versions"]["linkwork"], facts["date"]
+    print(f"\n{facts['cpu']}, {facts['instruction_set']}, linkwork {version}, {when}")
+
+
+def _shown(parameters: Mapping[str, Any]) -> str:
+    return f" ({', '.join(f'{name} {value}' for name, value in parameters.items())})" if parameters else ""
+
+
+def _bytes(count: int | None) -> str:
+    if count is None:
+        return "unknown"
+    for limit, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
+        if count >= limit:
+            return f"{count / limit:.3g} {unit}"
+    return f"{count} B"
+
+
+def _count(value: float | None) -> str:
+    return "unknown" if value is None else f"{value:,.0f}"
