@@ -19,7 +19,11 @@ class RightHandSide {
 
   void evaluate() { dynamics_.evaluate(t_, y_); }
   void factorize() { dynamics_.factorize(); }
-  void solve() { dynamics_.accelerations(v_dot_, lambda_); }
+  /// As in a stage of an integrator: multipliers of redundant constraints are not distributed.
+  void solve() {
+    const Evaluation& at = dynamics_.evaluation();
+    dynamics_.solve(at.g.head(dynamics_.system().v_size()), at.gamma, v_dot_, lambda_);
+  }
   void reactions() {
     dynamics_.system().reactions(dynamics_.evaluation(), y_.head(dynamics_.system().q_size()), lambda_, force_,
                                  torque_);

@@ -12,8 +12,9 @@ from linkwork.system import System
 
 Floats = NDArray[np.float64]
 
-#: Right-hand sides are repeated for about so long at a time [s]: shorter than an operating system lets run.
-WINDOW_SECONDS = 2e-3
+#: Right-hand sides are repeated for about so long at a time [s], as a run would; caches and clocks settle in the
+#: fraction before it that does not count.
+WINDOW_SECONDS, SETTLING = 2e-2, 0.25
 
 #: One that takes longer than this [s] is not warmed up again in each round.
 COLD_SECONDS = 0.1
@@ -46,7 +47,7 @@ class Timing:
         if len(self.samples) >= self.rounds:
             return
         if self._warm:
-            self._run(1)
+            self._run(max(1, round(SETTLING * self.passes)))
         self.samples.append({name: time / self.passes for name, time in self._run(self.passes).items()})
 
     @property
