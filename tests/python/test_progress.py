@@ -22,6 +22,17 @@ print("done")
 """
 
 
+COUNTS_TASKS = """
+import time
+from linkwork.progress import counting
+with counting({progress}, 100) as report:
+    for task in range(100):
+        report(task, f"task {{task}} of 100")
+        time.sleep({seconds} / 100)
+print("done")
+"""
+
+
 def test_rate_and_remaining_time_follow_from_the_steps() -> None:
     info = ProgressInfo(t=2.5, t_end=10.0, steps_done=5000, steps_total=20000, elapsed=4.0)
     assert (info.fraction, info.rate, info.remaining) == (0.25, 1250.0, 12.0)
@@ -42,13 +53,13 @@ def test_function_of_the_user_is_called_at_every_report() -> None:
     assert seen == [(0.25, 1, 4), (1.0, 4, 4)]
 
 
-def on_a_terminal(progress: str, seconds: float) -> str:
-    """What the program above writes to a standard error that is a terminal."""
+def on_a_terminal(progress: str, seconds: float, text: str = TAKES_SECONDS) -> str:
+    """What a program above writes to a standard error that is a terminal."""
     try:
         screen, terminal = pty.openpty()
     except OSError as error:
         pytest.skip(f"this machine has no pseudo-terminals: {error}")
-    words = [sys.executable, "-c", TAKES_SECONDS.format(progress=progress, seconds=seconds)]
+    words = [sys.executable, "-c", text.format(progress=progress, seconds=seconds)]
     program = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=terminal, text=True)
     os.close(terminal)
     written = b""
@@ -74,6 +85,12 @@ def test_line_on_a_terminal_appears_after_two_seconds() -> None:
 @pytest.mark.parametrize("progress, seconds", [("None", 0.5), ("False", 2.5)])
 def test_short_runs_and_quiet_ones_write_nothing(progress: str, seconds: float) -> None:
     assert on_a_terminal(progress, seconds) == ""
+
+
+def test_tasks_in_a_series_say_which_one_runs_after_two_seconds() -> None:
+    written = on_a_terminal("None", 3.0, COUNTS_TASKS)
+    assert "task 90 of 100" in written and "task 10 of 100" not in written
+    assert on_a_terminal("False", 2.5, COUNTS_TASKS) == ""
 
 
 def test_reporting_costs_little_where_nothing_is_shown() -> None:

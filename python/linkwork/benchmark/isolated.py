@@ -49,12 +49,13 @@ def isolated(
     try:
         while True:
             try:
-                answer, complaint = process.communicate(question, timeout=BEAT_SECONDS)
+                left = max(end - time.monotonic(), 0.0)
+                answer, complaint = process.communicate(question, timeout=min(BEAT_SECONDS, left))
                 break
             except subprocess.TimeoutExpired:
                 question = None
                 beat()
-            if time.monotonic() > end:
+            if time.monotonic() >= end:
                 return Failure(f"not done after {seconds:g} s", "time")
     finally:
         if process.poll() is None:

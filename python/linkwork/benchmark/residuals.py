@@ -13,6 +13,8 @@ Floats = NDArray[np.float64]
 def residuals(system: System, t: float, y: Floats) -> dict[str, float]:
     """Relative residuals of both block rows of the equations of motion, at t [s] and y = (q, v) (13n,).
 
+    Of all constraints, redundant ones included:
+
     motion      |M v_dot - D^T lambda - g|_max / |(|M| |v_dot| + |D|^T |lambda| + |g|)|_max
     constraint  |D v_dot - gamma|_max / |(|D| |v_dot| + |gamma|)|_max
     """

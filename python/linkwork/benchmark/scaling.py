@@ -94,7 +94,7 @@ def growth(
             if isinstance(answer, Failure):
                 answer = Missing(bodies, answer.reason, answer.code)
             sizes.append(answer)
-    return Growth(subjects[0].mechanism, formulation, linear_solver, sizes, _exponent(sizes))
+    return Growth(subjects[0].mechanism, formulation, linear_solver, sizes, fitted_exponent(sizes))
 
 
 def measure_size(subject: Subject, options: Options, rounds: int) -> Size:
@@ -134,7 +134,8 @@ def _in_motion(system: System) -> Floats:
     return y
 
 
-def _exponent(sizes: Sequence[Size | Missing]) -> float | None:
+def fitted_exponent(sizes: Sequence[Size | Missing]) -> float | None:
+    """Of time ~ bodies ^ exponent, by least squares of the logarithms; None: fewer than two sizes."""
     measured = [size for size in sizes if isinstance(size, Size)]
     bodies = np.array([size.bodies for size in measured], dtype=float)
     if len(set(bodies)) < 2:

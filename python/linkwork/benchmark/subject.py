@@ -26,7 +26,7 @@ class Subject:
     ) -> Subject:
         """A registered mechanism with its parameters, or the largest with no more than so many bodies.
 
-        OptionError: no such mechanism or parameter; `bodies` of a mechanism that has one size only.
+        OptionError: no such mechanism or parameter; none so small; `bodies` where there is one size only.
         """
         if mechanism not in MECHANISMS:
             raise OptionError(
@@ -45,7 +45,11 @@ class Subject:
                 raise OptionError(
                     f"bodies {bodies}: mechanism '{mechanism}' has one size only", code="one_size"
                 )
-            chosen = {record.size.parameter: record.size.value_for(bodies)} | chosen
+            value = record.size.value_for(bodies)
+            if (smallest := record.size.bodies(value)) > bodies:
+                message = f"bodies {bodies}: the smallest '{mechanism}' has {smallest}"
+                raise OptionError(message, code="bodies")
+            chosen = {record.size.parameter: value} | chosen
         return cls(mechanism, chosen)
 
     @property

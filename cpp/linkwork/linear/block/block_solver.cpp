@@ -50,9 +50,9 @@ class BlockSolver final : public SaddleSolver {
   std::optional<std::int64_t> factor_bytes() const override {
     const auto bytes = [](const auto&... vectors) { return (... + (vectors.size() * sizeof(vectors[0]))); };
     const Schedule& s = *schedule_;
-    return static_cast<std::int64_t>(
-        bytes(factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_, mass_factors_, s.steps, s.fronts,
-              s.segments, s.mixed, s.hubs, s.couplings, s.D_rows, s.unknowns));
+    return static_cast<std::int64_t>(bytes(factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_,
+                                           mass_factors_, s.steps, s.fronts, s.segments, s.mixed, s.hubs, s.couplings,
+                                           s.D_rows, s.unknowns));
   }
 
  private:
