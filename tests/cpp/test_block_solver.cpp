@@ -245,6 +245,44 @@ TEST_CASE("joints that a held hub would make dependent wait for the hub") {
   });
 }
 
+TEST_CASE("dropped rows are left out, whole joints included, as if they were not there") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(19);
+    for (int trial = 0; trial < 20; ++trial) {
+      Model model = trial % 2 ? loops(random, random.integer(3, 25)) : hub(random, random.integer(8, 20), true);
+      const Element doubled = model.joints()[1];
+      const KindInfo& kind = joint_kinds()[static_cast<std::size_t>(doubled.kind)].info;
+      model.add_joint(kind.name, "again", doubled.i, doubled.j, doubled.at,
+                      std::vector<Parameter>(kind.parameters.size(), Parameter{1.0, -1}));
+      const System system(model);
+      Evaluation at = evaluate_initially(system);
+      VectorXd e = 1e-3 * (random.vector(system.row_count()).array() + 1.5), b = random.vector(system.row_count());
+      const VectorXd a = random.vector(system.v_size());
+      std::vector<int> dropped;
+      for (int row = 0; row < system.row_count(); ++row)
+        if (random.integer(0, 9) == 0 || system.model().joint_of_row(row) == system.joint_count() - 1)
+          dropped.push_back(row);
+      for (const ConstraintBlock& block : system.blocks())
+        for (int k = 0; k < block.rows; ++k)
+          if (std::find(dropped.begin(), dropped.end(), block.row + k) != dropped.end())
+            std::fill_n(at.D.begin() + block.offset + 6 * k, 6, 0.0);
+      for (const int row : dropped) b[row] = 0.0;
+      VectorXd x(a.size()), lambda(b.size()), x_all(a.size()), lambda_all(b.size());
+      solver.drop({});
+      solver.analyze(system, at);
+      solver.factorize_and_solve(at, e, a, b, x_all, lambda_all);
+      const auto nonzeros = solver.factor_nonzeros();
+      solver.drop(dropped);
+      solver.analyze(system, at);
+      lambda.setConstant(NAN);
+      solver.factorize_and_solve(at, e, a, b, x, lambda);
+      CHECK(relative_error(x, x_all) < 1e-11);
+      CHECK(relative_error(lambda, lambda_all) < 1e-11);
+      CHECK(solver.factor_nonzeros() < nonzeros);
+    }
+  });
+}
+
 TEST_CASE("a doubled joint is refused and named, and so is a body without mass") {
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(16);

@@ -30,6 +30,7 @@ class AugmentedLagrangian final : public Formulation {
 
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
     system_ = &system;
+    saddle_->drop(rows.dropped);
     saddle_->analyze(system, typical);
     r_1_.resize(system.v_size());
     dv_.resize(system.v_size());

@@ -14,6 +14,7 @@ class Penalty final : public Formulation {
       : saddle_(std::move(saddle)), options_(options) {}
 
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
+    saddle_->drop(rows.dropped);
     saddle_->analyze(system, typical);
     compliance_ = row_penalties(rows, options_.penalty, options_.penalty_scale.value_or(default_scale)).cwiseInverse();
   }

@@ -9,6 +9,7 @@ class Standard final : public Formulation {
   explicit Standard(std::unique_ptr<SaddleSolver> saddle) : saddle_(std::move(saddle)) {}
 
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
+    saddle_->drop(rows.dropped);
     saddle_->analyze(system, typical);
     compliance_.setZero(system.row_count());
     for (const int row : rows.dropped) compliance_[row] = 1.0;

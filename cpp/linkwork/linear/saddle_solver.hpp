@@ -20,6 +20,9 @@ class SaddleSolver {
  public:
   virtual ~SaddleSolver() = default;
 
+  /// Before `analyze`: rows whose D and b are zero in every evaluation, and their e positive. A solver may leave them
+  /// out; their lambda is zero.
+  void drop(std::vector<int> rows) { dropped_ = std::move(rows); }
   /// Symbolic work, once; `typical` scales rows.
   virtual void analyze(const System& system, const Evaluation& typical) = 0;
   /// Assembles and factorizes at an evaluation. Throws SingularSystemError naming joints where the matrix is singular.
@@ -44,6 +47,7 @@ class SaddleSolver {
   double assemble_time() const { return assemble_time_; }
 
  protected:
+  std::vector<int> dropped_;
   Pivot smallest_pivot_;
   double assemble_time_ = 0.0;
 };

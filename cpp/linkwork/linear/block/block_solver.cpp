@@ -36,13 +36,13 @@ class BlockSolver final : public SaddleSolver {
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
     kernels_->forward(data_, a.data(), b.data());
-    kernels_->backward(data_, a.data(), x.data(), lambda.data());
+    substitute_backward(a, x, lambda);
   }
 
   void factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
                            MutableVector x, MutableVector lambda) override {
     factorize(at, e, a, b);
-    kernels_->backward(data_, a.data(), x.data(), lambda.data());
+    substitute_backward(a, x, lambda);
   }
 
   std::int64_t factor_nonzeros() const override { return schedule_->nonzeros; }
@@ -56,6 +56,11 @@ class BlockSolver final : public SaddleSolver {
   }
 
  private:
+  void substitute_backward(const ConstVector& a, MutableVector x, MutableVector lambda) const {
+    for (const int row : dropped_) lambda[row] = 0.0;
+    kernels_->backward(data_, a.data(), x.data(), lambda.data());
+  }
+
   void refuse_massless() const {
     if (system_->massless_bodies().empty()) return;
     const std::string name = system_->model().body_name(system_->massless_bodies().front());
@@ -69,7 +74,7 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void make_schedule() {
-    schedule_ = std::make_unique<Schedule>(*system_, postponed_);
+    schedule_ = std::make_unique<Schedule>(*system_, dropped_, postponed_);
     factors_.assign(static_cast<std::size_t>(schedule_->factor_size) + slack, 0.0);
     accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
     panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);

@@ -21,16 +21,18 @@ struct Branches {
   std::vector<char> joint_peeled;  ///< per joint
 };
 
-Branches find_branches(const System& system) {
+/// Joints without rows count as absent.
+Branches find_branches(const System& system, const std::vector<int>& rows_of_joint) {
   Branches out;
   const auto n = static_cast<std::size_t>(system.body_count());
   out.holding_block.assign(n, none);
   out.peeled.assign(n, 0);
-  out.joint_peeled.assign(static_cast<std::size_t>(system.joint_count()), 0);
+  for (const int rows : rows_of_joint) out.joint_peeled.push_back(rows == 0);
   std::vector<int> left(n), leaves;
   for (int body = 0; body < system.body_count(); ++body) {
-    const BlockRange blocks = system.body_blocks(body);
-    left[static_cast<std::size_t>(body)] = static_cast<int>(blocks.end() - blocks.begin());
+    for (const int index : system.body_blocks(body))
+      left[static_cast<std::size_t>(body)] +=
+          !out.joint_peeled[static_cast<std::size_t>(system.blocks()[static_cast<std::size_t>(index)].joint)];
     if (left[static_cast<std::size_t>(body)] <= 1) leaves.push_back(body);
   }
   while (!leaves.empty()) {
@@ -190,9 +192,15 @@ constexpr std::size_t joints_of_a_large_hub = 1000;
 /// Fills the core: fronts of its bodies and of supernodes of joints and hubs.
 class CoreBuilder {
  public:
-  CoreBuilder(const System& system, const Branches& branches, const TreeBuilder& tree,
-              const std::vector<Schedule::Postponed>& postponed, Schedule& out)
-      : system_(system), branches_(branches), tree_(tree), postponed_(postponed), out_(out) {
+  CoreBuilder(const System& system, const Branches& branches, const TreeBuilder& tree, const std::vector<char>& dropped,
+              const std::vector<int>& rows_of_joint, const std::vector<Schedule::Postponed>& postponed, Schedule& out)
+      : system_(system),
+        branches_(branches),
+        tree_(tree),
+        dropped_(dropped),
+        rows_of_joint_(rows_of_joint),
+        postponed_(postponed),
+        out_(out) {
     for (int joint = 0; joint < system.joint_count(); ++joint)
       if (!branches.joint_peeled[static_cast<std::size_t>(joint)]) joints_.push_back(joint);
     if (joints_.empty()) return;
@@ -213,10 +221,9 @@ class CoreBuilder {
     double cost = 0.0;
   };
 
-  int rows_of_joint(int joint) const {
-    const auto& rows = system_.model().joint_rows();
-    return rows[static_cast<std::size_t>(joint) + 1] - rows[static_cast<std::size_t>(joint)];
-  }
+  bool is_dropped(int row) const { return dropped_[static_cast<std::size_t>(row)] != 0; }
+  int first_row(int joint) const { return system_.model().joint_rows()[static_cast<std::size_t>(joint)]; }
+  int rows_of_joint(int joint) const { return rows_of_joint_[static_cast<std::size_t>(joint)]; }
   int joint_count() const { return static_cast<int>(joints_.size()); }
   bool is_hub(int node) const { return node >= joint_count(); }
   int hub_body(int node) const { return order_.hubs[static_cast<std::size_t>(node - joint_count())]; }
@@ -344,10 +351,11 @@ class CoreBuilder {
     for (const auto& [position, index] : blocks) {
       const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
       for (int k = 0; k < block.rows; ++k) {
+        if (is_dropped(block.row + k)) continue;
         out_.D_rows.push_back(block.offset + 6 * k);
         out_.unknowns.push_back(block.row + k);
+        row += 1;
       }
-      row += block.rows;
       positions.push_back(position);
     }
     finish(front, row, supernode, std::move(positions));
@@ -373,8 +381,9 @@ class CoreBuilder {
     if (is_hub(node)) {
       append_unknowns_of_body(hub_body(node));
     } else {
-      const int first = system_.model().joint_rows()[static_cast<std::size_t>(joints_[static_cast<std::size_t>(node)])];
-      for (int k = 0; k < rows_of(node); ++k) out_.unknowns.push_back(first + k);
+      const int joint = joints_[static_cast<std::size_t>(node)];
+      for (int row = first_row(joint); row < first_row(joint + 1); ++row)
+        if (!is_dropped(row)) out_.unknowns.push_back(row);
     }
     return rows_of(node);
   }
@@ -398,15 +407,15 @@ class CoreBuilder {
     const auto eliminates = [&](int node) { return position_of(node) < supernode.last; };
     for (int k = supernode.first; k < supernode.last; ++k) place(k);
     for (const int k : supernode.below) place(k);
-    for (const auto& [node, first_row] : row_of)
+    for (const auto& [node, place_of_node] : row_of)
       if (is_hub(node)) {
-        if (eliminates(node)) out_.hubs.push_back({hub_body(node), tree_.slot(hub_body(node)), first_row});
+        if (eliminates(node)) out_.hubs.push_back({hub_body(node), tree_.slot(hub_body(node)), place_of_node});
       } else {
         for (const int index : system_.joint_blocks(joints_[static_cast<std::size_t>(node)])) {
           const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
           const auto hub = row_of.find(order_.hub_node[static_cast<std::size_t>(block.body)]);
           if (hub != row_of.end() && (eliminates(node) || eliminates(hub->first)))
-            out_.couplings.push_back({first_row, hub->second, block.rows, block.offset});
+            append_couplings(block, place_of_node, hub->second);
         }
       }
     mixed.hubs = static_cast<int>(out_.hubs.size()) - mixed.first_hub;
@@ -414,6 +423,21 @@ class CoreBuilder {
     if (mixed.hubs == 0 && mixed.couplings == 0) return none;
     out_.mixed.push_back(mixed);
     return static_cast<int>(out_.mixed.size()) - 1;
+  }
+
+  /// Runs of rows between dropped ones.
+  void append_couplings(const ConstraintBlock& block, int joint, int hub) {
+    bool joined = false;
+    for (int k = 0; k < block.rows; ++k) {
+      if (is_dropped(block.row + k)) {
+        joined = false;
+        continue;
+      }
+      if (joined) out_.couplings.back().rows += 1;
+      else out_.couplings.push_back({joint, hub, 1, block.offset + 6 * k});
+      joined = true;
+      joint += 1;
+    }
   }
 
   void finish(Front& front, int size, int parent_supernode, std::vector<int> below) {
@@ -497,6 +521,8 @@ class CoreBuilder {
   const System& system_;
   const Branches& branches_;
   const TreeBuilder& tree_;
+  const std::vector<char>& dropped_;
+  const std::vector<int>& rows_of_joint_;
   const std::vector<Schedule::Postponed>& postponed_;
   Schedule& out_;
   std::vector<int> joints_, core_index_, position_, front_of_, parent_supernode_;
@@ -508,10 +534,17 @@ class CoreBuilder {
 
 }  // namespace
 
-Schedule::Schedule(const System& system, const std::vector<Postponed>& postponed) {
-  const Branches branches = find_branches(system);
+Schedule::Schedule(const System& system, const std::vector<int>& dropped, const std::vector<Postponed>& postponed) {
+  std::vector<char> is_dropped(static_cast<std::size_t>(system.row_count()), 0);
+  for (const int row : dropped) is_dropped[static_cast<std::size_t>(row)] = 1;
+  std::vector<int> rows_of_joint;
+  const std::vector<int>& first = system.model().joint_rows();
+  for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
+    rows_of_joint.push_back(
+        static_cast<int>(std::count(is_dropped.begin() + first[joint], is_dropped.begin() + first[joint + 1], 0)));
+  const Branches branches = find_branches(system, rows_of_joint);
   const TreeBuilder tree(system, branches, *this);
-  const CoreBuilder core(system, branches, tree, postponed, *this);
+  const CoreBuilder core(system, branches, tree, is_dropped, rows_of_joint, postponed, *this);
 }
 
 int Schedule::next_hub(int row) const {

@@ -19,7 +19,9 @@ struct Schedule {
   struct Postponed {
     int joint, hub;  ///< the hub is a body
   };
-  explicit Schedule(const System& system, const std::vector<Postponed>& postponed = {});
+  /// Without the `dropped` rows of joints in loops.
+  explicit Schedule(const System& system, const std::vector<int>& dropped = {},
+                    const std::vector<Postponed>& postponed = {});
 
   /// The hub to which the joint of a constraint row can be postponed: the next one to be eliminated that it affects, or
   /// -1.
