@@ -265,6 +265,15 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
       .def("right_hand_side_times", &right_hand_side_times, py::arg("t"), py::arg("y"), py::arg("repeats"),
            "Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, "
            "reactions, and the whole, which may be less than their sum.")
+      .def(
+          "repeat_right_hand_side",
+          [](Dynamics& self, double t, const ConstVector& y, int repeats) {
+            const VectorXd full = with_work(self, y);
+            const py::gil_scoped_release release;
+            repeat_right_hand_side(self, t, full, repeats);
+          },
+          py::arg("t"), py::arg("y"), py::arg("repeats"),
+          "So many right-hand sides at y = (q, v), reactions included, for others to time.")
       .def("analysis_time", &time_analysis, py::call_guard<py::gil_scoped_release>(),
            "Time of one symbolic analysis, by a solver like the one in use [s].");
 }

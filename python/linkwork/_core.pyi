@@ -128,6 +128,15 @@ class Dynamics:
         """
         Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes; (k, joints, 3) for k times, states and multipliers.
         """
+    def repeat_right_hand_side(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        repeats: typing.SupportsInt | typing.SupportsIndex,
+    ) -> None:
+        """
+        So many right-hand sides at y = (q, v), reactions included, for others to time.
+        """
     def right_hand_side_times(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,

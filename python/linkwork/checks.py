@@ -8,10 +8,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import _core
+from linkwork import _core, stiffness
 from linkwork.errors import LinkworkWarning, ModelError, OptionError
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model
+from linkwork.system import System
 
 Floats = NDArray[np.float64]
 
@@ -23,8 +24,6 @@ LISTED = 5
 
 #: Gains times step above which continuous Baumgarte stabilization lowers the order of the integrator.
 ACCURATE_GAIN = 0.1
-
-#: To which half-explicit methods may fall where constraint equations repeat others (measured on Bricard's).
 
 
 def check_bodies(model: Model) -> None:
@@ -102,6 +101,29 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
     if max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
         lost = f"integrator '{method.name}' loses its order {method.order}"
         warnings.warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}", LinkworkWarning, stacklevel=4)
+
+
+def check_stiffness(method: Integrator, system: System, step: float) -> None:
+    """OptionError: springs or dampers that are too stiff for an explicit integrator with this step."""
+    growth = getattr(method, "growth", None)
+    if growth is None:
+        return
+    fastest = stiffness.fastest(system)
+    if fastest is None:
+        return
+    limit = stiffness.stable_step(growth, fastest.eigenvalue, step)
+    if limit < step:
+        raise OptionError(
+            f"step {step:g} s is too long for integrator '{method.name}': force elements make body "
+            f"'{fastest.body}' move with eigenvalue {_complex(fastest.eigenvalue)} 1/s at the start, which "
+            f"needs about {limit:.2g} s or less; give such a step, or rtol for steps that follow the motion",
+            code="unstable_step",
+        )
+
+
+def _complex(value: complex) -> str:
+    real = abs(value.imag) < 1e-6 * abs(value)
+    return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 
 def _warn_of(core: _core.Model, level: str, worst: NDArray[np.int64], residuals: Floats) -> None:

@@ -46,9 +46,10 @@ class Fixed:
         return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
 
     def check(self, method: Integrator | PythonStep, system: System) -> None:
-        """OptionError: gains that are too large for the integrator at this step."""
+        """OptionError: gains or force elements that are too stiff for the integrator at this step."""
         if isinstance(method, Integrator):
             checks.check_gains(method, system.compiled(), self.step)
+            checks.check_stiffness(method, system, self.step)
 
     def run(
         self, method: Integrator | PythonStep, system: System, events: Sequence[_core.Event]

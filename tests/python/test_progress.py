@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pty
+import re
 import subprocess
 import sys
 import time
@@ -89,7 +90,8 @@ def test_short_runs_and_quiet_ones_write_nothing(progress: str, seconds: float) 
 
 def test_tasks_in_a_series_say_which_one_runs_after_two_seconds() -> None:
     written = on_a_terminal("None", 3.0, COUNTS_TASKS)
-    assert "task 90 of 100" in written and "task 10 of 100" not in written
+    shown = [int(task) for task in re.findall(r"task (\d+) of 100", written)]
+    assert shown and min(shown) > 30
     assert on_a_terminal("False", 2.5, COUNTS_TASKS) == ""
 
 

@@ -24,6 +24,11 @@ class RightHandSide {
     const Evaluation& at = dynamics_.evaluation();
     dynamics_.solve(at.g.head(dynamics_.system().v_size()), at.gamma, v_dot_, lambda_);
   }
+  void whole() {
+    evaluate();
+    solve();
+    reactions();
+  }
   void reactions() {
     dynamics_.system().reactions(dynamics_.evaluation(), y_.head(dynamics_.system().q_size()), lambda_, force_,
                                  torque_);
@@ -57,13 +62,14 @@ RightHandSideTimes time_right_hand_sides(Dynamics& dynamics, double t, const Vec
   times.assemble = dynamics.assemble_time() - assembled_before;
   times.factorize -= times.assemble;
   timed(times.whole, [&] {
-    for (int k = 0; k < repeats; ++k) {
-      f.evaluate();
-      f.solve();
-      f.reactions();
-    }
+    for (int k = 0; k < repeats; ++k) f.whole();
   });
   return times;
+}
+
+void repeat_right_hand_side(Dynamics& dynamics, double t, const VectorXd& y, int repeats) {
+  RightHandSide f(dynamics, t, y);
+  for (int k = 0; k < repeats; ++k) f.whole();
 }
 
 double time_analysis(const Dynamics& dynamics) {

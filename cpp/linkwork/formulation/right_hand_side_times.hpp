@@ -18,6 +18,9 @@ struct RightHandSideTimes {
 /// The times of `repeats` right-hand sides at (t, y), together.
 RightHandSideTimes time_right_hand_sides(Dynamics& dynamics, double t, const VectorXd& y, int repeats);
 
+/// So many right-hand sides, for others to time.
+void repeat_right_hand_side(Dynamics& dynamics, double t, const VectorXd& y, int repeats);
+
 /// The time of one symbolic analysis, by a solver like that of `dynamics` [s].
 double time_analysis(const Dynamics& dynamics);
 

@@ -12,8 +12,8 @@ from linkwork.system import System
 
 Floats = NDArray[np.float64]
 
-#: Right-hand sides are repeated for about so long at a time [s], as a run would; caches and clocks settle in the
-#: fraction before it that does not count.
+#: Right-hand sides are repeated for about so long at a time [s], as a run would; caches and clocks settle in
+#: the fraction before it that does not count.
 WINDOW_SECONDS, SETTLING = 2e-2, 0.25
 
 #: One that takes longer than this [s] is not warmed up again in each round.

@@ -1,0 +1,57 @@
+"""Steps against stiff force elements: eigenvalues and stability limits in closed form."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import stiffness
+from linkwork.integrators import METHODS
+
+
+def oscillator(stiffness: float, damping: float = 0.0, bodies: int = 1) -> lw.Model:
+    """1 kg on a spring along z, in a slide; each of `bodies` on its own."""
+    model = lw.Model()
+    for k in range(bodies):
+        mass = model.body(f"mass {k}", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(k, 0, 1.0))
+        model.translational(model.ground, mass, at=(k, 0, 1.0), axis=(0, 0, 1))
+        share = 1.0 if k == bodies - 1 else 0.01
+        model.spring_damper(
+            model.ground, mass, at=((k, 0, 0), (k, 0, 1.0)), stiffness=share * stiffness,
+            damping=share * damping,
+        )  # fmt: skip
+    return model
+
+
+@pytest.mark.parametrize("formulation", ["standard", "augmented_lagrangian"])
+@pytest.mark.parametrize(("k", "c"), [(1e6, 0.0), (1e6, 200.0), (1e6, 1e4)])
+def test_the_fastest_eigenvalue_is_that_of_the_oscillator(k: float, c: float, formulation: str) -> None:
+    found = stiffness.fastest(lw.System(oscillator(k, c, bodies=3), formulation=formulation))
+    assert found is not None and found.body == "mass 2"
+    exact = max(np.roots([1.0, c, k]), key=abs)
+    assert found.eigenvalue.real == pytest.approx(exact.real, rel=1e-5, abs=1e-5 * abs(exact))
+    assert abs(found.eigenvalue.imag) == pytest.approx(abs(exact.imag), rel=1e-5, abs=1e-5 * abs(exact))
+
+
+@pytest.mark.parametrize("c", [0.0, 2e4])
+def test_a_step_beyond_the_limit_of_rk4_is_refused_and_one_below_is_stable(c: float) -> None:
+    """|h lambda| <= 2.828 on the imaginary axis, 2.785 on the real one."""
+    k = 1e6
+    rate = float(max(abs(np.roots([1.0, c, k]))))
+    limit = (2.785 if c else 2.828) / rate
+    with pytest.raises(lw.OptionError, match=rf"'rk4'.*'mass 0'.*about {limit:.2g}"):
+        lw.simulate(oscillator(k, c), 100 * limit, 1.1 * limit, progress=False)
+    result = lw.simulate(oscillator(k, c), 100 * limit, 0.98 * limit, progress=False)
+    assert np.abs(result.position).max() < 1.1
+
+
+def test_the_limit_of_each_method_is_where_its_growth_begins() -> None:
+    for method in METHODS.values():
+        if growth := getattr(method, "growth", None):
+            limit = stiffness.stable_step(growth, -1000.0, 1.0)
+            assert growth(0.5 * 1000 * 0.99 * limit, 0.0) <= stiffness.GROWTH, method.name
+
+
+def test_without_force_elements_and_with_soft_ones_every_step_is_let_through() -> None:
+    assert stiffness.fastest(lw.System(lw.mechanisms.spatial_slider_crank())) is None
+    lw.simulate(oscillator(1.0), 1.0, 0.1, "euler", progress=False)
