@@ -19,7 +19,7 @@ ITERATIONS = 20
 #: Relative size of the finite differences.
 DIFFERENCE = 1e-6
 
-#: A vibration that goes on less than this in a step [rad] is not stiff, even where a method lets it grow a little.
+#: A vibration that goes on less than this in a step [rad] is not stiff, even where a method lets it grow.
 SLOW = 0.5
 
 #: By which a motion may grow in a step before the step counts as unstable.
@@ -28,7 +28,7 @@ GROWTH = 1.01
 
 @dataclass(frozen=True)
 class Fastest:
-    """The eigenvalue [1/s] of largest modulus of the linearized equations, and the body that moves most in it."""
+    """The eigenvalue [1/s] of largest modulus of the linearized equations; the body that moves most in it."""
 
     eigenvalue: complex
     body: str
@@ -44,13 +44,12 @@ def fastest(system: System) -> Fastest | None:
         return None
     y = system.initial_state()
     nq = 7 * system.model.body_count
-    reach = np.concatenate([np.full(nq, max(1.0, np.abs(y[:nq]).max())), np.full(len(y) - nq, 1.0)])
-    reach[nq:] = max(1.0, np.abs(y[nq:]).max())
+    reach = np.empty_like(y)  # units of the linearization
+    for part in (slice(0, nq), slice(nq, None)):
+        reach[part] = max(1.0, np.abs(y[part]).max())
     try:
         H, basis = _arnoldi(lambda z: _directional(system, y, reach, z), _start(system))
-    except (
-        LinkworkError
-    ):  # a state beside the initial one that has no accelerations: the run will say so, if it must
+    except LinkworkError:  # no accelerations beside the initial state: the run will say so, if it must
         return None
     if not len(H):
         return None
@@ -63,15 +62,14 @@ def fastest(system: System) -> Fastest | None:
 def stable_step(growth: Callable[[float, float], float], eigenvalue: complex, step: float) -> float:
     """The longest step up to `step` with which a method does not blow the motion up.
 
-    growth  of the method, as in ButcherTableau: a function of alpha h and beta h, s^2 + 2 alpha s + beta^2 = 0
+    growth  of the method, as in ButcherTableau: of alpha h and beta h, s^2 + 2 alpha s + beta^2 = 0
     """
 
     def unstable(h: float) -> bool:
         z = eigenvalue * h
         damped = z.real < -0.1 * abs(z)
-        if z.real > 0.1 * abs(z) or not (
-            damped or abs(z) > SLOW
-        ):  # what grows by itself is no fault of the method
+        growing = z.real > 0.1 * abs(z)  # by itself, which is no fault of the method
+        if growing or not (damped or abs(z) > SLOW):
             return False
         real = abs(z.imag) < 1e-6 * abs(z)
         return growth(-z.real / 2, 0.0) > GROWTH if real else growth(-z.real, abs(z)) > GROWTH

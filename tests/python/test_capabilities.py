@@ -1,4 +1,4 @@
-"""Every combination of formulation, stabilization, linear solver and integrator runs, or is refused with a way out."""
+"""Formulations, stabilizations, linear solvers and integrators: all combinations run, or name a way out."""
 
 from __future__ import annotations
 
