@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +14,16 @@ from linkwork.errors import LinkworkWarning, ModelError, OptionError
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model
 
+if TYPE_CHECKING:
+    from linkwork.assembly import Assembly
+
 Floats = NDArray[np.float64]
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
+
+#: Residuals up to here, relative to the size of the mechanism and to its speed, are inaccuracies to be corrected.
+SMALL_RESIDUAL = 1e-3
 
 #: How many objects a message lists.
 LISTED = 5
@@ -68,18 +75,47 @@ def joint_residuals(model: Model, dynamics: _core.Dynamics) -> tuple[Floats, Flo
     return position, velocity
 
 
-def warn_of_residuals(model: Model, dynamics: _core.Dynamics) -> None:
-    """LinkworkWarning: the initial pose or the initial velocities do not satisfy the joints."""
+def consistent(model: Model, dynamics: _core.Dynamics) -> Assembly | None:
+    """Correct initial conditions that violate the joints by a little more than rounding; None: nothing to do.
+
+    LinkworkWarning: what was corrected. ModelError: the violation is too large to be an inaccuracy; its
+    `joints` and `residuals` are those that violate it. NotConvergedError: joints contradict each other.
+    """
     core = model.compiled()
-    reach = max(1.0, float(np.abs(core.q0).max(initial=0.0)))
-    speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * reach
-    for residuals, scale, level in zip(
-        joint_residuals(model, dynamics), (reach, speed), ("poses", "velocities"), strict=True
-    ):
+    size = _size(core)
+    speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
+    position, velocity = joint_residuals(model, dynamics)
+    found = (
+        (position, max(1.0, size), SMALL_RESIDUAL * size, "poses", ""),
+        (velocity, speed, SMALL_RESIDUAL * speed, "velocities", "/s"),
+    )
+    remarks = []
+    for residuals, scale, bound, level, unit in found:
         worst = np.argsort(-residuals, kind="stable")
         worst = worst[residuals[worst] > RESIDUAL_TOLERANCE * scale]
-        if len(worst):
-            _warn_of(core, level, worst, residuals)
+        if not len(worst):
+            continue
+        message = _residuals(core, level, worst, residuals, unit)
+        if residuals[worst[0]] > bound:
+            raise ModelError(
+                f"{message}: more than the {bound:.2g}{unit} that are taken for an inaccuracy; correct them, or "
+                f"let linkwork.assemble(model) do it and simulate its `model`",
+                code=f"inconsistent_{level}",
+                joints=[core.joint_name(int(joint)) for joint in worst],
+                residuals={core.joint_name(int(joint)): float(residuals[joint]) for joint in worst},
+            )
+        remarks.append(message)
+    if not remarks:
+        return None
+    from linkwork.assembly import assemble
+
+    assembly = assemble(model)
+    moved, turned, faster = (
+        float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
+    )
+    changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
+    warnings.warn(f"{'; '.join(remarks)}: corrected {changes}", LinkworkWarning, stacklevel=4)
+    return assembly
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
@@ -104,11 +140,18 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
         warnings.warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}", LinkworkWarning, stacklevel=4)
 
 
-def _warn_of(core: _core.Model, level: str, worst: NDArray[np.int64], residuals: Floats) -> None:
-    unit = "" if level == "poses" else "/s"
+def _size(core: _core.Model) -> float:
+    """The largest coordinate of a body or arm of a joint [m]; 1 where all are zero."""
+    arms = core.joint_arrays()["origin"]
+    size = max(float(np.abs(core.q0.reshape(-1, 7)[:, :3]).max(initial=0.0)), float(np.abs(arms).max(initial=0.0)))
+    return size or 1.0
+
+
+def _residuals(
+    core: _core.Model, level: str, worst: NDArray[np.int64], residuals: Floats, unit: str
+) -> str:
     each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {residuals[worst[k]]:.3g}{unit}")
-    message = f"initial {level} do not satisfy {len(worst)} joints (residual, m or 1): {each}"
-    warnings.warn(message, LinkworkWarning, stacklevel=4)
+    return f"initial {level} do not satisfy {len(worst)} joints (residual, m or 1): {each}"
 
 
 def _listed(count: int, item: Callable[[int], str]) -> str:
