@@ -35,7 +35,7 @@ class JointResidual:
     velocity_after: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Assembly:
     """A model with consistent initial conditions, and what it took. Arrays are over bodies or joints."""
 
@@ -158,7 +158,9 @@ def _conflict(
     listed = [f"{name} {each[joint]:.3g}{unit}" for name, joint in zip(names[:LISTED], worst, strict=False)]
     more = f"; and {len(names) - LISTED} more" if len(names) > LISTED else ""
     bodies = [core.body_name(int(body)) for body in held]
-    holding = f" while {', '.join(bodies[:LISTED])} {'are' if len(bodies) > 1 else 'is'} held" if bodies else ""
+    holding = (
+        f" while {', '.join(bodies[:LISTED])} {'are' if len(bodies) > 1 else 'is'} held" if bodies else ""
+    )
     return NotConvergedError(
         f"model '{model.name}': initial {level} that satisfy all joints were not found{holding}; "
         f"these conflict (least residual, m or 1): {'; '.join(listed)}{more}",
@@ -178,7 +180,9 @@ def _weights(model: Model, weights: Mapping[BodyLike, float]) -> Floats:
         (index,) = model.indices(body)
         name = model.compiled().body_name(int(index))
         if index < 0 or not (np.isfinite(weight) and weight > 0):
-            why = "the ground has no weight" if index < 0 else f"weight {weight!r} must be positive and finite"
+            why = (
+                "the ground has no weight" if index < 0 else f"weight {weight!r} must be positive and finite"
+            )
             raise ModelError(f"assemble: body '{name}': {why}", code="weight", bodies=[name])
         out[index] = weight
     return out

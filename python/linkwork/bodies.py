@@ -77,7 +77,7 @@ class Bodies:
         return np.stack(np.broadcast_arrays(first, second), axis=1)
 
     def indices(self, bodies: Any, subject: Subject) -> Indices:
-        """Of one or many bodies, by handles, names or indices (k,); the ground is -1. ModelError: as `index`."""
+        """Of one or many bodies, by handles, names or indices (k,); the ground is -1. Errors as `index`."""
         if isinstance(bodies, np.ndarray) and bodies.dtype.kind in "iu" and bodies.ndim == 1:
             outside = (bodies < -1) | (bodies >= self._core.body_count)
             if outside.any():

@@ -70,7 +70,7 @@ def aligned(core: _core.Model, q: Floats, joints: Joints, held: NDArray[np.int32
 
 
 def _half_turn(inner: Floats, outer: Floats, shared: NDArray[np.bool_]) -> Floats:
-    """The half turn that takes the axes of the outer frame nearest to those of the inner, where they are shared."""
+    """The half turn that takes the shared axes of the outer frame nearest to those of the inner."""
     candidates = [2 * np.outer(e, e) - np.eye(3) for e in outer.T]
     return max(candidates, key=lambda H: float(np.sum((inner * (H @ outer))[:, shared])))
 
@@ -90,7 +90,7 @@ def _frames(core: _core.Model, q: Floats) -> tuple[Floats, Floats]:
 
 
 def _shared_axes(core: _core.Model) -> NDArray[np.bool_]:
-    """Which axes of a joint's two frames have to coincide (joints, 3): z where x and y cannot turn, else all or none."""
+    """Which axes of a joint's two frames have to coincide (joints, 3): all, only z, or none."""
     of_kind = []
     for kind in _core.joint_kinds():
         locked = {equation[-1] for equation in kind.equations if equation.startswith("rotation about joint")}

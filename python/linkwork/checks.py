@@ -4,25 +4,22 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
+from linkwork.assembly import Assembly, assemble
 from linkwork.errors import LinkworkWarning, ModelError, OptionError
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model
-
-if TYPE_CHECKING:
-    from linkwork.assembly import Assembly
 
 Floats = NDArray[np.float64]
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
 
-#: Residuals up to here, relative to the size of the mechanism and to its speed, are inaccuracies to be corrected.
+#: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
 
 #: How many objects a message lists.
@@ -85,36 +82,19 @@ def consistent(model: Model, dynamics: _core.Dynamics) -> Assembly | None:
     size = _size(core)
     speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
     position, velocity = joint_residuals(model, dynamics)
-    found = (
-        (position, max(1.0, size), SMALL_RESIDUAL * size, "poses", ""),
-        (velocity, speed, SMALL_RESIDUAL * speed, "velocities", "/s"),
-    )
-    remarks = []
-    for residuals, scale, bound, level, unit in found:
-        worst = np.argsort(-residuals, kind="stable")
-        worst = worst[residuals[worst] > RESIDUAL_TOLERANCE * scale]
-        if not len(worst):
-            continue
-        message = _residuals(core, level, worst, residuals, unit)
-        if residuals[worst[0]] > bound:
-            raise ModelError(
-                f"{message}: more than the {bound:.2g}{unit} that are taken for an inaccuracy; correct them, or "
-                f"let linkwork.assemble(model) do it and simulate its `model`",
-                code=f"inconsistent_{level}",
-                joints=[core.joint_name(int(joint)) for joint in worst],
-                residuals={core.joint_name(int(joint)): float(residuals[joint]) for joint in worst},
-            )
-        remarks.append(message)
-    if not remarks:
+    remarks = [
+        _inaccuracy(core, "poses", position, "", RESIDUAL_TOLERANCE * max(1.0, size), SMALL_RESIDUAL * size),
+        _inaccuracy(core, "velocities", velocity, "/s", RESIDUAL_TOLERANCE * speed, SMALL_RESIDUAL * speed),
+    ]
+    if not any(remarks):
         return None
-    from linkwork.assembly import assemble
-
     assembly = assemble(model)
     moved, turned, faster = (
         float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
     )
     changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
-    warnings.warn(f"{'; '.join(remarks)}: corrected {changes}", LinkworkWarning, stacklevel=4)
+    message = f"{'; '.join(filter(None, remarks))}: corrected {changes}"
+    warnings.warn(message, LinkworkWarning, stacklevel=3)
     return assembly
 
 
@@ -143,15 +123,32 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
 def _size(core: _core.Model) -> float:
     """The largest coordinate of a body or arm of a joint [m]; 1 where all are zero."""
     arms = core.joint_arrays()["origin"]
-    size = max(float(np.abs(core.q0.reshape(-1, 7)[:, :3]).max(initial=0.0)), float(np.abs(arms).max(initial=0.0)))
+    size = max(
+        float(np.abs(core.q0.reshape(-1, 7)[:, :3]).max(initial=0.0)), float(np.abs(arms).max(initial=0.0))
+    )
     return size or 1.0
 
 
-def _residuals(
-    core: _core.Model, level: str, worst: NDArray[np.int64], residuals: Floats, unit: str
+def _inaccuracy(
+    core: _core.Model, level: str, residuals: Floats, unit: str, rounding: float, most: float
 ) -> str:
+    """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much."""
+    worst = np.argsort(-residuals, kind="stable")
+    worst = worst[residuals[worst] > rounding]
+    if not len(worst):
+        return ""
     each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {residuals[worst[k]]:.3g}{unit}")
-    return f"initial {level} do not satisfy {len(worst)} joints (residual, m or 1): {each}"
+    message = f"initial {level} do not satisfy {len(worst)} joints (residual, m or 1): {each}"
+    if residuals[worst[0]] <= most:
+        return message
+    names = [core.joint_name(int(joint)) for joint in worst]
+    raise ModelError(
+        f"{message}: more than {most:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
+        "linkwork.assemble(model).model gives",
+        code=f"inconsistent_{level}",
+        joints=names,
+        residuals=dict(zip(names, residuals[worst].tolist(), strict=True)),
+    )
 
 
 def _listed(count: int, item: Callable[[int], str]) -> str:

@@ -12,21 +12,22 @@ namespace {
 
 constexpr double exact = 1e-15, roundoff = 1e-12;  // violations, relative to the size of the mechanism
 constexpr double least_damping = 1e-10, most_damping = 1e8;
-constexpr double stationary = 1e-9;       // part of the violation that a step should take away
-constexpr double longest_step = 0.5;      // relative to 1 + |r|, or rad
-constexpr double least_mobility = 1e-2;   // of the largest of a joint
-constexpr double nearest = 1e-11;         // displacement that is none
-constexpr double shortest_part = 1e-4;    // of a step along the constraints
-constexpr double nudge = 0.05;            // [rad, or m relative to the size], off a saddle
-constexpr int most_descents = 300, most_approaches = 100, most_nudges = 4, most_refinements = 20;
-constexpr double velocity_damping = 1e-8;
+constexpr double stationary = 1e-9;      // part of the violation that a step should take away
+constexpr double longest_step = 0.5;     // relative to 1 + |r|, or rad
+constexpr double least_mobility = 1e-2;  // of the largest of a joint
+constexpr double nearest = 1e-11;        // displacement that is none
+constexpr double shortest_part = 1e-4;   // of a step along the constraints
+constexpr double nudge = 0.05;           // [rad, or m relative to the size], off a saddle
+constexpr int most_descents = 300, most_approaches = 100, most_nudges = 4, most_refinements = 40;
+constexpr double most_velocity_damping = 1e-8, least_velocity_damping = 1e-13;
 
 double largest(const VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
 
 double reach_of(const System& system) {
   double reach = 1.0;
   for (const Body& body : system.model().bodies()) reach = std::max(reach, body.position.norm());
-  for (const Element& joint : system.model().joints()) reach = std::max({reach, joint.at.s_i.norm(), joint.at.s_j.norm()});
+  for (const Element& joint : system.model().joints())
+    reach = std::max({reach, joint.at.s_i.norm(), joint.at.s_j.norm()});
   return reach;
 }
 
@@ -135,8 +136,7 @@ double InitialConditions::distance(const VectorXd& given, const VectorXd& q) con
 VectorXd InitialConditions::pull(const VectorXd& given, const VectorXd& q) const {
   VectorXd out(system().v_size());
   for (int body = 0; body < system().body_count(); ++body) {
-    const Mat3<double> G =
-        orientation(q, body).transpose() * orientation(given, body) * second_moments(system(), body);
+    const Mat3<double> G = orientation(q, body).transpose() * orientation(given, body) * second_moments(system(), body);
     out.segment<3>(6 * body) = system().mass(body) * (given.segment<3>(7 * body) - q.segment<3>(7 * body));
     out.segment<3>(6 * body + 3) = Vec3<double>(G(2, 1) - G(1, 2), G(0, 2) - G(2, 0), G(1, 0) - G(0, 1));
   }
@@ -191,19 +191,26 @@ bool InitialConditions::positions(const VectorXd& given, VectorXd& q) {
   return reached;
 }
 
+// dv = -M^-1 D^T (D M^-1 D^T + mu W)^-1 (D v + Phi_t), again for what mu left; long chains need a smaller one.
 bool InitialConditions::velocities(const VectorXd& q, VectorXd& v) {
   if (system().row_count() == 0) return true;
-  double last = INFINITY, violation = INFINITY;
+  VectorXd found = v;
+  double least = INFINITY, mu = most_velocity_damping;
   for (int k = 0; k < most_refinements; ++k) {
-    evaluate(q, v);
-    const double size = reach_ * std::max(1.0, std::max(largest(v), largest(at_.Phi_t)));
-    violation = largest(at_.Phi_dot) / size;
-    if (violation <= exact || violation > 0.5 * last) break;
-    last = violation;
-    if (!solve(rest_, -at_.Phi_dot, velocity_damping)) return false;
-    v += x_;
+    evaluate(q, found);
+    const double size = reach_ * std::max({1.0, largest(found), largest(at_.Phi_t)});
+    const double violation = largest(at_.Phi_dot) / size;
+    const bool shrinking = violation < 0.5 * least;
+    if (violation < least) {
+      v = found;
+      least = violation;
+    }
+    if (violation <= exact || (!shrinking && violation <= roundoff)) break;
+    if (!shrinking && (mu *= 0.01) < least_velocity_damping) break;
+    if (!solve(rest_, -at_.Phi_dot, mu)) break;
+    found += x_;
   }
-  return violation <= roundoff;
+  return least <= roundoff;
 }
 
 }  // namespace linkwork

@@ -15,7 +15,7 @@ BETA, GAMMA, PHI = -0.0617138900142764496, 0.455279819163070380, 0.2226683901658
 DELTA, EPSILON = 0.487364979543842550, 1.23054744454982119
 
 #: Points fixed in the plane [m].
-O, A, B, C = (np.array(point) for point in (
+ORIGIN, A, B, C = (np.array(point) for point in (
     (0.0, 0.0, 0.0), (-0.06934, -0.00227, 0.0), (-0.03635, 0.03273, 0.0), (0.014, 0.072, 0.0)
 ))  # fmt: skip
 
@@ -42,17 +42,17 @@ def andrews() -> Model:
     Data of the Test Set for Initial Value Problem Solvers, problem "Andrews' squeezing mechanism" (Hairer
     and Wanner, Solving Ordinary Differential Equations II, section VII.7).
 
-    Bodies of some grams and millimeters, accelerated by 10 000 rad/s2: "rk4" with a step of 10 us keeps angles
-    to 1e-9, velocities to 1e-7 and reactions to 1e-5 at t = 0.03 s, relative. More digits, in less time: "dop853"
-    with rtol = atol = 1e-12.
+    Bodies of some grams and millimeters, accelerated by 10 000 rad/s2: "rk4" with a step of 10 us keeps
+    angles to 1e-9, velocities to 1e-7 and reactions to 1e-5 at t = 0.03 s, relative. More digits, in less
+    time: "dop853" with rtol = atol = 1e-12.
     """
     model = Model(gravity=(0, 0, 0), name="andrews")
-    F = O + 0.007 * _along(BETA)
+    F = ORIGIN + 0.007 * _along(BETA)
     E = F - 0.028 * _along(BETA)
     G, H = A + 0.04 * _along(DELTA), A - 0.04 * _across(EPSILON)
     D = B + 0.02 * _along(GAMMA) - 0.018 * _across(GAMMA)  # the end of the spring on K3
     poses = {
-        "K1": (O + 0.00092 * _along(BETA), BETA),
+        "K1": (ORIGIN + 0.00092 * _along(BETA), BETA),
         "K2": (F - 0.0115 * _along(BETA), BETA),
         "K3": (B + 0.01043 * _along(GAMMA) - 0.01874 * _across(GAMMA), GAMMA),
         "K4": (G - (0.02 - 0.01421) * _across(PHI + DELTA), PHI + DELTA),
@@ -65,7 +65,7 @@ def andrews() -> Model:
         turned = rotation.about((0, 0, 1), angle)
         model.body(name, mass=mass, inertia=(J / 2, J / 2, J), position=center, orientation=turned)
     for name, first, second, point in (
-        ("O", "ground", "K1", O),
+        ("O", "ground", "K1", ORIGIN),
         ("F", "K1", "K2", F),
         ("E3", "K2", "K3", E),
         ("E4", "K2", "K4", E),
@@ -77,7 +77,9 @@ def andrews() -> Model:
         ("H", "K7", "K6", H),
     ):
         model.revolute(first, second, at=point, axis=(0, 0, 1), name=name)
-    model.spring_damper("ground", "K3", at=(C, D), stiffness=STIFFNESS, free_length=FREE_LENGTH, name="spring")
+    model.spring_damper(
+        "ground", "K3", at=(C, D), stiffness=STIFFNESS, free_length=FREE_LENGTH, name="spring"
+    )
     model.force("K1", torque=(0, 0, MOTOR), name="motor")
     return model
 

@@ -18,10 +18,10 @@ SLOPE = np.pi / 6  # of the arms at the start, downward [rad]
 def flyball_governor() -> Model:
     """Flyball governor: balls on two arms hold a slider by stiff springs (IFToMM benchmark A05).
 
-    A shaft of 1 m turns about z with 2 pi rad/s at first. On its top, 5 cm to either side, are hinged two arms
-    of 1 m with points of 5 kg at their ends, 30 degrees below the horizontal. Springs of 0.5 m, 8e5 N/m, with
+    A shaft of 1 m turns about z with 2 pi rad/s at first. Hinged to its top, 5 cm to either side, are arms of
+    1 m with points of 5 kg at their ends, 30 degrees below the horizontal. Springs of 0.5 m, 8e5 N/m, with
     dampers of 4e4 N s/m join the middle of each arm to a slider on the shaft, a cube of 10 cm and 3 kg. Shaft
-    and arms are 1 cm square, 0.3 kg each. Gravity along -z. Four degrees of freedom, none redundant.
+    and arms are 1 cm square, 0.3 kg each. Gravity along -z. Four degrees of freedom, no redundant equation.
 
     The dampers make it stiff: the fastest motion dies away with 8100 1/s, which "rk4" can follow with steps
     below 0.34 ms. With a step of 0.1 ms the slider is within 1e-9 m after 10 s.
