@@ -1,5 +1,6 @@
 #include "bindings.hpp"
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/formulation/initial_conditions.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/instruction_set.hpp"
@@ -258,6 +259,66 @@ py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& 
   return out;
 }
 
+/// A system with the correction of its initial conditions.
+class Assembler {
+ public:
+  Assembler(const Model& model, const ConstVector& weights, std::vector<int> held)
+      : system_(model), conditions_(system_, weights, std::move(held)) {}
+
+  py::tuple positions(const ConstVector& given, const ConstVector& start) {
+    check_size(given, system_.q_size(), "given");
+    check_size(start, system_.q_size(), "start");
+    VectorXd q = start;
+    bool reached = false;
+    {
+      const py::gil_scoped_release release;
+      reached = conditions_.positions(given, q);
+    }
+    return py::make_tuple(q, reached);
+  }
+
+  py::tuple velocities(const ConstVector& q, const ConstVector& given) {
+    check_size(q, system_.q_size(), "q");
+    check_size(given, system_.v_size(), "given");
+    VectorXd v = given;
+    bool reached = false;
+    {
+      const py::gil_scoped_release release;
+      reached = conditions_.velocities(q, v);
+    }
+    return py::make_tuple(v, reached);
+  }
+
+  py::tuple residuals(const ConstVector& q, const ConstVector& v) const {
+    check_size(q, system_.q_size(), "q");
+    check_size(v, system_.v_size(), "v");
+    Evaluation at = system_.make_evaluation();
+    system_.evaluate_constraints(0.0, q, v, at);
+    return py::make_tuple(at.Phi, at.Phi_dot);
+  }
+
+  double distance(const ConstVector& given, const ConstVector& q) const { return conditions_.distance(given, q); }
+  int iterations() const { return conditions_.iterations(); }
+
+ private:
+  System system_;
+  InitialConditions conditions_;
+};
+
+void bind_assembler(py::module_& module) {
+  py::class_<Assembler>(module, "Assembler", "Takes initial positions and velocities to the constraints at t = 0.")
+      .def(py::init<const Model&, const ConstVector&, std::vector<int>>(), py::arg("model"), py::arg("weights"),
+           py::arg("held"), py::call_guard<py::gil_scoped_release>(),
+           "Weights of the bodies' masses, none for 1; indices of bodies that keep what they have.")
+      .def("positions", &Assembler::positions, py::arg("given"), py::arg("start"),
+           "(q, whether it is on the constraints): from `start`, near to `given`.")
+      .def("velocities", &Assembler::velocities, py::arg("q"), py::arg("given"), "(v, whether it is consistent at q).")
+      .def("residuals", &Assembler::residuals, py::arg("q"), py::arg("v"), "(Phi, Phi_dot).")
+      .def("distance", &Assembler::distance, py::arg("given"), py::arg("q"),
+           "Displacement of the mass, squared: integral |x - x_given|^2 w dm [kg m2].")
+      .def_property_readonly("iterations", &Assembler::iterations);
+}
+
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics.def("statistics", &statistics)
       .def("factorization_cost", &factorization_cost,
@@ -283,6 +344,7 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
 void bind_formulation(py::module_& module) {
   bind_information(module);
   bind_options(module);
+  bind_assembler(module);
   py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
   dynamics
       .def(py::init<const Model&, const Options&>(), py::arg("model"), py::arg("options"),

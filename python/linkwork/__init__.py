@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
+    from linkwork.assembly import Assembly, JointResidual, assemble
     from linkwork.errors import (
         FileError,
         LinkworkError,
@@ -37,12 +38,14 @@ if TYPE_CHECKING:
     from linkwork.system import System
 
 __all__ = [
+    "Assembly",
     "Body",
     "BodyResult",
     "Event",
     "FileError",
     "Force",
     "Joint",
+    "JointResidual",
     "LinkworkError",
     "LinkworkWarning",
     "Model",
@@ -59,6 +62,7 @@ __all__ = [
     "StepSizeError",
     "System",
     "__version__",
+    "assemble",
     "functions",
     "integrators",
     "mechanisms",
@@ -68,6 +72,7 @@ __all__ = [
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
+    "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("FileError", "LinkworkError", "LinkworkWarning", "ModelError", "NotConvergedError",

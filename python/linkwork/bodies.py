@@ -36,6 +36,12 @@ class Bodies:
         self._poses.append(state["position"], state["orientation"])
         return Range(range(first, first + len(mass)), self.handle)
 
+    def placed(self, model: Model, core: _core.Model, position: Floats, orientation: Floats) -> Bodies:
+        """The same bodies in a copy of the model, elsewhere."""
+        out = Bodies(model, core)
+        out._poses.append(position, orientation)
+        return out
+
     def handle(self, index: int) -> Body:
         return self.ground if index < 0 else Body(self._core.body_name(index), index, self._model)
 
@@ -65,18 +71,19 @@ class Bodies:
 
     def pairs(self, a: Any, b: Any, subject: Subject) -> Indices:
         """The bodies of a group of elements (k, 2); one body stands for all."""
-        first, second = self._indices(a, subject), self._indices(b, subject)
+        first, second = self.indices(a, subject), self.indices(b, subject)
         if len(first) != len(second) and 1 not in (len(first), len(second)):
             subject.refuse(0, f"joins {len(first)} bodies to {len(second)}", "shape")
         return np.stack(np.broadcast_arrays(first, second), axis=1)
 
-    def _indices(self, bodies: Any, subject: Subject) -> Indices:
+    def indices(self, bodies: Any, subject: Subject) -> Indices:
+        """Of one or many bodies, by handles, names or indices (k,); the ground is -1. Errors as `index`."""
         if isinstance(bodies, np.ndarray) and bodies.dtype.kind in "iu" and bodies.ndim == 1:
             outside = (bodies < -1) | (bodies >= self._core.body_count)
             if outside.any():
                 subject.refuse(0, f"body index {bodies[outside][0]} does not exist", "unknown_body")
             return bodies.astype(np.int32)
-        if isinstance(bodies, Range):
+        if isinstance(bodies, Range) and len(bodies):
             self.index(bodies[0], subject)
             return bodies.indices
         many = [bodies] if isinstance(bodies, Body | str) else bodies

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core, stiffness
+from linkwork.assembly import Assembly, assemble
 from linkwork.errors import LinkworkWarning, ModelError, OptionError
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model
@@ -18,6 +19,9 @@ Floats = NDArray[np.float64]
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
+
+#: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
+SMALL_RESIDUAL = 1e-3
 
 #: How many objects a message lists.
 LISTED = 5
@@ -67,18 +71,30 @@ def joint_residuals(model: Model, dynamics: _core.Dynamics) -> tuple[Floats, Flo
     return position, velocity
 
 
-def warn_of_residuals(model: Model, dynamics: _core.Dynamics) -> None:
-    """LinkworkWarning: the initial pose or the initial velocities do not satisfy the joints."""
+def consistent(model: Model, dynamics: _core.Dynamics) -> Assembly | None:
+    """Correct initial conditions that violate the joints by a little more than rounding; None: nothing to do.
+
+    LinkworkWarning: what was corrected. ModelError: the violation is too large to be an inaccuracy; its
+    `joints` and `residuals` are those that violate it. NotConvergedError: joints contradict each other.
+    """
     core = model.compiled()
-    reach = max(1.0, float(np.abs(core.q0).max(initial=0.0)))
-    speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * reach
-    for residuals, scale, level in zip(
-        joint_residuals(model, dynamics), (reach, speed), ("poses", "velocities"), strict=True
-    ):
-        worst = np.argsort(-residuals, kind="stable")
-        worst = worst[residuals[worst] > RESIDUAL_TOLERANCE * scale]
-        if len(worst):
-            _warn_of(core, level, worst, residuals)
+    size = _size(core)
+    speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
+    position, velocity = joint_residuals(model, dynamics)
+    remarks = [
+        _inaccuracy(core, "poses", position, "", RESIDUAL_TOLERANCE * max(1.0, size), SMALL_RESIDUAL * size),
+        _inaccuracy(core, "velocities", velocity, "/s", RESIDUAL_TOLERANCE * speed, SMALL_RESIDUAL * speed),
+    ]
+    if not any(remarks):
+        return None
+    assembly = assemble(model)
+    moved, turned, faster = (
+        float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
+    )
+    changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
+    message = f"{'; '.join(filter(None, remarks))}: corrected {changes}"
+    warnings.warn(message, LinkworkWarning, stacklevel=3)
+    return assembly
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
@@ -126,11 +142,35 @@ def _complex(value: complex) -> str:
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 
-def _warn_of(core: _core.Model, level: str, worst: NDArray[np.int64], residuals: Floats) -> None:
-    unit = "" if level == "poses" else "/s"
+def _size(core: _core.Model) -> float:
+    """The largest coordinate of a body or arm of a joint [m]; 1 where all are zero."""
+    arms = core.joint_arrays()["origin"]
+    size = max(
+        float(np.abs(core.q0.reshape(-1, 7)[:, :3]).max(initial=0.0)), float(np.abs(arms).max(initial=0.0))
+    )
+    return size or 1.0
+
+
+def _inaccuracy(
+    core: _core.Model, level: str, residuals: Floats, unit: str, rounding: float, most: float
+) -> str:
+    """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much."""
+    worst = np.argsort(-residuals, kind="stable")
+    worst = worst[residuals[worst] > rounding]
+    if not len(worst):
+        return ""
     each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {residuals[worst[k]]:.3g}{unit}")
     message = f"initial {level} do not satisfy {len(worst)} joints (residual, m or 1): {each}"
-    warnings.warn(message, LinkworkWarning, stacklevel=4)
+    if residuals[worst[0]] <= most:
+        return message
+    names = [core.joint_name(int(joint)) for joint in worst]
+    raise ModelError(
+        f"{message}: more than {most:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
+        "linkwork.assemble(model).model gives",
+        code=f"inconsistent_{level}",
+        joints=names,
+        residuals=dict(zip(names, residuals[worst].tolist(), strict=True)),
+    )
 
 
 def _listed(count: int, item: Callable[[int], str]) -> str:

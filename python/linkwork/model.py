@@ -281,6 +281,27 @@ class Model(JointMethods):
         """The body with this name. ModelError: there is none; the message has the nearest."""
         return self._bodies.handle(self._bodies.index(name, Subject("model", self.name, False, 1)))
 
+    def indices(self, bodies: BodiesLike) -> NDArray[np.int32]:
+        """Indices (k,) of one or many bodies, -1 the ground. ModelError: there is no such body."""
+        return self._bodies.indices(bodies, Subject("model", self.name, False, 1))
+
+    def with_initial_state(self, q: ArrayLike, v: ArrayLike) -> Model:
+        """The same mechanism from another state, such as a frame of a result: `result.q[-1], result.v[-1]`.
+
+        q  position and Euler parameters of each body (n, 7)
+        v  velocity (inertial) and angular velocity (body axes) of each body (n, 6)
+
+        Joints and forces stay where they are on the bodies. ModelError: another shape, or no possible state.
+        """
+        n = self.body_count
+        q, v = _numbers(q, [(n, 7), (7 * n,)], "model", "q"), _numbers(v, [(n, 6), (6 * n,)], "model", "v")
+        out = Model(self._core.gravity, self.name)
+        out._core = self._core.with_initial_state(q.ravel(), v.ravel())
+        poses = out._core.q0.reshape(n, 7)
+        out._bodies = self._bodies.placed(out, out._core, poses[:, :3], poses[:, 3:])
+        out._counts, out._signals = self._counts.copy(), self._signals.copy()
+        return out
+
     def compiled(self) -> _core.Model:
         """The same model in the compiled module."""
         return self._core

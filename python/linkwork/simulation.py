@@ -68,8 +68,9 @@ def simulate(
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose, with
     the standard formulation (also before the first step). NotConvergedError, NotFiniteError: the run failed.
     StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be written.
-    LinkworkWarning: initial poses or velocities do not satisfy the joints. Ctrl-C ends the run; what `output`
-    has by then stays readable.
+    ModelError: initial poses or velocities do not satisfy the joints, see `linkwork.assemble`; a small
+    violation is corrected, with a LinkworkWarning. Ctrl-C ends the run; what `output` has by then stays
+    readable.
     """
     started = time.perf_counter()
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model))
@@ -82,15 +83,21 @@ def simulate(
         )
     system = System(model, **options)
     plan.check(method, system)
-    checks.warn_of_residuals(model, system.compiled())
+    assembly = checks.consistent(model, system.compiled())
+    if assembly is not None:
+        system = System(assembly.model, **options)
 
     watched = compile_events(events, model)
     run = plan.run(method, system, [event for _, event in watched])
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
              "record_every": record_every, **options}  # fmt: skip
     chosen = {**plan.chosen(), "integrator": _name(method), **system.options}
-    facts = {**manifest(model, given, chosen), "constraints": checks.rank_numbers(system.compiled())}
-    header = Header.of(model.compiled(), system.compiled(), facts, plan.expected_frames(run))
+    facts = {
+        **manifest(model, given, chosen),
+        "constraints": checks.rank_numbers(system.compiled()),
+        "assembled": assembly and str(assembly),
+    }
+    header = Header.of(system.model.compiled(), system.compiled(), facts, plan.expected_frames(run))
     recorder = recording.recorder(output, header)
 
     setup_seconds = time.perf_counter() - started

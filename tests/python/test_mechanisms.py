@@ -62,7 +62,9 @@ FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
     "heavy_top": ({}, 3, 0),
     "torque_free_top": ({}, 6, 0),
     "four_bar": ({"n": 2}, 1, 6),
+    "andrews": ({}, 1, 9),
     "bricard": ({}, 1, 1),
+    "flyball_governor": ({}, 4, 0),
     "spatial_slider_crank": ({}, 1, 0),
     "net": ({"n": 4}, 36, 0),
 }

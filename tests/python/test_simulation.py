@@ -74,36 +74,45 @@ def test_a_massless_body_is_refused_by_the_standard_formulation() -> None:
         lw.simulate(model, t_end=1.0, step=1e-3)
 
 
-def inconsistent(joints: int) -> lw.Model:
-    """Bodies that leave their pins with 1, 2, 3, ... m/s."""
+def inconsistent(joints: int, speed: float = 1.0) -> lw.Model:
+    """Bodies that leave their pins with 1, 2, 3, ... times a speed."""
     model = lw.Model()
     for k in range(joints):
-        model.body(f"body {k}", mass=1, inertia=(1, 1, 1), velocity=(k + 1, 0, 0))
+        model.body(f"body {k}", mass=1, inertia=(1, 1, 1), velocity=((k + 1) * speed, 0, 0))
         model.spherical("ground", f"body {k}", at=(0, 0, 0), name=f"pin {k}")
     return model
 
 
-def test_inconsistent_velocities_are_a_warning_with_the_residual_of_each_joint() -> None:
-    with pytest.warns(lw.LinkworkWarning, match=r"velocities.*2 joints.*pin 1 2/s; pin 0 1/s"):
+def test_inconsistent_velocities_are_refused_with_the_residual_of_each_joint() -> None:
+    with pytest.raises(
+        lw.ModelError, match=r"velocities.*2 joints.*pin 1 2/s; pin 0 1/s.*assemble"
+    ) as caught:
         lw.simulate(inconsistent(2), t_end=0.0, step=1e-3)
+    assert caught.value.residuals == {"pin 1": 2.0, "pin 0": 1.0}
 
 
-def test_the_warning_lists_the_worst_five_joints() -> None:
-    with pytest.warns(lw.LinkworkWarning, match=r"7 joints.*pin 6 7/s; .*pin 2 3/s; and 2 more"):
+def test_the_message_lists_the_worst_five_joints() -> None:
+    with pytest.raises(lw.ModelError, match=r"7 joints.*pin 6 7/s; .*pin 2 3/s; and 2 more"):
         lw.simulate(inconsistent(7), t_end=0.0, step=1e-3)
+
+
+def test_slightly_inconsistent_velocities_are_corrected_with_a_warning() -> None:
+    with pytest.warns(lw.LinkworkWarning, match=r"2 joints.*pin 1 0\.0002/s.*velocities by 0\.0002 m/s"):
+        result = lw.simulate(inconsistent(2, 1e-4), t_end=0.0, step=1e-3)
+    assert np.abs(result.v).max() <= 1e-15
 
 
 def test_the_warning_points_at_the_call_of_simulate() -> None:
     with pytest.warns(lw.LinkworkWarning) as caught:
-        lw.simulate(inconsistent(1), t_end=0.0, step=1e-3)
+        lw.simulate(inconsistent(1, 1e-4), t_end=0.0, step=1e-3)
     assert [Path(warning.filename).name for warning in caught] == ["test_simulation.py"]
 
 
-def test_an_inconsistent_pose_is_a_warning() -> None:
+def test_an_inconsistent_pose_is_refused() -> None:
     model = lw.Model()
     model.body("rod", mass=1, inertia=(1, 1, 1), position=(0, 0, 1))
     model.spherical("ground", "rod", at=((0, 0, 0.25), (0, 0, 0)), frames="body", name="ball")
-    with pytest.warns(lw.LinkworkWarning, match=r"poses.*ball 0\.75"):
+    with pytest.raises(lw.ModelError, match=r"poses.*ball 0\.75"):
         lw.simulate(model, t_end=0.0, step=1e-3)
 
 

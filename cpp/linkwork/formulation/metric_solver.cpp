@@ -15,7 +15,7 @@ double mean_of_positive(const VectorXd& x) {
   return count > 0 ? x.sum() / static_cast<double>(count) : 1.0;
 }
 
-Model with_masses(const Model& model) {
+Model with_masses(const Model& model, const VectorXd& weights) {
   const auto n = static_cast<Eigen::Index>(model.bodies().size());
   VectorXd mass(n), moment(n);
   for (Eigen::Index b = 0; b < n; ++b) {
@@ -31,6 +31,10 @@ Model with_masses(const Model& model) {
     if (!(moments[0] > flat * moments[2]))
       body.inertia = (moments[2] > 0.0 ? moments.mean() : usual_moment) * Mat3<double>::Identity();
   }
+  for (Eigen::Index b = 0; b < weights.size(); ++b) {
+    bodies[static_cast<std::size_t>(b)].mass *= weights[b];
+    bodies[static_cast<std::size_t>(b)].inertia *= weights[b];
+  }
   out.add_bodies("body", bodies);
   for (const TimeFunctionPtr& signal : model.signals()) out.add_signal(signal);
   for (std::size_t joint = 0; joint < model.joints().size(); ++joint) {
@@ -45,8 +49,10 @@ Model with_masses(const Model& model) {
 
 }  // namespace
 
-MetricSolver::MetricSolver(const System& system)
-    : regularized_(system.massless_bodies().empty() ? nullptr : std::make_unique<System>(with_masses(system.model()))),
+MetricSolver::MetricSolver(const System& system, const VectorXd& weights)
+    : regularized_(system.massless_bodies().empty() && weights.size() == 0
+                       ? nullptr
+                       : std::make_unique<System>(with_masses(system.model(), weights))),
       system_(regularized_ ? regularized_.get() : &system),
       saddle_(make_saddle_solver("kkt", linear_solver_info("block"))) {
   const Evaluation at = system_->make_evaluation();

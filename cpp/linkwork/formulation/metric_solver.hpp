@@ -9,10 +9,11 @@ namespace linkwork {
 /// Least squares in the metric of the masses, for questions about the constraints alone:
 ///   [M  D^T] {   x   }   {a}
 ///   [D  -E ] {-lambda} = {b}
-/// Massless bodies get the mean mass and inertia of the others here, so that there is a metric.
+/// Massless bodies get the mean mass and inertia of the others here, so that there is a metric. `weights`, where given,
+/// are factors of mass and inertia, one per body.
 class MetricSolver {
  public:
-  explicit MetricSolver(const System& system);
+  explicit MetricSolver(const System& system, const VectorXd& weights = {});
 
   /// The given system, or one with the same bodies, joints and rows that has a regular mass matrix.
   const System& system() const { return *system_; }

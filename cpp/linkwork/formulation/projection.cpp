@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/formulation/displacement.hpp"
 #include "linkwork/math/error.hpp"
-#include "linkwork/math/rotation.hpp"
 
 namespace linkwork {
 namespace {
@@ -13,21 +13,6 @@ namespace {
 // roundoff, and one that does so as no convergence.
 constexpr double exact = 1e-14, roundoff = 1e-9, shrinking = 0.5;
 constexpr int most_iterations = 30;
-
-/// y with its bodies displaced by x: r += x_r, p = p exp(x_omega); the largest displacement, relative.
-double displace(const System& system, const VectorXd& x, VectorXd& y) {
-  double largest = 0.0;
-  for (int body = 0; body < system.body_count(); ++body) {
-    const Vec3<double> step = x.segment<3>(6 * body), turn = x.segment<3>(6 * body + 3);
-    auto r = y.segment<3>(7 * body);
-    auto p = y.segment<4>(7 * body + 3);
-    largest = std::max({largest, step.norm() / (1.0 + r.norm()), turn.norm()});
-    r += step;
-    p = quaternion_product<double>(p, exponential(turn));
-    p.normalize();
-  }
-  return largest;
-}
 
 double accelerate(const System& system, const VectorXd& x, VectorXd& y) {
   auto v = y.segment(system.q_size(), system.v_size());

@@ -230,4 +230,22 @@ VectorXd Model::initial_v() const {
   return v;
 }
 
+Model Model::with_initial_state(const ConstVector& q, const ConstVector& v) const {
+  const auto count = static_cast<Eigen::Index>(bodies_->size());
+  if (q.size() != position_size * count || v.size() != velocity_size * count)
+    throw ModelError("shape", "a state of " + std::to_string(count) + " bodies has 7 and 6 numbers for each");
+  Model out = *this;
+  std::vector<Body>& list = out.bodies_.own();
+  for (Eigen::Index b = 0; b < count; ++b) {
+    Body& body = list[static_cast<std::size_t>(b)];
+    body.position = q.segment<3>(position_size * b);
+    body.orientation = q.segment<4>(position_size * b + 3);
+    body.velocity = v.segment<3>(velocity_size * b);
+    body.omega = v.segment<3>(velocity_size * b + 3);
+    check_body(body, body_name(static_cast<int>(b)));
+    body.orientation.normalize();
+  }
+  return out;
+}
+
 }  // namespace linkwork

@@ -74,6 +74,8 @@ class Model {
 
   VectorXd initial_q() const;  ///< 7 per body
   VectorXd initial_v() const;  ///< 6 per body
+  /// A copy whose bodies are elsewhere at the initial time; joints stay where they are on the bodies.
+  Model with_initial_state(const ConstVector& q, const ConstVector& v) const;
 
  private:
   enum class Role { joint, force };

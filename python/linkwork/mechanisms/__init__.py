@@ -5,9 +5,11 @@ lw.simulate(lw.mechanisms.chain(100), t_end=1.0, step=1e-3)
 
 from __future__ import annotations
 
+from linkwork.mechanisms.andrews import ANDREWS, andrews
 from linkwork.mechanisms.binary_tree import BINARY_TREE, binary_tree
 from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
+from linkwork.mechanisms.flyball_governor import FLYBALL_GOVERNOR, flyball_governor
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
 from linkwork.mechanisms.heavy_top import HEAVY_TOP, heavy_top
 from linkwork.mechanisms.hub import HUB, hub
@@ -24,9 +26,11 @@ __all__ = [
     "Mechanism",
     "Parameter",
     "Size",
+    "andrews",
     "binary_tree",
     "bricard",
     "chain",
+    "flyball_governor",
     "four_bar",
     "heavy_top",
     "hub",
@@ -50,7 +54,9 @@ MECHANISMS: dict[str, Mechanism] = {
         HEAVY_TOP,
         TORQUE_FREE_TOP,
         FOUR_BAR,
+        ANDREWS,
         BRICARD,
+        FLYBALL_GOVERNOR,
         SPATIAL_SLIDER_CRANK,
         NET,
     )

