@@ -12,6 +12,7 @@ import numpy.typing
 
 __all__ = [
     "AdaptiveSimulation",
+    "Assembler",
     "Dynamics",
     "EmbeddedPair",
     "Event",
@@ -60,6 +61,56 @@ class AdaptiveSimulation(Run):
         """
         (index of the event, t, y before, y after) of the events since the last call; y = (q, v).
         """
+
+class Assembler:
+    """
+    Takes initial positions and velocities to the constraints at t = 0.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        model: Model,
+        weights: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        held: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex],
+    ) -> None:
+        """
+        Weights of the bodies' masses, none for 1; indices of bodies that keep what they have.
+        """
+    def distance(
+        self,
+        given: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> float:
+        """
+        Displacement of the mass, squared: integral |x - x_given|^2 w dm [kg m2].
+        """
+    def positions(
+        self,
+        given: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        start: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        (q, whether it is on the constraints): from `start`, near to `given`.
+        """
+    def residuals(
+        self,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        (Phi, Phi_dot).
+        """
+    def velocities(
+        self,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        given: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        (v, whether it is consistent at q).
+        """
+    @property
+    def iterations(self) -> int: ...
 
 class Dynamics:
     """
@@ -331,6 +382,14 @@ class Model:
         """
     def joint_kind(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def joint_name(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def with_initial_state(
+        self,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> Model:
+        """
+        A copy whose bodies are elsewhere at t = 0; joints stay where they are on the bodies.
+        """
     @property
     def body_count(self) -> int: ...
     @property

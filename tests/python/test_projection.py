@@ -72,10 +72,9 @@ def test_an_integrator_of_the_users_own_is_projected_too() -> None:
     assert result.violation[:, :2].max() < 1e-13
 
 
-@pytest.mark.filterwarnings("ignore:initial")
 def test_the_change_is_the_least_in_the_metric_of_the_masses() -> None:
     """Two free masses on a rod that is d too long: they share d in the inverse ratio of their masses."""
-    d, step = 1e-6, 1e-9
+    d, step = 5e-10, 1e-9  # as little as passes for rounding before the first step
     model = lw.Model(gravity=(0, 0, 0))
     a = model.body("a", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 0))
     b = model.body("b", mass=3.0, inertia=(1, 1, 1), position=(1 + d, 0, 0))
