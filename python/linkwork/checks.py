@@ -71,29 +71,33 @@ def joint_residuals(model: Model, dynamics: _core.Dynamics) -> tuple[Floats, Flo
     return position, velocity
 
 
-def consistent(model: Model, dynamics: _core.Dynamics) -> Assembly | None:
+def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> Assembly | None:
     """Correct initial conditions that violate the joints by a little more than rounding; None: nothing to do.
 
-    LinkworkWarning: what was corrected. ModelError: the violation is too large to be an inaccuracy; its
-    `joints` and `residuals` are those that violate it. NotConvergedError: joints contradict each other.
+    LinkworkWarning: what was corrected; with `correct` False any violation, which then stays. ModelError: the
+    violation is too large to be an inaccuracy; its `joints` and `residuals` are those that violate it.
+    NotConvergedError: joints contradict each other.
     """
     core = model.compiled()
     size = _size(core)
     speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
     position, velocity = joint_residuals(model, dynamics)
+    small = SMALL_RESIDUAL if correct else np.inf
     remarks = [
-        _inaccuracy(core, "poses", position, "", RESIDUAL_TOLERANCE * max(1.0, size), SMALL_RESIDUAL * size),
-        _inaccuracy(core, "velocities", velocity, "/s", RESIDUAL_TOLERANCE * speed, SMALL_RESIDUAL * speed),
+        _inaccuracy(core, "poses", position, "", RESIDUAL_TOLERANCE * max(1.0, size), small * size),
+        _inaccuracy(core, "velocities", velocity, "/s", RESIDUAL_TOLERANCE * speed, small * speed),
     ]
-    if not any(remarks):
+    found = "; ".join(filter(None, remarks))
+    if found and not correct:
+        warnings.warn(found, LinkworkWarning, stacklevel=3)
+    if not found or not correct:
         return None
     assembly = assemble(model)
     moved, turned, faster = (
         float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
     )
     changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
-    message = f"{'; '.join(filter(None, remarks))}: corrected {changes}"
-    warnings.warn(message, LinkworkWarning, stacklevel=3)
+    warnings.warn(f"{found}: corrected {changes}", LinkworkWarning, stacklevel=3)
     return assembly
 
 

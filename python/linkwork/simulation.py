@@ -39,6 +39,7 @@ def simulate(
     events: Event | Iterable[Event] = (),
     output: str | os.PathLike[str] | None = None,
     progress: ProgressOption = None,
+    assemble: bool = True,
     **options: Unpack[Options],
 ) -> Result:
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
@@ -58,6 +59,9 @@ def simulate(
                   linkwork.Event; result.events lists what came
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     progress      None: a line on a terminal after two seconds; False: nothing; or a function of ProgressInfo
+    assemble      initial poses and velocities that violate the joints by up to 1/1000 of the size and speed
+                  of the mechanism are corrected as by linkwork.assemble, larger violations are refused.
+                  False: the run starts from them as they are, with a warning
     options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
                   linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
                   tolerance, max_iterations: see linkwork.options.Options
@@ -68,9 +72,8 @@ def simulate(
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose, with
     the standard formulation (also before the first step). NotConvergedError, NotFiniteError: the run failed.
     StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be written.
-    ModelError: initial poses or velocities do not satisfy the joints, see `linkwork.assemble`; a small
-    violation is corrected, with a LinkworkWarning. Ctrl-C ends the run; what `output` has by then stays
-    readable.
+    ModelError: initial poses or velocities do not satisfy the joints, see `assemble`. LinkworkWarning: they
+    were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model))
@@ -83,7 +86,7 @@ def simulate(
         )
     system = System(model, **options)
     plan.check(method, system)
-    assembly = checks.consistent(model, system.compiled())
+    assembly = checks.consistent(model, system.compiled(), correct=assemble)
     if assembly is not None:
         system = System(assembly.model, **options)
 

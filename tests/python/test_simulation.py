@@ -102,6 +102,13 @@ def test_slightly_inconsistent_velocities_are_corrected_with_a_warning() -> None
     assert np.abs(result.v).max() <= 1e-15
 
 
+def test_a_run_can_start_from_a_violation_with_a_warning() -> None:
+    with pytest.warns(lw.LinkworkWarning, match=r"velocities.*2 joints.*pin 1 2/s; pin 0 1/s$"):
+        result = lw.simulate(inconsistent(2), t_end=0.0, step=1e-3, assemble=False)
+    assert result.violation[0, 1] == pytest.approx(2.0)
+    assert result.manifest["assembled"] is None
+
+
 def test_the_warning_points_at_the_call_of_simulate() -> None:
     with pytest.warns(lw.LinkworkWarning) as caught:
         lw.simulate(inconsistent(1, 1e-4), t_end=0.0, step=1e-3)
