@@ -12,6 +12,7 @@ namespace {
 // Relative to 1 + |r| and 1 rad, or to 1 + |v|: where a change is roundoff; where one that no longer shrinks counts as
 // roundoff, and one that does so as no convergence.
 constexpr double exact = 1e-14, roundoff = 1e-9, shrinking = 0.5;
+constexpr double impossible = 1e-4;  // violation that is left in a singular pose, where nothing moves against it
 constexpr int most_iterations = 30;
 
 /// y with its bodies displaced by x: r += x_r, p = p exp(x_omega); the largest displacement, relative.
@@ -56,7 +57,10 @@ void Projection::iterate(double t, VectorXd& y, Violation violation, Move move) 
     b_ = -violation(at_);
     dynamics_.solve(none_, b_, x_, lambda_);
     const double change = move(system, x_, y);
-    if (change <= exact || (change <= roundoff && change > shrinking * last)) return;
+    if (change <= exact || (change <= roundoff && change > shrinking * last)) {
+      if (!dynamics_.taken_over() || b_.cwiseAbs().maxCoeff() <= impossible) return;
+      break;
+    }
     if (!(change <= last)) break;
     last = change;
   }
