@@ -1,7 +1,7 @@
 """Which methods take a double four-bar through its singular poses, at which steps: python tests/benchmarks/survival.py
 
 The mechanism is four_bar(2) for 5 s; eight steps between 4.6 and 10.9 ms (fixed, or for DP5 the largest). A run
-survives when it ends with its state within 1 % of a reference by tight tolerances; the error is the largest
+survives when it ends with its state within 1 % of a reference of order eight; the error is the largest
 difference of any coordinate q [m or 1] at t = 5 s.
 """
 
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 T_END = 5.0
 STEPS = (4.6e-3, 5.5e-3, 6.4e-3, 7.3e-3, 8.2e-3, 9.1e-3, 10.0e-3, 10.9e-3)  # s
 SURVIVED = 1e-2
+REFERENCE_STEPS, AGREEMENT = (1e-3, 7e-4), 1e-7
 
 METHODS: dict[str, dict[str, Any]] = {
     "standard, sampled Baumgarte, RK4": {"integrator": "rk4"},
@@ -55,8 +56,15 @@ def final_state(step: float | None, **options: Any) -> Floats:
 
 
 def reference() -> Floats:
-    """By a pair of order eight with tight tolerances, projected after each step."""
-    return final_state(None, integrator="dop853", rtol=1e-12, atol=1e-13, stabilization="projection")
+    """By a method of order eight; errors far from singular poses are below 1e-12 at both steps.
+
+    Steps that end or have a stage very near to a singular pose magnify what violates the constraints there, so
+    two runs that agree are asked for. RuntimeError: they do not.
+    """
+    first, second = (final_state(step, integrator="dop853") for step in REFERENCE_STEPS)
+    if not np.abs(first - second).max() <= AGREEMENT:
+        raise RuntimeError(f"the references differ by {np.abs(first - second).max():.1e}")
+    return second
 
 
 def survive(method: str, steps: Sequence[float], expected: Floats) -> Survival:
