@@ -68,6 +68,9 @@ class Dynamics {
   /// Solves M x - D^T lambda = a, D x = b at the current state by the formulation.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
+  /// Zeros in `b` for the rows that `solve` does not look at.
+  void leave_out_redundant(MutableVector b) const { dropped_.take_from(b); }
+
   StabilizationKind stabilization() const { return kind_; }
 
   // Sampled stabilization, for integrators. All three do nothing where another stabilization was chosen.
