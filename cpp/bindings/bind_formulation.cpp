@@ -185,7 +185,8 @@ void bind_options(py::module_& module) {
       .def_readwrite("penalty", &Options::penalty)
       .def_readwrite("penalty_scale", &Options::penalty_scale)
       .def_readwrite("tolerance", &Options::tolerance)
-      .def_readwrite("max_iterations", &Options::max_iterations);
+      .def_readwrite("max_iterations", &Options::max_iterations)
+      .def_readwrite("on_singular", &Options::on_singular);
   py::class_<RankReport>(module, "RankReport",
                          "Rank of the constraint matrix D: what is redundant in every pose, and what only in the "
                          "assembled one.")
@@ -209,6 +210,25 @@ std::vector<std::tuple<int, std::vector<int>, std::string>> groups(const Dynamic
   return out;
 }
 
+constexpr std::size_t listed_joints = 16;
+
+py::list passages(const Dynamics& dynamics) {
+  py::list out;
+  for (const SingularPassage& it : dynamics.watch().passages()) {
+    std::vector<std::string> joints;
+    for (std::size_t k = 0; k < std::min<std::size_t>(it.joints.size(), listed_joints); ++k)
+      joints.push_back(dynamics.system().model().joint_name(it.joints[k]));
+    py::dict one;
+    one["t"] = it.t;
+    one["pivot"] = it.pivot;
+    one["joints"] = joints;
+    one["rows_changed"] = it.rows_changed;
+    one["taken_over"] = it.taken_over;
+    out.append(one);
+  }
+  return out;
+}
+
 py::dict statistics(const Dynamics& dynamics) {
   const DynamicsStatistics& cost = dynamics.statistics();
   const IterationStatistics& iterations = dynamics.iterations();
@@ -221,6 +241,9 @@ py::dict statistics(const Dynamics& dynamics) {
   out["assemble_time"] = dynamics.assemble_time();
   out["solve_time"] = cost.solve_time;
   out["smallest_pivot"] = cost.smallest_pivot;
+  out["singular_poses"] = dynamics.watch().singular_poses();
+  out["row_changes"] = dynamics.watch().row_changes();
+  out["passages"] = passages(dynamics);
   out["factor_nonzeros"] = dynamics.factorization_cost().factor_nonzeros;
   out["iterations"] = iterations.iterations;
   out["most_iterations"] = iterations.most;

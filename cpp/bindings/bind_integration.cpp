@@ -134,6 +134,7 @@ void bind_runs(py::module_& module) {
         py::dict out = statistics(run);
         const StepStatistics& steps = run.step_statistics();
         out["rejected_steps"] = steps.rejected;
+        out["singular_steps"] = steps.singular;
         out["smallest_step"] = run.steps_done() > 0 ? py::object(py::float_(steps.smallest)) : py::none();
         out["largest_step"] = run.steps_done() > 0 ? py::object(py::float_(steps.largest)) : py::none();
         return out;

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from linkwork.handles import Body, Force, Joint
     from linkwork.model import Model
     from linkwork.progress import ProgressInfo
-    from linkwork.result import BodyResult, Reaction, Result
+    from linkwork.result import BodyResult, Reaction, Result, SingularPose
     from linkwork.simulation import simulate
     from linkwork.system import System
 
@@ -57,6 +57,7 @@ __all__ = [
     "ProgressInfo",
     "Reaction",
     "Result",
+    "SingularPose",
     "SingularSystemError",
     "State",
     "StepSizeError",
@@ -79,7 +80,7 @@ _PLACES = {
                         "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError"),
     "linkwork.model": ("Model",),
     "linkwork.progress": ("ProgressInfo",),
-    "linkwork.result": ("BodyResult", "Reaction", "Result"),
+    "linkwork.result": ("BodyResult", "Reaction", "Result", "SingularPose"),
     "linkwork.simulation": ("simulate",),
     "linkwork.system": ("System",),
 }  # fmt: skip

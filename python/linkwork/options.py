@@ -38,6 +38,8 @@ class Options(TypedDict, total=False):
     tolerance: float | None
     #: cap of that iteration
     max_iterations: int | None
+    #: at a singular pose: "pass" (default), "warn" or "stop"
+    on_singular: str
 
 
 #: Flores (2015), section 12.4.
@@ -68,6 +70,7 @@ def _check_names(chosen: Mapping[str, Any]) -> None:
         "stabilization": [info.name for info in _core.stabilizations()],
         "linear_solver": ["auto", *(info.name for info in _core.linear_solvers())],
         "system": ["auto", "kkt", "schur"],
+        "on_singular": ["pass", "warn", "stop"],
     }
     for what, names in known.items():
         if what in chosen and chosen[what] not in names:

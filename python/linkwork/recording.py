@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import time
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
+from linkwork.errors import LinkworkWarning
 from linkwork.events import Occurrence
 from linkwork.header import Header
 from linkwork.integrators import Integrator
@@ -95,19 +97,28 @@ def frame_bytes(model: Model) -> int:
 
 
 def record(
-    run: _core.Run, pieces: Iterator[Frames], to: Recorder, report: Report, labels: Sequence[str]
+    run: _core.Run,
+    pieces: Iterator[Frames],
+    to: Recorder,
+    report: Report,
+    labels: Sequence[str],
+    *,
+    warns: bool = False,
 ) -> float:
     """Write the pieces as they come, and close the file however the run ends; the time they took [s].
 
-    `labels` of the events, in the order in which the run knows them.
+    `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run has
+    passed a singular pose.
     """
-    spent, before = 0.0, time.perf_counter()
+    spent, before, warned = 0.0, time.perf_counter(), 0
     try:
         for frames in pieces:
             spent += time.perf_counter() - before
             to.note(_occurrences(run, labels))
             to.write(frames)
             report(run.t, run.steps_done)
+            if warns:
+                warned = _warn_of_singular_poses(run.statistics(), warned)
             before = time.perf_counter()
     except BaseException:
         to.note(_occurrences(run, labels))
@@ -115,6 +126,21 @@ def record(
         to.abandon()
         raise
     return spent
+
+
+def _warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
+    """How many there have been; LinkworkWarning: more than `warned`."""
+    count: int = statistics["singular_poses"]
+    if count > warned:
+        last = [it for it in statistics["passages"] if not it["rows_changed"]][-1]
+        names = ", ".join(f"'{name}'" for name in last["joints"])
+        warnings.warn(
+            f"singular pose at t = {last['t']:.6g} s: the equations of {names} depend on each other for a "
+            "moment, where the motion could go on in several ways",
+            LinkworkWarning,
+            stacklevel=4,
+        )
+    return count
 
 
 def _occurrences(run: _core.Run, labels: Sequence[str]) -> list[Occurrence]:

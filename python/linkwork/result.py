@@ -48,6 +48,15 @@ class BodyResult:
         return rotate(self.orientation, self.omega)
 
 
+class SingularPose(NamedTuple):
+    """A passage through, or near, a pose in which equations of loops depend on each other for a moment."""
+
+    t: float  #: nearest to it [s]
+    joints: tuple[str, ...]  #: whose equations they are (the first 16)
+    pivot: float  #: smallest pivot of the factorizations there, relative to the usual one; 0: singular
+    taken_over: int  #: evaluations there by a rank-revealing factorization
+
+
 class Result:
     """k frames of n bodies, J joints and m constraint rows. SI units; inertial axes unless said otherwise.
 
@@ -186,6 +195,19 @@ class Result:
     def redundant_rows(self) -> NDArray[np.int32]:
         """Places in `multipliers` of the equations that the others imply in every pose."""
         return self._header.redundant_rows
+
+    @property
+    def singular_poses(self) -> tuple[SingularPose, ...]:
+        """The first hundred that the run passed, and the last; see `on_singular` in linkwork.options.Options.
+
+        A pose counts where the run evaluated the mechanism near enough to it: large steps may pass unseen.
+        Not known of an unfinished run in a file.
+        """
+        return tuple(
+            SingularPose(it["t"], tuple(it["joints"]), it["pivot"], it["taken_over"])
+            for it in self.statistics.get("passages", ())
+            if not it["rows_changed"]
+        )
 
     def reactions(self) -> Reaction:
         """Of all joints, in inertial axes: force and torque (k, J, 3). See `unique_reactions`."""

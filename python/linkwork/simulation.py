@@ -64,13 +64,16 @@ def simulate(
                   False: the run starts from them as they are, with a warning
     options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
                   linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
-                  tolerance, max_iterations: see linkwork.options.Options
+                  tolerance, max_iterations, on_singular="pass": see linkwork.options.Options
 
     Redundant constraint equations are found and left out of the solution; the reactions that they leave open
     are those of least norm, see `Result.unique_reactions`.
 
-    OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose, with
-    the standard formulation (also before the first step). NotConvergedError, NotFiniteError: the run failed.
+    At singular poses, where equations of loops depend on each other for a moment and the motion could go on in
+    several ways, a rank-revealing factorization takes over; `Result.singular_poses` lists them.
+
+    OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
+    on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the run failed.
     StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be written.
     ModelError: initial poses or velocities do not satisfy the joints, see `assemble`. LinkworkWarning: they
     were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
@@ -106,7 +109,8 @@ def simulate(
     setup_seconds = time.perf_counter() - started
     with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total) as report:
         pieces = recording.pieces(run, interrupts, method, system)
-        driver_seconds = recording.record(run, pieces, recorder, report, [label for label, _ in watched])
+        labels, warns = [label for label, _ in watched], system.options["on_singular"] == "warn"
+        driver_seconds = recording.record(run, pieces, recorder, report, labels, warns=warns)
     seconds = time.perf_counter() - started
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
     return recorder.result({**run.statistics(), **times_spent})

@@ -10,6 +10,9 @@ import numpy as np
 if TYPE_CHECKING:
     from linkwork.result import Result
 
+#: Singular poses and joints listed.
+LISTED = 4
+
 
 def numbers(result: Result) -> dict[str, Any]:
     """The figures by which runs are compared; SI units. None where there is nothing to measure."""
@@ -29,6 +32,7 @@ def numbers(result: Result) -> dict[str, Any]:
         "unique_reactions": int(result.unique_reactions.sum()),
         "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
         "events": [{"name": it.name, "t": it.t} for it in result.events],
+        "singular_poses": int(result.statistics.get("singular_poses", 0)),
         "finished": result.finished,
     }
 
@@ -54,6 +58,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
                    f"{_figure(found['max_energy_error'])} J"),
         ("reactions", _reactions(found)),
         ("events", _events(result)),
+        ("singular", _singular(result)),
         ("effort", _effort(result.statistics)),
     ]  # fmt: skip
 
@@ -81,6 +86,17 @@ def _reactions(found: dict[str, Any]) -> str:
 def _events(result: Result) -> str:
     counts = Counter(it.name for it in result.events)
     return ", ".join(f"{name} {count} times" if count > 1 else name for name, count in counts.items())
+
+
+def _singular(result: Result) -> str:
+    """When the first singular poses came, and in which joints."""
+    count, poses = int(result.statistics.get("singular_poses", 0)), result.singular_poses
+    if not count or not poses:
+        return ""
+    times = ", ".join(f"{it.t:.4g}" for it in poses[:LISTED]) + (", ..." if count > LISTED else "")
+    names = ", ".join(f"'{name}'" for name in poses[0].joints[:LISTED])
+    more = ", ..." if len(poses[0].joints) > LISTED else ""
+    return f"{count} {'pose' if count == 1 else 'poses'} passed at {times} s, first in {names}{more}"
 
 
 def _effort(statistics: dict[str, Any]) -> str:

@@ -8,8 +8,10 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core, mechanisms
+from numpy.typing import NDArray
 from random_mechanisms import JOINTS
 from reference_data import Series
+from scipy.integrate import solve_ivp
 
 #: (system, linear solver) of the standard formulation.
 STANDARD = [
@@ -110,25 +112,125 @@ def flat_four_bar() -> lw.Model:
     return model
 
 
+TURNING = 3.0  # rad/s
+
+
+def turning_flat_four_bar() -> lw.Model:
+    """A parallelogram that turns, at the moment in which it is flat; its hinges allow a second motion there."""
+    model = lw.Model(gravity=(0, -9.81, 0))
+    turn = {"omega": (0, 0, TURNING), "velocity": (0, 0.5 * TURNING, 0)}
+    crank, coupler, rocker = (
+        model.body(name, mass=1.0, inertia=(0.1, 0.2, 0.25), position=(x, 0, 0), **motion)
+        for name, x, motion in (("a", 0.5, turn), ("b", 2.0, {"velocity": (0, TURNING, 0)}), ("c", 2.5, turn))
+    )
+    for a, b, x in (
+        (model.ground, crank, 0),
+        (crank, coupler, 1),
+        (coupler, rocker, 3),
+        (rocker, model.ground, 2),
+    ):
+        model.revolute(a, b, at=(x, 0, 0), axis=(0, 0, 1), name=f"hinge {x}")
+    return model
+
+
 def test_a_singular_pose_is_told_apart_from_redundancy() -> None:
-    rank = lw.System(flat_four_bar(), formulation="augmented_lagrangian").compiled().rank()
+    rank = lw.System(flat_four_bar()).compiled().rank()
     assert (rank.rows, rank.rank, rank.degrees_of_freedom) == (20, 17, 1)
     assert (len(rank.redundant_rows), len(rank.singular_rows)) == (3, 1)
-    with pytest.raises(
-        lw.SingularSystemError, match="1 of 20 .* in the assembled pose.*'augmented_lagrangian'"
-    ):
-        lw.System(flat_four_bar())
+
+
+def least_norm_accelerations(model: lw.Model) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Of all v_dot with D v_dot = gamma the nearest to M^-1 g in the metric M, by singular values; and M v_dot - g."""
+    state = model.compiled()
+    at = lw.System(model).evaluate(0.0, state.q0, state.v0)
+    n = len(at.M)
+    M, D = np.zeros((6 * n, 6 * n)), np.zeros((len(at.gamma), 6 * n))
+    for k, block in enumerate(at.M):
+        M[6 * k : 6 * k + 6, 6 * k : 6 * k + 6] = block
+    data, indices, indptr = at.D
+    for row in range(len(D)):
+        D[row, indices[indptr[row] : indptr[row + 1]]] = data[indptr[row] : indptr[row + 1]]
+    root = np.linalg.inv(np.linalg.cholesky(M)).T
+    free = np.linalg.solve(M, at.g)
+    v_dot = free + root @ np.linalg.pinv(D @ root, rcond=1e-9) @ (at.gamma - D @ free)
+    return v_dot, M @ v_dot - at.g
 
 
 @pytest.mark.parametrize(("system", "solver"), STANDARD)
-def test_a_singular_pose_is_refused_as_well(system: str, solver: str) -> None:
-    model = aligned()
-    with pytest.raises(lw.SingularSystemError) as caught:
-        lw.simulate(model, 1.0, 1e-3, system=system, linear_solver=solver, progress=False)
-    assert set(caught.value.joints) <= {"hinge", "rod"}
+@pytest.mark.parametrize("make", [aligned, flat_four_bar, turning_flat_four_bar], ids=lambda make: make.__name__)
+def test_accelerations_in_a_singular_pose_are_those_of_singular_values(
+    make: Callable[[], lw.Model], system: str, solver: str
+) -> None:
+    model = make()
+    if system == "kkt" and solver != "block" and make is not aligned:
+        pytest.skip("refused: redundant equations")
     state = model.compiled()
-    with pytest.raises(lw.SingularSystemError):
-        lw.System(model, system=system, linear_solver=solver).accelerations(0.0, state.q0, state.v0)
+    dynamics = lw.System(model, system=system, linear_solver=solver)
+    v_dot, multipliers = dynamics.accelerations(0.0, state.q0, state.v0)
+    expected, force = least_norm_accelerations(model)
+    scale = 1.0 + np.abs(expected).max()
+    assert np.abs(v_dot - expected).max() <= 1e-10 * scale
+    data, indices, indptr = dynamics.evaluate(0.0, state.q0, state.v0).D
+    joint_force = np.zeros(len(v_dot))
+    for row, multiplier in enumerate(multipliers):
+        joint_force[indices[indptr[row] : indptr[row + 1]]] += multiplier * data[indptr[row] : indptr[row + 1]]
+    assert np.abs(joint_force - force).max() <= 1e-9 * (1.0 + np.abs(force).max())
+    statistics = dynamics.compiled().statistics()
+    assert statistics["singular_poses"] == 1 and statistics["passages"][0]["taken_over"] >= 1
+
+
+def test_a_parallelogram_starts_from_the_pose_in_which_it_is_flat() -> None:
+    """It goes on as a parallelogram: theta_ddot = -g cos(theta), its four bars of 1 kg."""
+    exact = solve_ivp(
+        lambda _, y: (y[1], -9.81 * np.cos(y[0])), (0, 0.5), (0.0, TURNING), rtol=1e-12, atol=1e-12
+    ).y[0, -1]
+    result = lw.simulate(turning_flat_four_bar(), 0.5, 1e-3, progress=False)
+    crank = result.body("a").position[-1]
+    assert np.abs(crank[:2] - 0.5 * np.array([np.cos(exact), np.sin(exact)])).max() <= 1e-5
+    assert result.violation[10:, 0].max() <= 1e-9
+    assert result.singular_poses[0].t <= 1e-3
+
+
+@pytest.mark.parametrize("n", [1, 2])
+def test_singular_poses_on_the_way_are_found_at_their_time(n: int) -> None:
+    """All rods lie down where the tops are as high as their pins; every loop is named."""
+    result = lw.simulate(mechanisms.four_bar(n), 3.0, 1e-3, record_every=1, progress=False)
+    height = result.position[:, 0, 1]
+    crossings = result.t[:-1][height[:-1] * height[1:] < 0]
+    assert len(crossings) >= 2
+    found = result.singular_poses
+    assert [it.t for it in found] == pytest.approx(crossings, abs=1.01e-3)
+    assert result.statistics["singular_poses"] == len(found)
+    assert all(0.0 <= it.pivot <= 1e-3 for it in found)
+    for it in found:
+        assert {f"pin {k}" for k in range(n + 1)} <= set(it.joints)
+
+
+def test_a_run_that_is_to_stop_at_singular_poses_stops_there_naming_time_and_joints() -> None:
+    passed = lw.simulate(mechanisms.four_bar(1), 3.0, 1e-3, progress=False).singular_poses[0]
+    for choice in ({"step": 1e-3}, {"rtol": 1e-8, "step": 2e-3}):
+        with pytest.raises(lw.SingularSystemError, match="singular pose: .*'pin 0'.* 'pass'") as caught:
+            lw.simulate(mechanisms.four_bar(1), 3.0, progress=False, on_singular="stop", **choice)
+        assert caught.value.code == "singular_pose"
+        assert caught.value.time == pytest.approx(passed.t, abs=1e-2)
+        assert set(caught.value.joints) == set(passed.joints)
+
+
+def test_a_run_that_is_to_warn_of_singular_poses_warns_and_goes_on() -> None:
+    with pytest.warns(lw.LinkworkWarning, match="singular pose at t = .*'pin 0'"):
+        warned = lw.simulate(mechanisms.four_bar(1), 3.0, 1e-3, progress=False, on_singular="warn")
+    passed = lw.simulate(mechanisms.four_bar(1), 3.0, 1e-3, progress=False)
+    assert np.array_equal(warned.q, passed.q)
+
+
+@pytest.mark.parametrize("name", ["chain", "net", "binary_tree", "bricard", "spatial_slider_crank"])
+def test_small_pivots_alone_are_no_singular_pose(name: str) -> None:
+    """A straight chain of n links has pivots ~ 1/n^3."""
+    mechanism = mechanisms.MECHANISMS[name]
+    model = mechanism.function(1000) if name == "chain" else mechanism.function()
+    result = lw.simulate(model, 0.2, 2e-3, progress=False)
+    assert result.singular_poses == ()
+    assert result.statistics["row_changes"] == 0
 
 
 @pytest.mark.parametrize("formulation", ("standard", "augmented_lagrangian"))

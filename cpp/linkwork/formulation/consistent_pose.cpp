@@ -95,14 +95,15 @@ VectorXd compliance(const System& system, const LoopCore& core, const Evaluation
   return e;
 }
 
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Components& components, VectorXd q) {
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Components& components, VectorXd q,
+                         double t = 0.0) {
   const System& system = solver.system();
   const VectorXd rest = VectorXd::Zero(system.v_size());
   VectorXd step(system.v_size()), lambda(system.row_count());
   ConsistentPose out{q, std::vector<char>(components.count(), 0)};
   Evaluation at = system.make_evaluation();
   for (int k = 0; k < most_steps && std::find(out.reached.begin(), out.reached.end(), 0) != out.reached.end(); ++k) {
-    system.evaluate_constraints(0.0, q, rest, at);
+    system.evaluate_constraints(t, q, rest, at);
     if (!solver.factorize(at, compliance(system, core, at))) break;
     solver.solve(rest, -at.Phi, step, lambda);
     if (!step.allFinite()) break;
@@ -133,8 +134,8 @@ VectorXd allowed_velocity(MetricSolver& solver, const LoopCore& core, const Eval
 
 }  // namespace
 
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q) {
-  return pull_back(solver, core, Components(solver.system(), core), q);
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q, double t) {
+  return pull_back(solver, core, Components(solver.system(), core), q, t);
 }
 
 PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q) {

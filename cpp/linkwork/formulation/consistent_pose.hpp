@@ -7,7 +7,7 @@
 
 namespace linkwork {
 
-/// A pose on the constraints of the loops at t = 0; components that could not be brought there keep the pose they had.
+/// A pose on the constraints of the loops at some time; components that could not be brought there keep the pose they had.
 struct ConsistentPose {
   VectorXd q;
   std::vector<char> reached;  ///< per component of the core
@@ -15,9 +15,9 @@ struct ConsistentPose {
 
 /// Pulls a pose onto the constraints, which may be redundant: Gauss-Newton steps in the metric of the masses,
 ///   dq = -M^-1 D^T (D M^-1 D^T + E)^-1 Phi,   E a tiny part of the diagonal.
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q);
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q, double t = 0.0);
 
-/// A random pose near the consistent pose `q`, the same in every run: a step along a random velocity that the
+/// A random pose near the pose `q`, consistent at t = 0, the same in every run: a step along a random velocity that the
 /// constraints allow, pulled back onto them. Components without such a velocity are not `mobile` and stay.
 struct PerturbedPose : ConsistentPose {
   std::vector<char> mobile;

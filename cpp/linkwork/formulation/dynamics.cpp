@@ -11,6 +11,7 @@ namespace {
 
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
+constexpr double broken = -1.0;       // for a pivot of a factorization that broke down
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -68,7 +69,6 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   y_ = initial_y();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
   check_masses(info);
-  check_rank(info);
   check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
   if (system_.row_count() == 0) return;
@@ -76,6 +76,9 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
   dropped_.take_out(at_);
   formulation_->analyze(system_, at_, rows);
+  rank_needed_ = info.needs_full_rank;
+  watched_ = rank_needed_ || linear_solver_info(options_.linear_solver).make_saddle;
+  if (!rank_.singular_rows.empty()) watch_.start(1.0);
 }
 
 void Dynamics::check_masses(const FormulationInfo& info) const {
@@ -100,28 +103,6 @@ void Dynamics::check_masses(const FormulationInfo& info) const {
                         "' needs a regular mass matrix; use formulation 'penalty' or "
                         "'augmented_lagrangian'",
                     details);
-}
-
-/// A singular pose: an error for what needs independent rows, naming them.
-void Dynamics::check_rank(const FormulationInfo& info) const {
-  if (!info.needs_full_rank || rank_.singular_rows.empty()) return;
-  const Model& model = system_.model();
-  constexpr std::size_t listed = 5;
-  const std::vector<int>& rows = rank_.singular_rows;
-  ErrorDetails details;
-  std::string equations;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::string joint = model.joint_name(model.joint_of_row(rows[k]));
-    if (details.joints.empty() || details.joints.back() != joint) details.joints.push_back(joint);
-    if (k < listed) equations += (k ? "; " : "") + model.describe_row(rows[k]);
-  }
-  if (rows.size() > listed) equations += "; and " + std::to_string(rows.size() - listed) + " more";
-  throw SingularSystemError("singular_pose",
-                            "singular pose: " + std::to_string(rows.size()) + " of " + std::to_string(rank_.rows) +
-                                " constraint equations depend on the others in the assembled pose: " + equations +
-                                "; formulation '" + info.name +
-                                "' needs independent ones, start from another pose or use 'augmented_lagrangian'",
-                            details);
 }
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
@@ -169,27 +150,80 @@ void Dynamics::evaluate(double t, const ConstVector& y) {
     statistics_.evaluations += 1;
   }
   dropped_.take_out(at_);
-  factorized_ = false;
+  factorized_ = taken_over_ = false;
 }
 
 void Dynamics::factorize() {
   if (system_.row_count() > 0 && !factorized_) count_factorization([&] { formulation_->factorize(at_); });
 }
 
-/// A state that is not finite makes the matrix singular: say which it is.
+/// False where `factorize` was not the last word: a solution that it found is none.
 template <class Work>
-void Dynamics::count_factorization(Work factorize) {
+bool Dynamics::count_factorization(Work factorize) {
   const Stopwatch watch(statistics_.factorize_time);
+  const double pivot = try_factorization(factorize);
+  factorized_ = true;
+  statistics_.factorizations += 1;
+  statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, std::max(pivot, 0.0));
+  return !watched_ || watch_.usual(pivot) || inspect(pivot);
+}
+
+/// The smallest pivot; -1 where the matrix is singular. A state that is not finite makes it so: say which it is.
+template <class Work>
+double Dynamics::try_factorization(Work factorize) {
   try {
     factorize();
   } catch (const SingularSystemError&) {
     const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
-    if (pivots && y_.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite()) throw;
-    throw_not_finite(system_, y_, t_);
+    if (!pivots || !y_.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
+      throw_not_finite(system_, y_, t_);
+    if (!rank_needed_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
+    return broken;
   }
-  factorized_ = true;
-  statistics_.factorizations += 1;
-  statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, formulation_->saddle().smallest_pivot());
+  return formulation_->saddle().smallest_pivot();
+}
+
+PoseExamination Dynamics::examine_here(double pivot) const {
+  return examine_pose(system_, t_, y_.head(system_.q_size()), dropped_.rows(), watch_.near(pivot));
+}
+
+/// A small pivot, or any inside a passage. False where the factorization is another one than before.
+bool Dynamics::inspect(double pivot) {
+  if (watch_.open()) {
+    watch_.go_on(t_, pivot);
+  } else {
+    PoseExamination found = examine_here(pivot);
+    if (found.rows.empty()) {
+      watch_.suspect_less();
+      return true;
+    }
+    if (!found.better_choice.empty()) {
+      watch_.change_rows(t_, pivot, std::move(found.joints));
+      change_redundant_rows(std::move(found.better_choice));
+      return false;
+    }
+    watch_.begin(t_, pivot, std::move(found.joints));
+  }
+  if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
+  take_over();
+  return false;
+}
+
+void Dynamics::change_redundant_rows(std::vector<int> rows) {
+  dropped_.put_back(at_);
+  dropped_ = DroppedRows(system_, std::move(rows));
+  const ConstraintRows now{row_mobility(system_, at_), dropped_.rows()};
+  minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
+  dropped_.take_out(at_);
+  formulation_->analyze(system_, at_, now);
+  formulation_->factorize(at_);
+}
+
+void Dynamics::take_over() {
+  if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_);
+  tolerant_->factorize(at_);
+  taken_over_ = true;
+  watch_.take_over();
 }
 
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
@@ -197,15 +231,18 @@ void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
   kept_b_ = b;
   dropped_.take_from(kept_b_);
-  if (!factorized_)
-    return count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept_b_, v_dot, lambda); });
+  if (!factorized_) {
+    if (count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept_b_, v_dot, lambda); })) return;
+    kept_b_ = b;
+    dropped_.take_from(kept_b_);
+  }
   const Stopwatch watch(statistics_.solve_time);
-  formulation_->solve(a, kept_b_, v_dot, lambda);
+  active().solve(a, kept_b_, v_dot, lambda);
 }
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {
   solve(at_.g.head(system_.v_size()), at_.gamma, v_dot, lambda);
-  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, *formulation_, lambda);
+  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
 }
 
 void Dynamics::acceleration_residual(const ConstVector& v_dot, MutableVector residual) {

@@ -11,6 +11,8 @@
 #include "linkwork/formulation/formulation.hpp"
 #include "linkwork/formulation/minimum_norm.hpp"
 #include "linkwork/formulation/rank.hpp"
+#include "linkwork/formulation/rank_tolerant.hpp"
+#include "linkwork/formulation/singular_watch.hpp"
 #include "linkwork/formulation/stabilization.hpp"
 
 namespace linkwork {
@@ -48,6 +50,9 @@ class Dynamics {
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
   const RankReport& rank() const { return rank_; }
+  const SingularWatch& watch() const { return watch_; }
+  /// The last factorization is that of RankTolerant: some rows have no part in solutions.
+  bool taken_over() const { return taken_over_; }
 
   /// Evaluates at (t, y): everything below refers to this state. Redundant rows are zero in the D of the `evaluation`.
   void evaluate(double t, const ConstVector& y);
@@ -62,6 +67,9 @@ class Dynamics {
 
   /// Solves M x - D^T lambda = a, D x = b at the current state by the formulation.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
+
+  /// Zeros in `b` for the rows that `solve` does not look at.
+  void leave_out_redundant(MutableVector b) const { dropped_.take_from(b); }
 
   StabilizationKind stabilization() const { return kind_; }
 
@@ -85,9 +93,15 @@ class Dynamics {
 
  private:
   template <class Work>
-  void count_factorization(Work factorize);
+  bool count_factorization(Work factorize);
+  template <class Work>
+  double try_factorization(Work factorize);
+  PoseExamination examine_here(double pivot) const;
+  bool inspect(double pivot);
+  void change_redundant_rows(std::vector<int> rows);
+  void take_over();
+  Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
   void check_masses(const FormulationInfo& info) const;
-  void check_rank(const FormulationInfo& info) const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
   void poll();
@@ -99,6 +113,9 @@ class Dynamics {
   DroppedRows dropped_;
   MinimumNorm minimum_norm_;
   std::unique_ptr<Formulation> formulation_;
+  SingularWatch watch_;
+  std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
+  bool watched_ = false, taken_over_ = false, rank_needed_ = false;
   Evaluation at_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;

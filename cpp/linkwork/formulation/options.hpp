@@ -16,6 +16,7 @@ struct Options {
   std::optional<double> penalty_scale;  ///< without it the formulation chooses
   double tolerance = 1e-12;             ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
   int max_iterations = 100;
+  std::string on_singular = "pass";  ///< at a singular pose: "pass", "warn" or "stop"
 };
 
 }  // namespace linkwork

@@ -12,6 +12,8 @@ namespace {
 // Relative to 1 + |r| and 1 rad, or to 1 + |v|: where a change is roundoff; where one that no longer shrinks counts as
 // roundoff, and one that does so as no convergence.
 constexpr double exact = 1e-14, roundoff = 1e-9, shrinking = 0.5;
+constexpr double noise = 1e-14;  // of the violation; near a singular pose nothing is to be made of it
+constexpr double impossible = 1e-4;  // violation that is left in a singular pose, where nothing moves against it
 constexpr int most_iterations = 30;
 
 double accelerate(const System& system, const VectorXd& x, VectorXd& y) {
@@ -39,10 +41,18 @@ void Projection::iterate(double t, VectorXd& y, Violation violation, Move move) 
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     system.evaluate_constraints(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), at_);
     b_ = -violation(at_);
+    const bool singular = dynamics_.watch().open();
+    if (singular && b_.cwiseAbs().maxCoeff() <= noise) return;
     dynamics_.solve(none_, b_, x_, lambda_);
     const double change = move(system, x_, y);
-    if (change <= exact || (change <= roundoff && change > shrinking * last)) return;
-    if (!(change <= last)) break;
+    if (change <= exact || (change <= roundoff && change > shrinking * last)) {
+      if (!dynamics_.taken_over() || b_.cwiseAbs().maxCoeff() <= impossible) return;
+      break;
+    }
+    if (!(change <= last)) {
+      if (singular && b_.cwiseAbs().maxCoeff() <= 1e2 * noise) return;
+      break;
+    }
     last = change;
   }
   Eigen::Index row = 0;

@@ -224,9 +224,9 @@ Places dependent_rows(const SparseRows& A, double tolerance) {
   return dependent_columns(static_cast<int>(A.cols()), static_cast<int>(A.rows()), std::move(entries), tolerance);
 }
 
-CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance)
+CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance, double t)
     : at(system.make_evaluation()) {
-  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);
   D = core.scaled_D(at);
   dependent = dependent_rows(D, tolerance);
 }

@@ -31,6 +31,10 @@ void check(const AdaptiveSchedule& schedule) {
 constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
+// Steps tried at a singular pose: of the usual one 1, 1 - d, 1 - 2 d, ...
+constexpr int most_tries = 6;
+constexpr double try_decrease = 0.1;
+
 std::string scientific(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
@@ -112,7 +116,34 @@ void AdaptiveSimulation::attempt() {
   }
   const BodyMaximum error = trial(h);
   if (error.value <= 1.0) accept(h, error.value);
+  else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
+}
+
+bool AdaptiveSimulation::near_singular_pose() const { return dynamics_.watch().open() && usual_step_ > 0.0; }
+
+// Two branches of motion cross in a singular pose: with theta along the one and z along the other the constraint is
+// theta z = 0. A state that violates it by delta follows the hyperbola theta z = delta instead, which turns off onto
+// the other branch at theta ~ delta^1/2, and a method that resolves this with ever smaller steps gets stuck. So steps
+// stay nearly as large as they were before: the pose is jumped over, by the step out of several with the least error.
+void AdaptiveSimulation::pass_singular_pose(double h, double error) {
+  evaluated_ = false;
+  if (tries_ == 0 || error < best_error_) {
+    best_step_ = h;
+    best_error_ = error;
+  }
+  if (tries_ < most_tries) {
+    statistics_.rejected += 1;
+    step_ = usual_step_ * (1.0 - try_decrease * tries_);
+    tries_ += 1;
+    return;
+  }
+  if (!std::isfinite(best_error_)) return reject(h, {best_error_, -1});
+  evaluate(t_, y_);
+  t_new_ = t_ + best_step_;
+  trial(best_step_);
+  statistics_.singular += 1;
+  accept(best_step_, 1.0);
 }
 
 /// A stage that has no solution makes the error infinite: the step may only have been too large.
@@ -135,6 +166,9 @@ void AdaptiveSimulation::accept(double h, double error) {
   statistics_.smallest = std::min(statistics_.smallest, h);
   statistics_.largest = std::max(statistics_.largest, h);
   step_ = controller_.after_accepted(h, error);
+  tries_ = 0;
+  if (!dynamics_.watch().open()) usual_step_ = h;
+  else if (usual_step_ > 0.0) step_ = std::max(step_, usual_step_);
   stop_.reset();
   if (!watch_.empty()) dated(t_, h, [&] { look_for_events(); });
 }

@@ -27,6 +27,7 @@ struct AdaptiveSchedule {
 /// Of the accepted steps, and how many were rejected.
 struct StepStatistics {
   std::int64_t rejected = 0;
+  std::int64_t singular = 0;  ///< accepted to pass a singular pose, with larger errors than the tolerances allow
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
 };
 
@@ -53,6 +54,8 @@ class AdaptiveSimulation final : public Run {
   void finish_event();
   /// True where the change ends the run.
   bool apply(const Event& event);
+  bool near_singular_pose() const;
+  void pass_singular_pose(double h, double error);
   void reject(double h, const BodyMaximum& error);
   [[noreturn]] void throw_step_size(const BodyMaximum& error) const;
   void check_accumulation();
@@ -76,6 +79,10 @@ class AdaptiveSimulation final : public Run {
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
   VectorXd y_new_;     ///< at t_new_
   double step_ = 0.0;  ///< what the controller proposes
+  // Near a singular pose
+  double usual_step_ = 0.0;  ///< the last outside
+  int tries_ = 0;
+  double best_step_ = 0.0, best_error_ = 0.0;  ///< of these tries
   bool begun_ = false;
   bool accepted_ = false;   ///< the stepper holds the step from t_ to t_new_
   bool evaluated_ = false;  ///< `dynamics` is at the state that comes next: y_, or y_new when accepted

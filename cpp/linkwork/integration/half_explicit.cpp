@@ -1,5 +1,7 @@
+#include <Eigen/Jacobi>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/math/error.hpp"
@@ -10,6 +12,7 @@ namespace {
 // Of the acceleration of a stage: its error enters the velocity times h.
 constexpr double exact = 1e-13, roundoff = 1e-8, shrinking = 0.5;
 constexpr int most_iterations = 50;
+constexpr Eigen::Index most_vectors = 50;
 
 void check(const HalfExplicitTableau& tableau) {
   const Eigen::Index s = tableau.A.rows();
@@ -38,7 +41,9 @@ void check(const HalfExplicitTableau& tableau) {
 /// formulation's factorization at Q_i: with r = b - D(Qb_i) x,
 ///   M dx - D(Q_i)^T dL = 0,   D(Q_i) dx = r.
 /// The residual shrinks by |(D(Qb_i) - D(Q_i)) M^-1 D^T S^-1| = O(h) each time, about the angle that bodies turn
-/// between Q_i and Qb_i.
+/// between Q_i and Qb_i. Near a singular pose S^-1 is large in one direction; there GMRES solves
+///   D(Qb_i) P y = r,   P y = dx,
+/// whose matrix is the identity but for a few directions.
 class HalfExplicit final : public Integrator {
  public:
   explicit HalfExplicit(const HalfExplicitTableau& tableau) : tableau_(tableau) { check(tableau); }
@@ -116,9 +121,61 @@ class HalfExplicit final : public Integrator {
       lambda_ += dlambda_;
       const double change = dx_.norm() / (1.0 + x_.norm());
       if (change <= exact || (change <= roundoff && change > shrinking * last)) return;
-      if (!std::isfinite(change)) break;
+      if (!(change <= last)) break;
       last = change;
     }
+    if (!solve_by_krylov(dynamics)) throw_not_met();
+  }
+
+  /// GMRES with modified Gram-Schmidt and Givens rotations, Saad and Schultz (1986), SIAM J. Sci. Stat. Comput. 7,
+  /// 856-869, from the solution without D(Qb_i). False where it does not converge.
+  bool solve_by_krylov(Dynamics& dynamics) {
+    dynamics.solve(dynamics.evaluation().g.head(x_.size()), b_, x_, lambda_);
+    find_residual(dynamics, b_, x_);
+    const double size = b_.norm() + (b_ - residual_).norm(), start = residual_.norm();
+    std::vector<VectorXd> basis = {residual_ / start};
+    MatrixXd H = MatrixXd::Zero(most_vectors + 1, most_vectors);
+    VectorXd s = VectorXd::Zero(most_vectors + 1);
+    std::vector<Eigen::JacobiRotation<double>> rotations;
+    s[0] = start;
+    Eigen::Index k = 0;
+    for (; k < most_vectors && std::abs(s[k]) > exact * size; ++k) {
+      dynamics.solve(none_, basis[static_cast<std::size_t>(k)], dx_, dlambda_);
+      dynamics.system().multiply_D(*at_, dx_, residual_);
+      dynamics.leave_out_redundant(residual_);
+      for (Eigen::Index i = 0; i <= k; ++i) {
+        H(i, k) = residual_.dot(basis[static_cast<std::size_t>(i)]);
+        residual_ -= H(i, k) * basis[static_cast<std::size_t>(i)];
+      }
+      H(k + 1, k) = residual_.norm();
+      if (!std::isfinite(H(k + 1, k))) return false;
+      basis.push_back(H(k + 1, k) > 0.0 ? VectorXd(residual_ / H(k + 1, k)) : residual_);
+      for (Eigen::Index i = 0; i < k; ++i)
+        H.col(k).applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
+      rotations.emplace_back();
+      rotations.back().makeGivens(H(k, k), H(k + 1, k));
+      H.col(k).applyOnTheLeft(k, k + 1, rotations.back().adjoint());
+      s.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
+    }
+    const VectorXd weights = H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(s.head(k));
+    residual_.setZero();
+    for (Eigen::Index i = 0; i < k; ++i) residual_ += weights[i] * basis[static_cast<std::size_t>(i)];
+    const VectorXd y = residual_;
+    dynamics.solve(none_, y, dx_, dlambda_);
+    x_ += dx_;
+    lambda_ += dlambda_;
+    find_residual(dynamics, b_, x_);
+    return residual_.norm() <= roundoff * size;
+  }
+
+  /// residual_ = b - D(Qb_i) x, without the redundant rows.
+  void find_residual(Dynamics& dynamics, const VectorXd& b, const VectorXd& x) {
+    dynamics.system().multiply_D(*at_, x, residual_);
+    residual_ = b - residual_;
+    dynamics.leave_out_redundant(residual_);
+  }
+
+  [[noreturn]] void throw_not_met() const {
     throw NotConvergedError("half_explicit", "integrator '" + name() +
                                                  "': a stage does not meet its velocity constraints, the bodies turn "
                                                  "too far in one step; use a smaller step");

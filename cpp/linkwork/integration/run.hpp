@@ -14,7 +14,12 @@ namespace linkwork {
 /// the run.
 class Run {
  public:
-  explicit Run(Dynamics& dynamics) : dynamics_(dynamics), recorder_(dynamics), y_(dynamics.initial_y()) {}
+  explicit Run(Dynamics& dynamics)
+      : dynamics_(dynamics),
+        recorder_(dynamics),
+        y_(dynamics.initial_y()),
+        stops_(dynamics.options().on_singular == "stop"),
+        singular_poses_(dynamics.watch().singular_poses()) {}
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -41,6 +46,9 @@ class Run {
     return projects_positions(dynamics_.stabilization()) || projects_velocities(dynamics_.stabilization());
   }
 
+  /// With on_singular "stop": SingularSystemError at the first singular pose.
+  void stop_at_singular_pose() const;
+
   /// A step, or a part of one.
   virtual void work() = 0;
 
@@ -51,6 +59,8 @@ class Run {
   bool finished_ = false;
 
  private:
+  bool stops_;                              ///< at singular poses
+  std::int64_t singular_poses_;             ///< before this run
   std::unique_ptr<Projection> projection_;  ///< where one is needed
 };
 

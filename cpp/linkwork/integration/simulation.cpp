@@ -85,6 +85,7 @@ void Simulation::accept(const ConstVector& q_and_v) {
   dynamics_.release_correction();
   y_.head(size) = q_and_v;
   finish_step();
+  stop_at_singular_pose();
 }
 
 }  // namespace linkwork

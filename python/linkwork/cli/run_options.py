@@ -29,6 +29,7 @@ _OPTIONS: tuple[tuple[str, type, str], ...] = (
     ("frequency", float, "Frequency omega of (12.14) [rad/s]."),
     ("tolerance", float, "At which the augmented Lagrangian iteration stops."),
     ("max_iterations", int, "Cap of the augmented Lagrangian iteration."),
+    ("on_singular", str, "At a singular pose: pass, warn or stop."),
     ("record_every", int, "Steps between recorded frames; without it about 1000 frames."),
 )
 

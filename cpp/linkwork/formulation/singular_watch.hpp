@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "linkwork/assembly/system.hpp"
+
+namespace linkwork {
+
+/// Constraint rows near a pose in which some of them depend on the others.
+struct PoseExamination {
+  std::vector<int> rows;    ///< of the kept ones, those that nearly depend on the rest; ascending
+  std::vector<int> joints;  ///< of the equations in that dependence, ascending
+  /// Redundant rows without which the others are independent here, where those that are left out now are the wrong
+  /// ones; else empty.
+  std::vector<int> better_choice;
+};
+
+/// Looks at the loops by a rank-revealing factorization. A row is near the others when so small a part of its length,
+/// in the metric M^-1, is independent of them. `redundant` are the rows left out, ascending.
+PoseExamination examine_pose(const System& system, double t, const VectorXd& q, const std::vector<int>& redundant,
+                             double near);
+
+/// A time in which equations were nearly dependent.
+struct SingularPassage {
+  double t = 0.0;               ///< of the smallest pivot [s]
+  double pivot = 0.0;           ///< the smallest, relative to the usual one
+  std::vector<int> joints;      ///< see PoseExamination
+  bool rows_changed = false;    ///< no singular pose: other redundant rows are left out from here on
+  std::int64_t taken_over = 0;  ///< evaluations that the usual factorization was not trusted with
+};
+
+/// Watches the smallest pivot of each factorization. A small one alone is no sign: in a chain of n links it is ~ 1/n^3.
+/// It is compared with the largest that the run has seen, and a suspicion that does not hold makes it less suspicious.
+class SingularWatch {
+ public:
+  SingularWatch();
+  /// The level before the first factorization: 1 where the first pose is known to be singular.
+  void start(double level) { raise(level); }
+
+  /// True for all but few evaluations; then there is nothing to do.
+  bool usual(double pivot) {
+    if (open_ || !(pivot >= suspicious_)) return false;
+    if (pivot > level_) raise(pivot);
+    return true;
+  }
+
+  bool open() const { return open_; }
+  /// Half of the digits of a factorization are lost.
+  bool untrustworthy(double pivot) const { return !(pivot >= untrusted_); }
+  /// For examine_pose: pivots are squares of the independent parts of rows.
+  double near(double pivot) const;
+
+  void suspect_less();
+  void begin(double t, double pivot, std::vector<int> joints);
+  void change_rows(double t, double pivot, std::vector<int> joints);
+  /// Inside a passage, which may end here.
+  void go_on(double t, double pivot);
+  void take_over() { passages_.back().taken_over += 1; }
+
+  const std::vector<SingularPassage>& passages() const { return passages_; }  ///< the first ones
+  std::int64_t singular_poses() const { return singular_poses_; }             ///< of all passages
+  std::int64_t row_changes() const { return row_changes_; }
+
+ private:
+  void raise(double level);
+  void keep(double t, double pivot, std::vector<int> joints, bool rows_changed);
+
+  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-3;
+  bool open_ = false;
+  std::vector<SingularPassage> passages_;
+  std::int64_t singular_poses_ = 0, row_changes_ = 0;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,95 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/SVD>
+
+#include "linkwork/formulation/rank.hpp"
+#include "linkwork/formulation/singular_watch.hpp"
+#include "support.hpp"
+
+using namespace support;
+
+namespace {
+
+/// A planar four-bar with hinges about z; 3 of its 20 rows are redundant.
+Model four_bar() {
+  Model model;
+  const Mat3<double> I = Mat3<double>::Identity();
+  const auto add = [&](const char* name, int i, int j, const Vec3<double>& P) {
+    model.add_joint("revolute", name, i, j, place(model, i, j, P, P, I, I));
+  };
+  for (const Vec3<double>& position : {Vec3<double>(0, 0.5, 0), Vec3<double>(1, 1.25, 0), Vec3<double>(2, 0.75, 0)}) {
+    Body body;
+    body.position = position;
+    model.add_body("bar " + std::to_string(model.bodies().size()), body);
+  }
+  add("A", ground, 0, {0, 0, 0});
+  add("B", 0, 1, {0, 1, 0});
+  add("C", 1, 2, {2, 1.5, 0});
+  add("D", 2, ground, {2, 0, 0});
+  return model;
+}
+
+/// Smallest singular value of D without some rows, relative to the largest.
+double condition(const System& system, const std::vector<int>& without) {
+  const MatrixXd D = dense_D(system, evaluate_initially(system));
+  MatrixXd kept(D.rows() - static_cast<Eigen::Index>(without.size()), D.cols());
+  Eigen::Index next = 0;
+  for (int row = 0; row < D.rows(); ++row)
+    if (!std::binary_search(without.begin(), without.end(), row)) kept.row(next++) = D.row(row);
+  const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(kept).singularValues();
+  return sigma.tail<1>()[0] / sigma[0];
+}
+
+}  // namespace
+
+TEST_CASE("redundant rows that are well chosen need no other choice") {
+  const System system(four_bar());
+  const RankReport report = examine_rank(system);
+  REQUIRE(report.redundant_rows.size() == 3);
+  const PoseExamination found = examine_pose(system, 0.0, report.q, report.redundant_rows, 1e-6);
+  CHECK(found.rows.empty());
+  CHECK(found.better_choice.empty());
+}
+
+TEST_CASE("wrong redundant rows are told apart from a singular pose, and better ones found") {
+  const Model model = four_bar();
+  const System system(model);
+  const std::vector<int> wrong = {0, 1, 2};  // the place of hinge A: no other row of the planar loop fixes it
+  REQUIRE(condition(system, wrong) < 1e-12);
+  const PoseExamination found = examine_pose(system, 0.0, model.initial_q(), wrong, 1e-6);
+  CHECK_FALSE(found.rows.empty());
+  CHECK_FALSE(found.joints.empty());
+  REQUIRE(found.better_choice.size() == 3);
+  CHECK(condition(system, found.better_choice) > 1e-3);
+}
+
+TEST_CASE("pivots are compared with the largest of the run") {
+  SingularWatch watch;
+  CHECK(watch.usual(1e-12));  // a long chain: its own level
+  CHECK(watch.usual(1e-13));
+  CHECK_FALSE(watch.usual(1e-16));
+  watch.suspect_less();
+  CHECK(watch.usual(1e-16));
+  CHECK(watch.usual(0.5));
+  CHECK_FALSE(watch.usual(1e-16));
+  CHECK(watch.untrustworthy(1e-11));
+}
+
+TEST_CASE("a passage lasts until the pivots have recovered, and remembers the smallest") {
+  SingularWatch watch;
+  CHECK(watch.usual(1.0));
+  CHECK_FALSE(watch.usual(1e-5));
+  watch.begin(1.0, 1e-5, {3});
+  for (const auto& [t, pivot] : {std::pair{1.1, 1e-7}, {1.2, 1e-5}, {1.3, 1e-3}}) {
+    CHECK_FALSE(watch.usual(pivot));
+    watch.go_on(t, pivot);
+    CHECK(watch.open());
+  }
+  watch.go_on(1.4, 0.1);
+  CHECK_FALSE(watch.open());
+  CHECK(watch.usual(0.1));
+  REQUIRE(watch.passages().size() == 1);
+  CHECK(watch.passages()[0].t == 1.1);
+  CHECK(watch.passages()[0].pivot == doctest::Approx(1e-7));
+  CHECK(watch.singular_poses() == 1);
+}
