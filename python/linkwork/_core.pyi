@@ -433,6 +433,7 @@ class Options:
 
     formulation: str
     linear_solver: str
+    on_singular: str
     stabilization: str
     system: str
     @staticmethod

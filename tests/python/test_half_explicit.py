@@ -209,7 +209,7 @@ def test_a_stabilization_of_accelerations_is_refused(stabilization: str, method:
 
 
 def test_a_step_in_which_bodies_turn_too_far_is_refused_with_the_reason() -> None:
-    with pytest.raises(lw.NotConvergedError, match="'hem4'.*turn too far.*smaller step"):
+    with pytest.raises(lw.NotConvergedError, match="too far.*smaller step"):
         run(slider_crank(speed=200.0), 1.0, 16, "hem4")
 
 

@@ -52,6 +52,14 @@ def test_the_limit_of_each_method_is_where_its_growth_begins() -> None:
             assert growth(0.5 * 1000 * 0.99 * limit, 0.0) <= stiffness.GROWTH, method.name
 
 
+def test_the_flyball_governor_needs_the_step_that_its_springs_allow() -> None:
+    """Measured: RK4 needs h < 3.4e-4 s (IFToMM benchmark A05)."""
+    found = stiffness.fastest(lw.System(lw.mechanisms.flyball_governor()))
+    assert found is not None
+    limit = stiffness.stable_step(METHODS["rk4"].growth, found.eigenvalue, 1.0)
+    assert limit == pytest.approx(3.4e-4, rel=0.1)
+
+
 def test_without_force_elements_and_with_soft_ones_every_step_is_let_through() -> None:
     assert stiffness.fastest(lw.System(lw.mechanisms.spatial_slider_crank())) is None
     lw.simulate(oscillator(1.0), 1.0, 0.1, "euler", progress=False)
