@@ -120,8 +120,7 @@ void bind_runs(py::module_& module) {
                                                  Schedule{t_end, step, record_every, t_start, start});
            }),
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
-           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(),
-           py::keep_alive<1, 2>())
+           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
       .def(
           "begin_step",
           [](Simulation& simulation) {
@@ -137,13 +136,13 @@ void bind_runs(py::module_& module) {
                        std::vector<Event> events, double t_start, const VectorXd& start) {
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(
-                 dynamics, pair, AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times), t_start, start},
+                 dynamics, pair,
+                 AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times), t_start, start},
                  std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
-           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(),
-           py::keep_alive<1, 2>())
+           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
       .def(
           "take_occurrences",
           [](AdaptiveSimulation& run) {

@@ -108,8 +108,8 @@ def record(
 ) -> float:
     """Write the pieces as they come, and close the file however the run ends; the time they took [s].
 
-    `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run has
-    passed a singular pose.
+    `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run
+    has passed a singular pose.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     try:

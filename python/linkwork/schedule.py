@@ -66,7 +66,9 @@ class Fixed:
                 code="conflict",
             )
         compiled = method.compiled() if isinstance(method, Integrator) else None
-        return _core.Simulation(system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start))
+        return _core.Simulation(
+            system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
+        )
 
 
 @dataclass(frozen=True)
@@ -201,7 +203,8 @@ def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np
         raise OptionError("times must be finite and ascending, one at least", code="times")
     if asked[0] < t_start or asked[-1] > t_end:
         raise OptionError(
-            f"times go from {asked[0]:g} to {asked[-1]:g} s, the run from {t_start:g} to {t_end:g} s", code="times"
+            f"times go from {asked[0]:g} to {asked[-1]:g} s, the run from {t_start:g} to {t_end:g} s",
+            code="times",
         )
     return asked
 

@@ -73,15 +73,15 @@ def simulate(
     Redundant constraint equations are found and left out of the solution; the reactions that they leave open
     are those of least norm, see `Result.unique_reactions`.
 
-    At singular poses, where equations of loops depend on each other for a moment and the motion could go on in
-    several ways, a rank-revealing factorization takes over; `Result.singular_poses` lists them.
+    At singular poses, where equations of loops depend on each other for a moment and the motion could go on
+    in several ways, a rank-revealing factorization takes over; `Result.singular_poses` lists them.
 
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
-    run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be written.
-    ViolationError: on_violation="stop". An error of a run has its `result` up to there and the last `state`.
-    ModelError: initial poses or velocities do not satisfy the joints, see `assemble`. LinkworkWarning: they
-    were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
+    run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
+    written. ViolationError: on_violation="stop". An error of a run has its `result` up to there and the
+    last `state`. ModelError: initial poses or velocities do not satisfy the joints, see `assemble`.
+    LinkworkWarning: they were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model),

@@ -1,8 +1,8 @@
 """Long runs with the defaults: python tests/benchmarks/long_run.py
 
-four_bar(2), which passes a singular pose about every second, and bricard, whose equations are redundant, for 1000 s.
-In pieces of 100 s: the largest violation of the constraints [m or 1, and 1/s], the largest error of the energy so far
-[J], and the memory of the process [MB].
+four_bar(2), which passes a singular pose about every second, and bricard, whose equations are redundant, for
+1000 s. In pieces of 100 s: the largest violation of the constraints [m or 1, and 1/s], the largest error of
+the energy so far [J], and the memory of the process [MB].
 """
 
 from __future__ import annotations

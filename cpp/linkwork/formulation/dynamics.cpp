@@ -11,8 +11,8 @@ namespace {
 
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
-constexpr double broken = -1.0;       // for a pivot of a factorization that broke down
-constexpr double diverged = 1e50;     // velocities of which nothing else is to blame for what follows
+constexpr double broken = -1.0;      // for a pivot of a factorization that broke down
+constexpr double diverged = 1e50;    // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {

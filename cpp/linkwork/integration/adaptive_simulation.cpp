@@ -22,7 +22,8 @@ void check(const AdaptiveSchedule& schedule) {
   if (schedule.record_every < 0) refuse("record_every", "must not be negative");
   if (schedule.record_every > 0 && !schedule.times.empty()) refuse("times", "and record_every exclude each other");
   if (!std::is_sorted(schedule.times.begin(), schedule.times.end())) refuse("times", "must ascend");
-  if (!schedule.times.empty() && !(schedule.times.front() >= schedule.t_start && schedule.times.back() <= schedule.t_end))
+  if (!schedule.times.empty() &&
+      !(schedule.times.front() >= schedule.t_start && schedule.times.back() <= schedule.t_end))
     refuse("times", "must lie between the start and t_end");
 }
 

@@ -70,8 +70,9 @@ class HalfExplicit final : public Integrator {
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     prepare(dynamics.system());
     for (Eigen::Index i = 0; i < tableau_.A.rows(); ++i) {
-      if (i > 0) dynamics.evaluate(t + tableau_.A.row(i).sum() * h, sum(tableau_.A, i, i, h, y, stage_),
-                                  static_cast<int>(i) + 1);
+      if (i > 0)
+        dynamics.evaluate(t + tableau_.A.row(i).sum() * h, sum(tableau_.A, i, i, h, y, stage_),
+                          static_cast<int>(i) + 1);
       else stage_ = y;
       if (i == 0 && tableau_.explicit_first_stage) dynamics.accelerations(x_, lambda_);
       else constrain(dynamics, t, h, y, i);

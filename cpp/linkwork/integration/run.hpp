@@ -72,8 +72,8 @@ class Run {
   bool finished_ = false;
 
  private:
-  bool stops_;                              ///< at singular poses
-  std::int64_t singular_poses_;             ///< before this run
+  bool stops_;                   ///< at singular poses
+  std::int64_t singular_poses_;  ///< before this run
   DriftBudget budget_;
   std::int64_t projections_ = 0;
   std::unique_ptr<Projection> projection_;  ///< where one is needed

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+
 class _Limits(click.ParamType):
     """A number, or numbers by name."""
 
@@ -45,7 +46,11 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType, str], ...] = (
     ("tolerance", float, "At which the augmented Lagrangian iteration stops."),
     ("max_iterations", int, "Cap of the augmented Lagrangian iteration."),
     ("on_singular", str, "At a singular pose: pass, warn or stop."),
-    ("violation_limit", _Limits(), "Of positions, or by level: position=1e-8,velocity=1e-6,acceleration=1e-9."),
+    (
+        "violation_limit",
+        _Limits(),
+        "Of positions, or by level: position=1e-8,velocity=1e-6,acceleration=1e-9.",
+    ),
     ("on_violation", str, "Beyond --violation-limit: record, project or stop."),
     ("record_every", int, "Steps between recorded frames; without it about 1000 frames."),
 )
