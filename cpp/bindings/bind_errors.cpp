@@ -26,7 +26,8 @@ void raise(const Error& error) {
       type(py::str(error.what() + when(error.details.time)), py::arg("code") = error.code(),
            py::arg("bodies") = error.details.bodies, py::arg("joints") = error.details.joints,
            py::arg("time") = number_or_none(error.details.time), py::arg("step") = number_or_none(error.details.step),
-           py::arg("residuals") = residuals);
+           py::arg("residuals") = residuals, py::arg("forces") = error.details.forces,
+           py::arg("stage") = error.details.stage > 0 ? py::object(py::int_(error.details.stage)) : py::none());
   PyErr_SetObject(type.ptr(), instance.ptr());
 }
 

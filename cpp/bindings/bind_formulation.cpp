@@ -186,7 +186,9 @@ void bind_options(py::module_& module) {
       .def_readwrite("penalty_scale", &Options::penalty_scale)
       .def_readwrite("tolerance", &Options::tolerance)
       .def_readwrite("max_iterations", &Options::max_iterations)
-      .def_readwrite("on_singular", &Options::on_singular);
+      .def_readwrite("on_singular", &Options::on_singular)
+      .def_readwrite("violation_limit", &Options::violation_limit)
+      .def_readwrite("on_violation", &Options::on_violation);
   py::class_<RankReport>(module, "RankReport",
                          "Rank of the constraint matrix D: what is redundant in every pose, and what only in the "
                          "assembled one.")

@@ -57,9 +57,27 @@ py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {
   return to_dict(std::move(frames), run.dynamics().system());
 }
 
+py::list excesses(const Run& run) {
+  constexpr const char* levels[] = {"position", "velocity", "acceleration"};
+  const Model& model = run.dynamics().system().model();
+  py::list out;
+  for (const Excess& it : run.budget().excesses()) {
+    py::dict one;
+    one["level"] = levels[it.level];
+    one["t"] = it.t;
+    one["largest"] = it.largest;
+    one["joint"] = model.joint_name(model.joint_of_row(it.row));
+    out.append(one);
+  }
+  return out;
+}
+
 py::dict statistics(const Run& run) {
   py::dict out = py::cast(&run.dynamics(), py::return_value_policy::reference).attr("statistics")();
   out["steps"] = run.steps_done();
+  out["violations"] = run.budget().count();
+  out["projections"] = run.projections();
+  out["excesses"] = excesses(run);
   return out;
 }
 
@@ -87,19 +105,22 @@ void bind_runs(py::module_& module) {
       .def("take_frames", [](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); })
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
+      .def_property_readonly(
+          "last_state", [](const Run& run) { return VectorXd(run.last_state().head(run.last_state().size() - 1)); },
+          "y = (q, v) at t, from which the run went on.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
       .def("statistics", &statistics);
 
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
-                       std::int64_t record_every) {
+                       std::int64_t record_every, double t_start, const VectorXd& start) {
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<Simulation>(dynamics, make_integrator(integrator),
-                                                 Schedule{t_end, step, record_every});
+                                                 Schedule{t_end, step, record_every, t_start, start});
            }),
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
-           py::keep_alive<1, 2>())
+           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
       .def(
           "begin_step",
           [](Simulation& simulation) {
@@ -112,15 +133,16 @@ void bind_runs(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
-                       std::vector<Event> events) {
+                       std::vector<Event> events, double t_start, const VectorXd& start) {
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(
-                 dynamics, pair, AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times)},
+                 dynamics, pair,
+                 AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times), t_start, start},
                  std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
-           py::keep_alive<1, 2>())
+           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
       .def(
           "take_occurrences",
           [](AdaptiveSimulation& run) {

@@ -28,12 +28,13 @@ if TYPE_CHECKING:
         OptionError,
         SingularSystemError,
         StepSizeError,
+        ViolationError,
     )
     from linkwork.events import Event, Occurrence, State
     from linkwork.handles import Body, Force, Joint
     from linkwork.model import Model
     from linkwork.progress import ProgressInfo
-    from linkwork.result import BodyResult, Reaction, Result, SingularPose
+    from linkwork.result import BodyResult, Reaction, Result, SingularPose, Snapshot
     from linkwork.simulation import simulate
     from linkwork.system import System
 
@@ -59,9 +60,11 @@ __all__ = [
     "Result",
     "SingularPose",
     "SingularSystemError",
+    "Snapshot",
     "State",
     "StepSizeError",
     "System",
+    "ViolationError",
     "__version__",
     "assemble",
     "functions",
@@ -77,10 +80,11 @@ _PLACES = {
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("FileError", "LinkworkError", "LinkworkWarning", "ModelError", "NotConvergedError",
-                        "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError"),
+                        "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError",
+                        "ViolationError"),
     "linkwork.model": ("Model",),
     "linkwork.progress": ("ProgressInfo",),
-    "linkwork.result": ("BodyResult", "Reaction", "Result", "SingularPose"),
+    "linkwork.result": ("BodyResult", "Reaction", "Result", "SingularPose", "Snapshot"),
     "linkwork.simulation": ("simulate",),
     "linkwork.system": ("System",),
 }  # fmt: skip

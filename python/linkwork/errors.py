@@ -7,6 +7,10 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from linkwork.result import Result, Snapshot
 
 __all__ = [
     "FileError",
@@ -18,6 +22,7 @@ __all__ = [
     "OptionError",
     "SingularSystemError",
     "StepSizeError",
+    "ViolationError",
     "nearest",
 ]
 
@@ -35,8 +40,14 @@ class LinkworkError(Exception):
         time: float | None = None,
         step: float | None = None,
         residuals: Mapping[str, float] | None = None,
+        forces: Sequence[str] = (),
+        stage: int | None = None,
     ) -> None:
-        """`time` and `step` [s] where a run failed; `residuals` by name, in the unit of what is measured."""
+        """`time` and `step` [s] where a run failed, and in which stage of the step, from 1 on.
+
+        `residuals` by name, in the unit of what is measured. An error of a run has its `result` up to there,
+        and `state`, the last from which it went on: simulate(..., start=error.state) goes on from it.
+        """
         self.message = " ".join(message.split())
         super().__init__(self.message)
         self.code = code
@@ -45,6 +56,10 @@ class LinkworkError(Exception):
         self.time = time
         self.step = step
         self.residuals = dict(residuals or {})
+        self.forces = list(forces)
+        self.stage = stage
+        self.result: Result | None = None
+        self.state: Snapshot | None = None
 
 
 class ModelError(LinkworkError):
@@ -69,6 +84,10 @@ class NotFiniteError(LinkworkError):
 
 class StepSizeError(LinkworkError):
     """No step is small enough for the tolerances of an adaptive run."""
+
+
+class ViolationError(LinkworkError):
+    """The constraints are violated beyond the limit of the run."""
 
 
 class FileError(LinkworkError):

@@ -40,7 +40,15 @@ class Options(TypedDict, total=False):
     max_iterations: int | None
     #: at a singular pose: "pass" (default), "warn" or "stop"
     on_singular: str
+    #: largest violation at the ends of steps: of positions [m or 1], or by level as in
+    #: {"position": 1e-8, "velocity": 1e-6, "acceleration": 1e-9}
+    violation_limit: float | Mapping[str, float] | None
+    #: beyond it: "record" (default), "project" (positions and velocities) or "stop"
+    on_violation: str
 
+
+#: Of constraints, in the order of `Result.violation`.
+LEVELS = ("position", "velocity", "acceleration")
 
 #: Flores (2015), section 12.4.
 TEXTBOOK_DAMPING_RATIO, TEXTBOOK_FREQUENCY = 1.0, 10.0
@@ -57,7 +65,7 @@ def compile_options(given: Mapping[str, Any]) -> _core.Options:
     _check_names(chosen)
     _check_numbers(chosen)
     _check_formulation(chosen)
-    chosen |= _gains(chosen)
+    chosen |= _gains(chosen) | _limits(chosen)
     options = _core.Options()
     for name in chosen.keys() - {"damping_ratio", "frequency"}:
         setattr(options, name, chosen[name])
@@ -71,6 +79,7 @@ def _check_names(chosen: Mapping[str, Any]) -> None:
         "linear_solver": ["auto", *(info.name for info in _core.linear_solvers())],
         "system": ["auto", "kkt", "schur"],
         "on_singular": ["pass", "warn", "stop"],
+        "on_violation": ["record", "project", "stop"],
     }
     for what, names in known.items():
         if what in chosen and chosen[what] not in names:
@@ -119,6 +128,30 @@ def _refuse(option: str, formulation: str, why: str, others: Iterable[str]) -> N
     choices = " or ".join(f"'{name}'" for name in others)
     message = f"{option} has no meaning for formulation '{formulation}': {why}; use formulation {choices}"
     raise OptionError(message, code="conflict")
+
+
+def _limits(chosen: Mapping[str, Any]) -> dict[str, Any]:
+    """violation_limit level by level."""
+    given = chosen.get("violation_limit")
+    if given is None:
+        if "on_violation" in chosen:
+            raise OptionError("on_violation needs a violation_limit", code="conflict")
+        return {}
+    by_level = given if isinstance(given, Mapping) else {LEVELS[0]: given}
+    for level, limit in by_level.items():
+        if level not in LEVELS:
+            raise OptionError(
+                f"violation_limit: level '{level}' does not exist{nearest(str(level), LEVELS)}",
+                code="unknown_option",
+            )
+        check_number(f"violation_limit: {level}", limit, positive=True)
+    if set(by_level) == {"acceleration"} and chosen.get("on_violation") == "project":
+        raise OptionError(
+            "on_violation 'project' has no meaning for accelerations alone: a projection changes positions "
+            "and velocities; give their limits, or on_violation 'record' or 'stop'",
+            code="conflict",
+        )
+    return {"violation_limit": [float(by_level.get(level, math.inf)) for level in LEVELS]}
 
 
 def _gains(chosen: Mapping[str, Any]) -> dict[str, Any]:

@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import LinkworkWarning
+from linkwork.errors import LinkworkError, LinkworkWarning
 from linkwork.events import Occurrence
 from linkwork.header import Header
 from linkwork.integrators import Integrator
 from linkwork.interrupts import Interrupts
 from linkwork.model import Model
 from linkwork.progress import Report
-from linkwork.result import Result
+from linkwork.result import Result, Snapshot
 from linkwork.system import System
 
 __all__ = ["PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
@@ -39,7 +39,7 @@ class Recorder(Protocol):
 
     def write(self, frames: Frames) -> None: ...
     def note(self, occurrences: Sequence[Occurrence]) -> None: ...
-    def abandon(self) -> None: ...
+    def abandon(self) -> Result | None: ...
     def result(self, statistics: Mapping[str, Any]) -> Result: ...
 
 
@@ -56,8 +56,8 @@ class _Memory:
     def note(self, occurrences: Sequence[Occurrence]) -> None:
         self._occurrences.extend(occurrences)
 
-    def abandon(self) -> None:
-        self._pieces.clear()
+    def abandon(self) -> Result | None:
+        return self.result({}) if self._pieces else None
 
     def result(self, statistics: Mapping[str, Any]) -> Result:
         joined = {name: np.concatenate([piece[name] for piece in self._pieces]) for name in self._pieces[0]}
@@ -76,8 +76,9 @@ class _File:
     def note(self, occurrences: Sequence[Occurrence]) -> None:
         self._writer.write_events(occurrences)
 
-    def abandon(self) -> None:
+    def abandon(self) -> Result | None:
         self._writer.close()
+        return Result.load(self._writer.path)
 
     def result(self, statistics: Mapping[str, Any]) -> Result:
         self._writer.close(statistics)
@@ -107,8 +108,8 @@ def record(
 ) -> float:
     """Write the pieces as they come, and close the file however the run ends; the time they took [s].
 
-    `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run has
-    passed a singular pose.
+    `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run
+    has passed a singular pose.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     try:
@@ -120,10 +121,15 @@ def record(
             if warns:
                 warned = _warn_of_singular_poses(run.statistics(), warned)
             before = time.perf_counter()
-    except BaseException:
+    except BaseException as error:
         to.note(_occurrences(run, labels))
         to.write(run.take_frames())
-        to.abandon()
+        result = to.abandon()
+        if isinstance(error, LinkworkError):
+            error.state = Snapshot.of(run.t, run.last_state)
+            error.result = result
+            if result is not None:
+                result.statistics.update(run.statistics(), failed=True)
         raise
     return spent
 

@@ -48,6 +48,34 @@ class BodyResult:
         return rotate(self.orientation, self.omega)
 
 
+class Snapshot(NamedTuple):
+    """The state of a run at one time, from which another can start."""
+
+    t: float  #: [s]
+    q: Floats  #: (n, 7) position [m] and Euler parameters of each body
+    v: Floats  #: (n, 6) velocity, inertial [m/s], and angular velocity, body axes [rad/s]
+
+    @classmethod
+    def of(cls, t: float, y: Floats) -> Snapshot:
+        """From y = (q, v) (13n,)."""
+        split = 7 * (len(y) // 13)
+        return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6))
+
+    @property
+    def y(self) -> Floats:
+        """(q, v) in one (13n,)."""
+        return np.concatenate([np.ravel(self.q), np.ravel(self.v)]).astype(float)
+
+
+class Excess(NamedTuple):
+    """A time in which the constraints were violated by more than the run's limit."""
+
+    level: str  #: "position", "velocity" or "acceleration"
+    t: float  #: when it began [s]
+    largest: float  #: [m or 1, with 1/s or 1/s^2]
+    joint: str  #: of the largest
+
+
 class SingularPose(NamedTuple):
     """A passage through, or near, a pose in which equations of loops depend on each other for a moment."""
 
@@ -102,8 +130,8 @@ class Result:
 
     @property
     def finished(self) -> bool:
-        """False for the file of a run that was interrupted."""
-        return bool(self.statistics)
+        """False for a run that failed, and for the file of one that was interrupted."""
+        return bool(self.statistics) and not self.statistics.get("failed", False)
 
     @property
     def events(self) -> tuple[Occurrence, ...]:
@@ -195,6 +223,18 @@ class Result:
     def redundant_rows(self) -> NDArray[np.int32]:
         """Places in `multipliers` of the equations that the others imply in every pose."""
         return self._header.redundant_rows
+
+    @property
+    def violations(self) -> tuple[Excess, ...]:
+        """The first hundred times in which a `violation_limit` was passed, and the last."""
+        return tuple(
+            Excess(it["level"], it["t"], it["largest"], it["joint"])
+            for it in self.statistics.get("excesses", ())
+        )
+
+    def snapshot(self, frame: int = -1) -> Snapshot:
+        """The state of one frame, for simulate(..., start=...)."""
+        return Snapshot(float(self.t[frame]), self._field("q", frame), self._field("v", frame))
 
     @property
     def singular_poses(self) -> tuple[SingularPose, ...]:

@@ -15,6 +15,7 @@ from linkwork.errors import OptionError
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.options import check_number
 from linkwork.recording import PythonStep
+from linkwork.result import Snapshot
 from linkwork.system import System
 
 __all__ = ["Adaptive", "Fixed", "plan"]
@@ -52,7 +53,11 @@ class Fixed:
             checks.check_stiffness(method, system, self.step)
 
     def run(
-        self, method: Integrator | PythonStep, system: System, events: Sequence[_core.Event]
+        self,
+        method: Integrator | PythonStep,
+        system: System,
+        events: Sequence[_core.Event],
+        start: Snapshot | None = None,
     ) -> _core.Simulation:
         """OptionError: events, for which there is no interpolant."""
         if events:
@@ -61,7 +66,9 @@ class Fixed:
                 code="conflict",
             )
         compiled = method.compiled() if isinstance(method, Integrator) else None
-        return _core.Simulation(system.compiled(), compiled, self.t_end, self.step, self.record_every)
+        return _core.Simulation(
+            system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
+        )
 
 
 @dataclass(frozen=True)
@@ -103,7 +110,11 @@ class Adaptive:
             )
 
     def run(
-        self, method: Integrator | PythonStep, system: System, events: Sequence[_core.Event]
+        self,
+        method: Integrator | PythonStep,
+        system: System,
+        events: Sequence[_core.Event],
+        start: Snapshot | None = None,
     ) -> _core.AdaptiveSimulation:
         assert isinstance(method, EmbeddedPair)
         return _core.AdaptiveSimulation(
@@ -116,7 +127,12 @@ class Adaptive:
             self.record_every,
             self.times.tolist(),
             list(events),
+            *_from(start),
         )
+
+
+def _from(start: Snapshot | None) -> tuple[()] | tuple[float, NDArray[np.float64]]:
+    return () if start is None else (start.t, start.y)
 
 
 def plan(
@@ -127,6 +143,7 @@ def plan(
     record_every: int | None,
     times: ArrayLike | None,
     frame_bytes: int,
+    t_start: float = 0.0,
 ) -> Fixed | Adaptive:
     """The arguments of `simulate` as a schedule. OptionError: a value that makes no sense, or a conflict."""
     check_number("t_end", t_end, positive=False, unit="s")
@@ -137,7 +154,7 @@ def plan(
     most_frames = min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
     if rtol is None and atol is None:
         return _fixed(t_end, step, record_every, times, most_frames)
-    return _adaptive(t_end, step, rtol, atol, record_every, times, most_frames)
+    return _adaptive(t_end, step, rtol, atol, record_every, times, most_frames, t_start)
 
 
 def _fixed(
@@ -162,6 +179,7 @@ def _adaptive(
     record_every: int | None,
     times: ArrayLike | None,
     most_frames: int,
+    t_start: float,
 ) -> Adaptive:
     rtol = USUAL_RTOL if rtol is None else rtol
     check_number("rtol", rtol, positive=True)
@@ -174,18 +192,19 @@ def _adaptive(
     if times is not None and record_every is not None:
         raise OptionError("times and record_every both say what is recorded: give one", code="conflict")
     if record_every is None and times is None:
-        times = np.linspace(0.0, t_end, most_frames + 1)
-    asked = np.zeros(0) if times is None else _checked_times(times, t_end)
+        times = np.linspace(t_start, t_end, most_frames + 1)
+    asked = np.zeros(0) if times is None else _checked_times(times, t_start, t_end)
     return Adaptive(t_end, rtol, atol, math.inf if step is None else step, int(record_every or 0), asked)
 
 
-def _checked_times(times: ArrayLike, t_end: float) -> NDArray[np.float64]:
+def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np.float64]:
     asked = np.atleast_1d(np.asarray(times, dtype=float))
     if asked.ndim != 1 or not len(asked) or not np.isfinite(asked).all() or (np.diff(asked) <= 0).any():
         raise OptionError("times must be finite and ascending, one at least", code="times")
-    if asked[0] < 0.0 or asked[-1] > t_end:
+    if asked[0] < t_start or asked[-1] > t_end:
         raise OptionError(
-            f"times go from {asked[0]:g} to {asked[-1]:g} s, the run from 0 to {t_end:g} s", code="times"
+            f"times go from {asked[0]:g} to {asked[-1]:g} s, the run from {t_start:g} to {t_end:g} s",
+            code="times",
         )
     return asked
 

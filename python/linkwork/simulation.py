@@ -20,7 +20,7 @@ from linkwork.model import Model
 from linkwork.options import Options
 from linkwork.progress import ProgressOption, reporting
 from linkwork.recording import PythonStep
-from linkwork.result import Result
+from linkwork.result import Result, Snapshot
 from linkwork.system import System
 
 __all__ = ["PythonStep", "simulate"]
@@ -37,6 +37,7 @@ def simulate(
     record_every: int | None = None,
     times: ArrayLike | None = None,
     events: Event | Iterable[Event] = (),
+    start: Snapshot | None = None,
     output: str | os.PathLike[str] | None = None,
     progress: ProgressOption = None,
     assemble: bool = True,
@@ -57,6 +58,8 @@ def simulate(
                   limits a step. Without record_every and times: at most about 1000 frames, evenly
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
+    start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
+                  `state` of an error. The work and multistep methods begin anew
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     progress      None: a line on a terminal after two seconds; False: nothing; or a function of ProgressInfo
     assemble      initial poses and velocities that violate the joints by up to 1/1000 of the size and speed
@@ -64,22 +67,25 @@ def simulate(
                   False: the run starts from them as they are, with a warning
     options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
                   linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
-                  tolerance, max_iterations, on_singular="pass": see linkwork.options.Options
+                  tolerance, max_iterations, on_singular="pass",
+                  violation_limit, on_violation="record": see linkwork.options.Options
 
     Redundant constraint equations are found and left out of the solution; the reactions that they leave open
     are those of least norm, see `Result.unique_reactions`.
 
-    At singular poses, where equations of loops depend on each other for a moment and the motion could go on in
-    several ways, a rank-revealing factorization takes over; `Result.singular_poses` lists them.
+    At singular poses, where equations of loops depend on each other for a moment and the motion could go on
+    in several ways, a rank-revealing factorization takes over; `Result.singular_poses` lists them.
 
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
-    on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the run failed.
-    StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be written.
-    ModelError: initial poses or velocities do not satisfy the joints, see `assemble`. LinkworkWarning: they
-    were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
+    on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
+    run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
+    written. ViolationError: on_violation="stop". An error of a run has its `result` up to there and the
+    last `state`. ModelError: initial poses or velocities do not satisfy the joints, see `assemble`.
+    LinkworkWarning: they were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
-    plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model))
+    plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model),
+                         start.t if start is not None else 0.0)  # fmt: skip
     checks.check_bodies(model)
     checks.check_tables(model, t_end)
     method = _method(plan.usual_integrator if integrator is None else integrator)
@@ -94,7 +100,7 @@ def simulate(
         system = System(assembly.model, **options)
 
     watched = compile_events(events, model)
-    run = plan.run(method, system, [event for _, event in watched])
+    run = plan.run(method, system, [event for _, event in watched], start)
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
              "record_every": record_every, **options}  # fmt: skip
     chosen = {**plan.chosen(), "integrator": _name(method), **system.options}

@@ -32,6 +32,8 @@ def numbers(result: Result) -> dict[str, Any]:
         "unique_reactions": int(result.unique_reactions.sum()),
         "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
         "events": [{"name": it.name, "t": it.t} for it in result.events],
+        "violations": int(result.statistics.get("violations", 0)),
+        "projections": int(result.statistics.get("projections", 0)),
         "singular_poses": int(result.statistics.get("singular_poses", 0)),
         "finished": result.finished,
     }
@@ -59,6 +61,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
         ("reactions", _reactions(found)),
         ("events", _events(result)),
         ("singular", _singular(result)),
+        ("limits", _excesses(result)),
         ("effort", _effort(result.statistics)),
     ]  # fmt: skip
 
@@ -97,6 +100,18 @@ def _singular(result: Result) -> str:
     names = ", ".join(f"'{name}'" for name in poses[0].joints[:LISTED])
     more = ", ..." if len(poses[0].joints) > LISTED else ""
     return f"{count} {'pose' if count == 1 else 'poses'} passed at {times} s, first in {names}{more}"
+
+
+def _excesses(result: Result) -> str:
+    """Where a violation_limit was passed."""
+    found = result.statistics.get("excesses", ())
+    if not found:
+        return ""
+    first, count = found[0], int(result.statistics["violations"])
+    worst = f"first {first['level']} at {first['t']:.4g} s, {first['largest']:.2g} in '{first['joint']}'"
+    projections = int(result.statistics["projections"])
+    done = f"; projected {projections} times" if projections else ""
+    return f"passed {count} times, {worst}{done}"
 
 
 def _effort(statistics: dict[str, Any]) -> str:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import Unpack
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.model import Model
-from linkwork.options import Options, compile_options
+from linkwork.options import LEVELS, Options, compile_options
 
 __all__ = ["Evaluation", "System"]
 
@@ -55,10 +56,13 @@ class System:
         return self._dynamics
 
     @property
-    def options(self) -> dict[str, str | float | None]:
+    def options(self) -> dict[str, Any]:
         """The options as chosen: no "auto" left, gains that depend on the step None."""
+        options = self._dynamics.options
+        limits = zip(LEVELS, options.violation_limit, strict=True)
         names = [name for name in Options.__annotations__ if name not in ("damping_ratio", "frequency")]
-        return {name: getattr(self._dynamics.options, name) for name in names}
+        found = {name: getattr(options, name) for name in names}
+        return found | {"violation_limit": {level: x for level, x in limits if math.isfinite(x)} or None}
 
     def initial_state(self) -> Floats:
         """y (13n,) at t = 0, as described in the model."""

@@ -1,7 +1,9 @@
-"""Which methods take a double four-bar through its singular poses, at which steps: python tests/benchmarks/survival.py
+"""Which methods take a double four-bar through its singular poses, at which steps.
 
-The mechanism is four_bar(2) for 5 s; eight steps between 4.6 and 10.9 ms (fixed, or for DP5 the largest). A run
-survives when it ends with its state within 1 % of a reference of order eight; the error is the largest
+python tests/benchmarks/survival.py
+
+The mechanism is four_bar(2) for 5 s; eight steps between 4.6 and 10.9 ms (fixed, or for DP5 the largest). A
+run survives when it ends with its state within 1 % of a reference of order eight; the error is the largest
 difference of any coordinate q [m or 1] at t = 5 s.
 """
 
@@ -58,8 +60,8 @@ def final_state(step: float | None, **options: Any) -> Floats:
 def reference() -> Floats:
     """By a method of order eight; errors far from singular poses are below 1e-12 at both steps.
 
-    Steps that end or have a stage very near to a singular pose magnify what violates the constraints there, so
-    two runs that agree are asked for. RuntimeError: they do not.
+    Steps that end or have a stage very near to a singular pose magnify what violates the constraints there,
+    so two runs that agree are asked for. RuntimeError: they do not.
     """
     first, second = (final_state(step, integrator="dop853") for step in REFERENCE_STEPS)
     if not np.abs(first - second).max() <= AGREEMENT:

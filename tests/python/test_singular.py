@@ -116,7 +116,7 @@ TURNING = 3.0  # rad/s
 
 
 def turning_flat_four_bar() -> lw.Model:
-    """A parallelogram that turns, at the moment in which it is flat; its hinges allow a second motion there."""
+    """A parallelogram that turns, at the moment in which it is flat and has a second motion."""
     model = lw.Model(gravity=(0, -9.81, 0))
     turn = {"omega": (0, 0, TURNING), "velocity": (0, 0.5 * TURNING, 0)}
     crank, coupler, rocker = (
@@ -140,7 +140,7 @@ def test_a_singular_pose_is_told_apart_from_redundancy() -> None:
 
 
 def least_norm_accelerations(model: lw.Model) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Of all v_dot with D v_dot = gamma the nearest to M^-1 g in the metric M, by singular values; and M v_dot - g."""
+    """Of all v_dot with D v_dot = gamma the nearest to M^-1 g in the metric M; and M v_dot - g."""
     state = model.compiled()
     at = lw.System(model).evaluate(0.0, state.q0, state.v0)
     n = len(at.M)
@@ -157,7 +157,9 @@ def least_norm_accelerations(model: lw.Model) -> tuple[NDArray[np.float64], NDAr
 
 
 @pytest.mark.parametrize(("system", "solver"), STANDARD)
-@pytest.mark.parametrize("make", [aligned, flat_four_bar, turning_flat_four_bar], ids=lambda make: make.__name__)
+@pytest.mark.parametrize(
+    "make", [aligned, flat_four_bar, turning_flat_four_bar], ids=lambda make: make.__name__
+)
 def test_accelerations_in_a_singular_pose_are_those_of_singular_values(
     make: Callable[[], lw.Model], system: str, solver: str
 ) -> None:
@@ -173,7 +175,9 @@ def test_accelerations_in_a_singular_pose_are_those_of_singular_values(
     data, indices, indptr = dynamics.evaluate(0.0, state.q0, state.v0).D
     joint_force = np.zeros(len(v_dot))
     for row, multiplier in enumerate(multipliers):
-        joint_force[indices[indptr[row] : indptr[row + 1]]] += multiplier * data[indptr[row] : indptr[row + 1]]
+        joint_force[indices[indptr[row] : indptr[row + 1]]] += (
+            multiplier * data[indptr[row] : indptr[row + 1]]
+        )
     assert np.abs(joint_force - force).max() <= 1e-9 * (1.0 + np.abs(force).max())
     statistics = dynamics.compiled().statistics()
     assert statistics["singular_poses"] == 1 and statistics["passages"][0]["taken_over"] >= 1

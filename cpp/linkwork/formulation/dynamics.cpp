@@ -11,7 +11,8 @@ namespace {
 
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
-constexpr double broken = -1.0;       // for a pivot of a factorization that broke down
+constexpr double broken = -1.0;      // for a pivot of a factorization that broke down
+constexpr double diverged = 1e50;    // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -140,9 +141,10 @@ void Dynamics::poll() {
   interrupt_();
 }
 
-void Dynamics::evaluate(double t, const ConstVector& y) {
+void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   poll();
   t_ = t;
+  stage_ = stage;
   y_ = y;
   {
     const Stopwatch watch(statistics_.evaluate_time);
@@ -151,6 +153,7 @@ void Dynamics::evaluate(double t, const ConstVector& y) {
   }
   dropped_.take_out(at_);
   factorized_ = taken_over_ = false;
+  if (traces_) look_for_nan(false);
 }
 
 void Dynamics::factorize() {
@@ -176,7 +179,7 @@ double Dynamics::try_factorization(Work factorize) {
   } catch (const SingularSystemError&) {
     const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
     if (!pivots || !y_.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
-      throw_not_finite(system_, y_, t_);
+      throw_not_finite(system_, y_, t_, stage_);
     if (!rank_needed_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
     return broken;
   }
@@ -286,6 +289,7 @@ void Dynamics::rates(MutableVector y_dot) {
     b_ += held_u_;
   }
   solve(at_.g.head(system_.v_size()), b_, v_dot_, lambda_);
+  if (traces_) look_for_nan(true);
   rates(v_dot_, lambda_, y_dot);
 }
 
@@ -297,22 +301,95 @@ void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, Mutabl
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
 }
 
-void throw_not_finite(const System& system, const VectorXd& y, double t) {
+void Dynamics::look_for_nan(bool accelerations) const {
+  bool finite = y_.allFinite() && at_.g.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite() &&
+                at_.gamma.allFinite() && std::isfinite(at_.power);
+  if (accelerations) finite = finite && v_dot_.allFinite() && lambda_.allFinite();
+  if (!finite) throw_not_finite(system_, y_, t_, stage_);
+}
+
+namespace {
+
+/// The first joint with an equation that is not finite, or -1.
+int joint_not_finite(const System& system, const Evaluation& at) {
+  for (int row = 0; row < system.row_count(); ++row)
+    if (!std::isfinite(at.Phi[row]) || !std::isfinite(at.Phi_dot[row]) || !std::isfinite(at.gamma[row]))
+      return system.model().joint_of_row(row);
+  return -1;
+}
+
+/// The bodies of one force element and nothing else, as a model with that force; their numbers in the whole.
+Model alone(const Model& model, const Element& force, std::vector<int>& bodies) {
+  Model out(Vec3<double>::Zero());
+  const auto place = [&](int body) {
+    if (body == ground) return ground;
+    const auto found = std::find(bodies.begin(), bodies.end(), body);
+    if (found != bodies.end()) return static_cast<int>(found - bodies.begin());
+    bodies.push_back(body);
+    return out.add_body(model.body_name(body), model.bodies()[static_cast<std::size_t>(body)]);
+  };
+  const int i = place(force.i), j = place(force.j);
+  for (const TimeFunctionPtr& signal : model.signals()) out.add_signal(signal);
+  const KindInfo& info = force_kinds()[static_cast<std::size_t>(force.kind)].info;
+  const auto first = model.force_parameters().begin() + static_cast<std::ptrdiff_t>(force.first_parameter);
+  out.add_force(info.name, "force", i, j, force.at,
+                {first, first + static_cast<std::ptrdiff_t>(info.parameters.size())});
+  return out;
+}
+
+/// The first force element that gives something not finite, or -1.
+int force_not_finite(const System& system, double t, const VectorXd& y) {
+  for (std::size_t k = 0; k < system.model().forces().size(); ++k) {
+    std::vector<int> bodies;
+    const System one(alone(system.model(), system.model().forces()[k], bodies));
+    VectorXd q(one.q_size()), v(one.v_size());
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const auto place = static_cast<Eigen::Index>(b);
+      q.segment<7>(7 * place) = y.segment<7>(7 * bodies[b]);
+      v.segment<6>(6 * place) = y.segment<6>(system.q_size() + 6 * bodies[b]);
+    }
+    Evaluation at = one.make_evaluation();
+    one.evaluate(t, q, v, at);
+    if (!at.g.head(one.v_size()).allFinite() || !std::isfinite(at.power)) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+}  // namespace
+
+void throw_not_finite(const System& system, const VectorXd& y, double t, int stage) {
+  const Model& model = system.model();
   ErrorDetails details;
   details.time = t;
+  details.stage = stage;
   for (int body = 0; body < system.body_count() && details.bodies.empty(); ++body)
     if (!y.segment<7>(7 * body).allFinite() || !y.segment<6>(system.q_size() + 6 * body).allFinite())
-      details.bodies = {system.model().body_name(body)};
-  if (details.bodies.empty()) {
-    Eigen::Index fastest = 0;
-    y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
-    details.bodies = {system.model().body_name(static_cast<int>(fastest / velocity_size))};
+      details.bodies = {model.body_name(body)};
+  const std::string when = stage > 1 ? " in stage " + std::to_string(stage) + " of a step" : "";
+  Eigen::Index fastest = 0;
+  const double speed = y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
+  if (details.bodies.empty() && speed < diverged) {
+    Evaluation at = system.make_evaluation();
+    system.evaluate(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), at);
+    if (const int joint = joint_not_finite(system, at); joint >= 0) {
+      details.joints = {model.joint_name(joint)};
+      throw NotFiniteError("not_finite",
+                           "joint '" + details.joints.front() + "': its equations became infinite or undefined" + when +
+                               "; see what drives it, or use a smaller step",
+                           details);
+    }
+    if (const int force = force_not_finite(system, t, y); force >= 0) {
+      details.forces = {model.force_names().name(force)};
+      throw NotFiniteError("not_finite",
+                           "force '" + details.forces.front() + "' became infinite or undefined" + when +
+                               "; see its parameters and its functions of time, or use a smaller step",
+                           details);
+    }
   }
-  const std::string who = "body '" + details.bodies.front() + "'";
+  if (details.bodies.empty()) details.bodies = {model.body_name(static_cast<int>(fastest / velocity_size))};
   throw NotFiniteError("not_finite",
-                       who +
-                           " became infinite or undefined: the run diverged; use a smaller step, or see whether the "
-                           "mechanism locks in this pose",
+                       "body '" + details.bodies.front() + "' became infinite or undefined" + when +
+                           ": the run diverged; use a smaller step, or see whether the mechanism locks in this pose",
                        details);
 }
 

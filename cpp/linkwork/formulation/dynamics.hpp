@@ -55,7 +55,10 @@ class Dynamics {
   bool taken_over() const { return taken_over_; }
 
   /// Evaluates at (t, y): everything below refers to this state. Redundant rows are zero in the D of the `evaluation`.
-  void evaluate(double t, const ConstVector& y);
+  /// `stage` of a step, from 1 on, is for errors.
+  void evaluate(double t, const ConstVector& y, int stage = 1);
+  /// Looks for values that are not finite in every evaluation from here on: a NotFiniteError names the first.
+  void trace() { traces_ = true; }
   /// Factorizes ahead of the first solution, which else does both.
   void factorize();
 
@@ -105,6 +108,7 @@ class Dynamics {
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
   void poll();
+  void look_for_nan(bool accelerations) const;
 
   Options options_;
   System system_;
@@ -120,14 +124,16 @@ class Dynamics {
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
   double t_ = 0.0;
+  int stage_ = 1;
+  bool traces_ = false;
   VectorXd y_;  ///< the state of the last evaluate
   bool held_ = false, factorized_ = false;
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
 };
 
-/// The error for y = (q, v, work) that is not finite, or from which nothing finite follows: names the first body that
-/// is not finite, else the fastest.
-[[noreturn]] void throw_not_finite(const System& system, const VectorXd& y, double t);
+/// The error for y = (q, v, work) that is not finite, or from which nothing finite follows. It names what comes first:
+/// a body whose state is not finite, a joint whose equations or a force that are not, else the fastest body.
+[[noreturn]] void throw_not_finite(const System& system, const VectorXd& y, double t, int stage = 0);
 
 }  // namespace linkwork

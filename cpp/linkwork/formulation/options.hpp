@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -17,6 +19,10 @@ struct Options {
   double tolerance = 1e-12;             ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
   int max_iterations = 100;
   std::string on_singular = "pass";  ///< at a singular pose: "pass", "warn" or "stop"
+  /// Of the largest |Phi|, |Phi_dot|, |D v_dot - gamma| at the ends of steps, and what to do beyond: "record",
+  /// "project" or "stop".
+  std::array<double, 3> violation_limit = {INFINITY, INFINITY, INFINITY};
+  std::string on_violation = "record";
 };
 
 }  // namespace linkwork

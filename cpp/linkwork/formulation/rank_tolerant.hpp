@@ -8,10 +8,10 @@
 
 namespace linkwork {
 
-/// Lagrange multipliers at and near singular poses, in place of a formulation whose matrix has become (nearly) singular.
-/// Rows of loops that depend on the others, by a rank-revealing factorization, are left out of this evaluation; the
-/// solution is refined by the residuals of M x - D^T lambda = a, D x = b, so that what counts is the condition of D and
-/// not that of D M^-1 D^T, its square.
+/// Lagrange multipliers at and near singular poses, in place of a formulation whose matrix has become (nearly)
+/// singular. Rows of loops that depend on the others, by a rank-revealing factorization, are left out of this
+/// evaluation; the solution is refined by the residuals of M x - D^T lambda = a, D x = b, so that what counts is the
+/// condition of D and not that of D M^-1 D^T, its square.
 class RankTolerant final : public Formulation {
  public:
   explicit RankTolerant(const System& system);

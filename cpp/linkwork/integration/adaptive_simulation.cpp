@@ -22,8 +22,9 @@ void check(const AdaptiveSchedule& schedule) {
   if (schedule.record_every < 0) refuse("record_every", "must not be negative");
   if (schedule.record_every > 0 && !schedule.times.empty()) refuse("times", "and record_every exclude each other");
   if (!std::is_sorted(schedule.times.begin(), schedule.times.end())) refuse("times", "must ascend");
-  if (!schedule.times.empty() && !(schedule.times.front() >= 0.0 && schedule.times.back() <= schedule.t_end))
-    refuse("times", "must lie between 0 and t_end");
+  if (!schedule.times.empty() &&
+      !(schedule.times.front() >= schedule.t_start && schedule.times.back() <= schedule.t_end))
+    refuse("times", "must lie between the start and t_end");
 }
 
 // Events that end steps accumulate, like the bounces of a ball, when so many in a row have come after ever shorter
@@ -52,6 +53,8 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       controller_(pair.error_order + 1),
       watch_(std::move(events)) {
   check(schedule);
+  begin_at(schedule.t_start, schedule.t_end, schedule.start);
+  t_ = last_stop_ = schedule.t_start;
   stepper_.start(dynamics.y_size());
   work_.resize(dynamics.y_size());
   rates_.resize(dynamics.y_size());
@@ -71,6 +74,7 @@ void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
 void AdaptiveSimulation::begin() {
   begun_ = true;
   evaluate(t_, y_);
+  dated(t_, NAN, [&] { keep_to_budget(t_); });
   record_if_due();
   finished_ = t_ >= schedule_.t_end;
   if (finished_) return;
@@ -260,6 +264,7 @@ void AdaptiveSimulation::finish_step() {
     evaluated_ = false;
   }
   if (!evaluated_) evaluate(t_, y_);
+  dated(t_, h_, [&] { keep_to_budget(t_); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
   if (stop_) finish_event();

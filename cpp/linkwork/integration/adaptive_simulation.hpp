@@ -20,8 +20,10 @@ struct AdaptiveSchedule {
   double t_end = 0.0;
   Tolerances tolerances;
   double largest_step = std::numeric_limits<double>::infinity();
-  std::int64_t record_every = 0;  ///< steps between frames, the first and the last state included; 0: `times`
-  std::vector<double> times;      ///< ascending; states between steps come from the interpolant
+  std::int64_t record_every = 0;   ///< steps between frames, the first and the last state included; 0: `times`
+  std::vector<double> times = {};  ///< ascending; states between steps come from the interpolant
+  double t_start = 0.0;
+  VectorXd start = {};  ///< y = (q, v) at t_start; empty: that of the model
 };
 
 /// Of the accepted steps, and how many were rejected.

@@ -12,6 +12,7 @@ namespace {
 // Of the acceleration of a stage: its error enters the velocity times h.
 constexpr double exact = 1e-13, roundoff = 1e-8, shrinking = 0.5;
 constexpr int most_iterations = 50;
+constexpr double far = 0.3;  // rad
 constexpr Eigen::Index most_vectors = 50;
 
 void check(const HalfExplicitTableau& tableau) {
@@ -69,7 +70,9 @@ class HalfExplicit final : public Integrator {
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     prepare(dynamics.system());
     for (Eigen::Index i = 0; i < tableau_.A.rows(); ++i) {
-      if (i > 0) dynamics.evaluate(t + tableau_.A.row(i).sum() * h, sum(tableau_.A, i, i, h, y, stage_));
+      if (i > 0)
+        dynamics.evaluate(t + tableau_.A.row(i).sum() * h, sum(tableau_.A, i, i, h, y, stage_),
+                          static_cast<int>(i) + 1);
       else stage_ = y;
       if (i == 0 && tableau_.explicit_first_stage) dynamics.accelerations(x_, lambda_);
       else constrain(dynamics, t, h, y, i);
@@ -124,7 +127,17 @@ class HalfExplicit final : public Integrator {
       if (!(change <= last)) break;
       last = change;
     }
-    if (!solve_by_krylov(dynamics)) throw_not_met();
+    if (largest_turn(dynamics.system()) > far || !solve_by_krylov(dynamics)) throw_not_met();
+  }
+
+  /// Between Q_i and Qb_i, of any body [rad].
+  double largest_turn(const System& system) const {
+    double largest = 0.0;
+    for (int body = 0; body < system.body_count(); ++body) {
+      const Eigen::Index p = 7 * body + 3;
+      largest = std::max(largest, 2.0 * (met_.segment<4>(p) - stage_.segment<4>(p)).norm());
+    }
+    return largest;
   }
 
   /// GMRES with modified Gram-Schmidt and Givens rotations, Saad and Schultz (1986), SIAM J. Sci. Stat. Comput. 7,

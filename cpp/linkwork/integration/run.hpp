@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "linkwork/formulation/projection.hpp"
+#include "linkwork/integration/drift_budget.hpp"
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -19,7 +20,8 @@ class Run {
         recorder_(dynamics),
         y_(dynamics.initial_y()),
         stops_(dynamics.options().on_singular == "stop"),
-        singular_poses_(dynamics.watch().singular_poses()) {}
+        singular_poses_(dynamics.watch().singular_poses()),
+        budget_(dynamics) {}
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -33,9 +35,13 @@ class Run {
   const Dynamics& dynamics() const { return dynamics_; }
   bool finished() const { return finished_; }
   virtual double t() const = 0;
+  /// The last state from which the run went on: y = (q, v, work), where t() is.
+  virtual const VectorXd& last_state() const { return y_; }
   virtual std::int64_t steps_total() const { return 0; }  ///< 0: nobody knows
   std::int64_t steps_done() const { return steps_done_; }
   const VectorXd& y() const { return y_; }
+  const DriftBudget& budget() const { return budget_; }
+  std::int64_t projections() const { return projections_; }  ///< that the budget asked for
 
  protected:
   Projection& projection() {
@@ -46,8 +52,15 @@ class Run {
     return projects_positions(dynamics_.stabilization()) || projects_velocities(dynamics_.stabilization());
   }
 
+  /// Begins at a state y = (q, v) other than that of the model; nothing where it is empty.
+  void begin_at(double t, double t_end, const VectorXd& q_and_v);
+
   /// With on_singular "stop": SingularSystemError at the first singular pose.
   void stop_at_singular_pose() const;
+
+  /// At t, where `dynamics` is evaluated at y_: compares the violation with the limits. With on_violation "project" y_
+  /// goes back to the constraints where it is beyond; with "stop" that is a ViolationError.
+  void keep_to_budget(double t);
 
   /// A step, or a part of one.
   virtual void work() = 0;
@@ -59,8 +72,10 @@ class Run {
   bool finished_ = false;
 
  private:
-  bool stops_;                              ///< at singular poses
-  std::int64_t singular_poses_;             ///< before this run
+  bool stops_;                   ///< at singular poses
+  std::int64_t singular_poses_;  ///< before this run
+  DriftBudget budget_;
+  std::int64_t projections_ = 0;
   std::unique_ptr<Projection> projection_;  ///< where one is needed
 };
 

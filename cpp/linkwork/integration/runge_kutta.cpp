@@ -32,7 +32,7 @@ void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t
     stage = y;
     for (Eigen::Index j = 0; j < i; ++j)
       if (tableau.A(i, j) != 0.0) stage += (h * tableau.A(i, j)) * k.col(j);
-    dynamics.evaluate(t + tableau.c[i] * h, stage);
+    dynamics.evaluate(t + tableau.c[i] * h, stage, static_cast<int>(i) + 1);
     dynamics.rates(k.col(i));
   }
 }

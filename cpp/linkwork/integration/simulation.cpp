@@ -18,17 +18,19 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   if (!(schedule.t_end >= 0.0) || !std::isfinite(schedule.t_end))
     throw OptionError("t_end", "t_end must be finite and not negative");
   if (schedule.record_every < 1) throw OptionError("record_every", "record_every must be at least 1");
-  const double steps = std::ceil(schedule.t_end / schedule.step - same_time);
+  begin_at(schedule.t_start, schedule.t_end, schedule.start);
+  const double steps = std::ceil((schedule.t_end - schedule.t_start) / schedule.step - same_time);
   if (steps > 1e15) throw OptionError("step", "t_end / step is more than 1e15 steps; use a larger step");
   steps_total_ = static_cast<std::int64_t>(steps);
   y_dot_.resize(y_.size());
+  kept_y_ = y_;
   if (!integrator_) return;
   integrator_->check_run(dynamics);
   integrator_->start(static_cast<int>(y_.size()));
 }
 
 double Simulation::time_of(std::int64_t step) const {
-  return step >= steps_total_ ? schedule_.t_end : static_cast<double>(step) * schedule_.step;
+  return step >= steps_total_ ? schedule_.t_end : schedule_.t_start + static_cast<double>(step) * schedule_.step;
 }
 
 bool Simulation::recording_due() const {
@@ -38,20 +40,37 @@ bool Simulation::recording_due() const {
 void Simulation::work() {
   const double h = begin_step();
   if (h == 0.0) return;
-  dated(t(), h, [&] { integrator_->step(dynamics_, t(), h, y_); });
-  finish_step();
+  try {
+    dated(t(), h, [&] { integrator_->step(dynamics_, t(), h, y_); });
+    finish_step();
+  } catch (const NotFiniteError&) {
+    trace_step(h);
+    throw;
+  }
+}
+
+/// The same step once more, looking for the first value that is not finite; what comes of it may be found much later.
+void Simulation::trace_step(double h) {
+  dynamics_.trace();
+  y_ = kept_y_;
+  dated(t(), h, [&] {
+    dynamics_.evaluate(t(), y_);
+    integrator_->step(dynamics_, t(), h, y_);
+  });
 }
 
 double Simulation::begin_step() {
   if (finished_) return 0.0;
   dated(t(), NAN, [&] { evaluate_and_record(); });
   finished_ = steps_done_ == steps_total_;
+  kept_y_ = y_;
   return finished_ ? 0.0 : next_step();
 }
 
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(t(), y_);
+  keep_to_budget(t());
   evaluated_ = true;
   if (!integrator_) add_work();
   if (recording_due()) recorder_.record(t(), y_);

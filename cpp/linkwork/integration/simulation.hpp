@@ -13,6 +13,8 @@ struct Schedule {
   double t_end = 0.0;
   double step = 0.0;
   std::int64_t record_every = 1;  ///< steps between frames; the first and the last state are always recorded
+  double t_start = 0.0;
+  VectorXd start = {};  ///< y = (q, v) at t_start; empty: that of the model
 };
 
 /// A run with a fixed step: t_n = n h exactly, a shortened last step where t_end is no multiple of h.
@@ -21,6 +23,7 @@ class Simulation final : public Run {
   Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule);
 
   double t() const override { return time_of(steps_done_); }
+  const VectorXd& last_state() const override { return kept_y_; }
   std::int64_t steps_total() const override { return steps_total_; }
 
   // For an integrator of the user's own: begin_step, then accept with the new (q, v).
@@ -36,6 +39,7 @@ class Simulation final : public Run {
   void evaluate_and_record();
   void finish_step();
   void add_work();
+  void trace_step(double h);
 
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
   Schedule schedule_;
@@ -43,6 +47,7 @@ class Simulation final : public Run {
   bool evaluated_ = false;
   double last_power_ = 0.0, last_t_ = 0.0;
   VectorXd y_dot_;
+  VectorXd kept_y_;  ///< at the start of the step
 };
 
 }  // namespace linkwork

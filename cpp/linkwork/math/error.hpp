@@ -12,6 +12,8 @@ namespace linkwork {
 struct ErrorDetails {
   std::vector<std::string> bodies;
   std::vector<std::string> joints;
+  std::vector<std::string> forces;
+  int stage = 0;  ///< of the step in which it failed, from 1 on; 0: none
   double time = std::numeric_limits<double>::quiet_NaN();
   double step = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::pair<std::string, double>> residuals;
@@ -44,6 +46,7 @@ LINKWORK_ERROR(OptionError);          ///< a choice that does not exist or canno
 LINKWORK_ERROR(SingularSystemError);  ///< dependent constraint rows, or no unique acceleration
 LINKWORK_ERROR(NotConvergedError);    ///< an iteration ended at its cap
 LINKWORK_ERROR(NotFiniteError);       ///< a NaN or infinity appeared
+LINKWORK_ERROR(ViolationError);       ///< constraints violated beyond the limit of the run
 LINKWORK_ERROR(StepSizeError);        ///< no step is small enough for the tolerances
 
 #undef LINKWORK_ERROR

@@ -7,8 +7,24 @@ from typing import Any
 
 import click
 
+
+class _Limits(click.ParamType):
+    """A number, or numbers by name."""
+
+    name = "limits"
+
+    def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
+        try:
+            if "=" not in str(value):
+                return float(value)
+            pairs = (word.partition("=") for word in value.split(","))
+            return {level.strip(): float(limit) for level, _, limit in pairs}
+        except ValueError:
+            self.fail(f"'{value}' is neither a number nor LEVEL=NUMBER,...", param, context)
+
+
 #: name of the argument of `simulate`, type, help
-_OPTIONS: tuple[tuple[str, type, str], ...] = (
+_OPTIONS: tuple[tuple[str, type | click.ParamType, str], ...] = (
     ("t_end", float, "End of the simulated time [s]."),
     ("step", float, "Step of the integrator [s]; with --rtol or --atol the largest."),
     ("rtol", float, "Relative tolerance: steps that follow it (bs32, dopri5, tsit5, dop853)."),
@@ -30,6 +46,12 @@ _OPTIONS: tuple[tuple[str, type, str], ...] = (
     ("tolerance", float, "At which the augmented Lagrangian iteration stops."),
     ("max_iterations", int, "Cap of the augmented Lagrangian iteration."),
     ("on_singular", str, "At a singular pose: pass, warn or stop."),
+    (
+        "violation_limit",
+        _Limits(),
+        "Of positions, or by level: position=1e-8,velocity=1e-6,acceleration=1e-9.",
+    ),
+    ("on_violation", str, "Beyond --violation-limit: record, project or stop."),
     ("record_every", int, "Steps between recorded frames; without it about 1000 frames."),
 )
 
