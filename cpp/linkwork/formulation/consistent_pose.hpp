@@ -7,7 +7,8 @@
 
 namespace linkwork {
 
-/// A pose on the constraints of the loops at some time; components that could not be brought there keep the pose they had.
+/// A pose on the constraints of the loops at some time; components that could not be brought there keep the pose they
+/// had.
 struct ConsistentPose {
   VectorXd q;
   std::vector<char> reached;  ///< per component of the core

@@ -12,7 +12,7 @@ namespace {
 // Relative to 1 + |r| and 1 rad, or to 1 + |v|: where a change is roundoff; where one that no longer shrinks counts as
 // roundoff, and one that does so as no convergence.
 constexpr double exact = 1e-14, roundoff = 1e-9, shrinking = 0.5;
-constexpr double noise = 1e-14;  // of the violation; near a singular pose nothing is to be made of it
+constexpr double noise = 1e-14;      // of the violation; near a singular pose nothing is to be made of it
 constexpr double impossible = 1e-4;  // violation that is left in a singular pose, where nothing moves against it
 constexpr int most_iterations = 30;
 

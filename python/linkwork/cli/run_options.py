@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 
-class _Limits(click.ParamType):
+class _Limits(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
     """A number, or numbers by name."""
 
     name = "limits"
@@ -24,7 +24,7 @@ class _Limits(click.ParamType):
 
 
 #: name of the argument of `simulate`, type, help
-_OPTIONS: tuple[tuple[str, type | click.ParamType, str], ...] = (
+_OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
     ("t_end", float, "End of the simulated time [s]."),
     ("step", float, "Step of the integrator [s]; with --rtol or --atol the largest."),
     ("rtol", float, "Relative tolerance: steps that follow it (bs32, dopri5, tsit5, dop853)."),
