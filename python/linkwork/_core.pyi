@@ -55,6 +55,8 @@ class AdaptiveSimulation(Run):
         record_every: typing.SupportsInt | typing.SupportsIndex,
         times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
         events: collections.abc.Sequence[Event] = [],
+        t_start: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+        start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] = ...,
     ) -> None: ...
     def statistics(self) -> dict: ...
     def take_occurrences(self) -> list:
@@ -434,6 +436,7 @@ class Options:
     formulation: str
     linear_solver: str
     on_singular: str
+    on_violation: str
     stabilization: str
     system: str
     @staticmethod
@@ -463,6 +466,15 @@ class Options:
     def tolerance(self) -> float: ...
     @tolerance.setter
     def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    @property
+    def violation_limit(self) -> typing.Annotated[list[float], "FixedSize(3)"]: ...
+    @violation_limit.setter
+    def violation_limit(
+        self,
+        arg0: typing.Annotated[
+            collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(3)"
+        ],
+    ) -> None: ...
 
 class RankReport:
     """
@@ -514,6 +526,11 @@ class Run:
     @property
     def finished(self) -> bool: ...
     @property
+    def last_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        y = (q, v) at t, from which the run went on.
+        """
+    @property
     def steps_done(self) -> int: ...
     @property
     def steps_total(self) -> int:
@@ -544,6 +561,8 @@ class Simulation(Run):
         t_end: typing.SupportsFloat | typing.SupportsIndex,
         step: typing.SupportsFloat | typing.SupportsIndex,
         record_every: typing.SupportsInt | typing.SupportsIndex = 1,
+        t_start: typing.SupportsFloat | typing.SupportsIndex = 0.0,
+        start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] = ...,
     ) -> None: ...
     def accept(self, y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> None: ...
     def begin_step(
