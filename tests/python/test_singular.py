@@ -367,3 +367,10 @@ def test_a_massless_body_is_refused_by_the_standard_formulation(system: str, sol
     with pytest.raises(lw.OptionError, match="'feather'.*augmented_lagrangian") as caught:
         lw.simulate(model, 0.1, 1e-3, system=system, linear_solver=solver, progress=False)
     assert caught.value.bodies == ["feather"]
+
+
+def test_a_policy_that_nothing_could_watch_for_is_refused() -> None:
+    with pytest.raises(
+        lw.OptionError, match=r"on_singular 'stop'.*'penalty'.*'cholmod'.*use linear solver 'block'"
+    ):
+        lw.System(mechanisms.four_bar(), formulation="penalty", linear_solver="cholmod", on_singular="stop")

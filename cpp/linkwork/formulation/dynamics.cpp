@@ -79,6 +79,11 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   formulation_->analyze(system_, at_, rows);
   rank_needed_ = info.needs_full_rank;
   watched_ = rank_needed_ || linear_solver_info(options_.linear_solver).make_saddle;
+  if (!watched_ && options_.on_singular != "pass")
+    throw OptionError("unwatched", "on_singular '" + options_.on_singular + "': formulation '" + info.name +
+                                       "' with linear solver '" + options_.linear_solver +
+                                       "' has no pivots that tell a singular pose; use linear solver 'block', or "
+                                       "on_singular 'pass'");
   if (!rank_.singular_rows.empty()) watch_.start(1.0);
 }
 
