@@ -115,3 +115,22 @@ TEST_CASE("entries at the same place add up") {
   CHECK(dependent_columns(1, 1, {{0, 0, 1.0}, {0, 0, -1.0}}, tolerance) == std::vector<int>{0});
   CHECK(dependent_columns(1, 1, {{0, 0, 1.0}, {0, 0, 1.0}}, tolerance).empty());
 }
+
+TEST_CASE("rows with entries in most columns are taken last and change nothing") {
+  Random random(106);
+  const int blocks = 90, dense = 4;  // 3 columns each on 4 rows of its own, and all on the dense rows
+  for (int repetition = 0; repetition < 6; ++repetition) {
+    MatrixXd A = MatrixXd::Zero(4 * blocks + dense, 3 * blocks);
+    for (int k = 0; k < blocks; ++k) A.block(4 * k, 3 * k, 4, 3) = random.matrix(4, 3);
+    A.bottomRows(dense) = random.matrix(dense, 3 * blocks);
+    check_dependent(A);
+    for (int k = 0; k < repetition + 3; ++k) {  // dependent but for the dense rows, or altogether
+      const int column = 3 * random.integer(0, blocks - 1);
+      A.col(column) = A.col(column + 1) + A.col(column + 2);
+      if (k > 0) A.col(column).tail(dense) = random.vector(dense);
+    }
+    check_dependent(A);
+    A.bottomRows(2) = A.middleRows(4 * blocks, 2);
+    check_dependent(A);
+  }
+}
