@@ -33,7 +33,7 @@ Matrix assemble(int rows, int columns, const std::vector<Entry>& entries) {
 
 double largest_column(const Matrix& A) {
   double largest = 0.0;
-  for (Eigen::Index c = 0; c < A.cols(); ++c) largest = std::max(largest, A.col(c).norm());
+  for (Eigen::Index c = 0; c < A.cols() && A.rows() > 0; ++c) largest = std::max(largest, A.col(c).norm());
   return largest;
 }
 
