@@ -143,6 +143,18 @@ py::array_t<double> inertias(const Model& model) {
   return out;
 }
 
+/// (k, 7): position and Euler parameters, of the ground (-1) too.
+py::array_t<double> poses(const Model& model, const Integers& bodies) {
+  py::array_t<double> out({bodies.size(), py::ssize_t{position_size}});
+  for (py::ssize_t k = 0; k < bodies.size(); ++k) {
+    const int index = bodies.data()[k];
+    const Body body = index == ground ? Body{} : model.bodies().at(static_cast<std::size_t>(index));
+    Eigen::Map<Vec3<double>>(out.mutable_data(k)) = body.position;
+    Eigen::Map<Vec4<double>>(out.mutable_data(k) + 3) = body.orientation;
+  }
+  return out;
+}
+
 void bind_time_functions(py::module_& module) {
   py::class_<TimeFunction, std::shared_ptr<TimeFunction>>(module, "TimeFunction",
                                                           "A quantity as a function of time [s], with two derivatives.")
@@ -250,6 +262,7 @@ void bind_model(py::module_& module) {
                              })
       .def_property_readonly("mass", &masses)
       .def_property_readonly("inertia", &inertias)
+      .def("poses", &poses, py::arg("bodies"), "(k, 7) at t = 0, of bodies by index; -1 is the ground.")
       .def_property_readonly("q0", &Model::initial_q)
       .def_property_readonly("v0", &Model::initial_v)
       .def("with_initial_state", &Model::with_initial_state, py::arg("q"), py::arg("v"),

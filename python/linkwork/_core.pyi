@@ -384,6 +384,12 @@ class Model:
         """
     def joint_kind(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def joint_name(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def poses(
+        self, bodies: typing.Annotated[numpy.typing.ArrayLike, numpy.int32]
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        (k, 7) at t = 0, of bodies by index; -1 is the ground.
+        """
     def with_initial_state(
         self,
         q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],

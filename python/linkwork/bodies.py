@@ -28,27 +28,19 @@ class Bodies:
     def __init__(self, model: Model, core: _core.Model) -> None:
         self._model, self._core = model, core
         self.ground = Body("ground", -1, model)
-        self._poses = _PoseList()
 
     def add(self, names: str | list[str], mass: Floats, inertia: Floats, **state: Floats) -> Range[Body]:
         """Hand k bodies to the compiled model, which checks them; every array has a leading k."""
         first = self._core.add_bodies(names, mass, inertia, **state)
-        self._poses.append(state["position"], state["orientation"])
         return Range(range(first, first + len(mass)), self.handle)
-
-    def placed(self, model: Model, core: _core.Model, position: Floats, orientation: Floats) -> Bodies:
-        """The same bodies in a copy of the model, elsewhere."""
-        out = Bodies(model, core)
-        out._poses.append(position, orientation)
-        return out
 
     def handle(self, index: int) -> Body:
         return self.ground if index < 0 else Body(self._core.body_name(index), index, self._model)
 
     def poses(self, bodies: Indices) -> Poses:
         """At t = 0."""
-        r, p = self._poses[bodies]
-        return Poses(r, rotation.matrix(p))
+        q = self._core.poses(bodies)
+        return Poses(q[:, :3], rotation.matrix(q[:, 3:]))
 
     def index(self, body: Any, subject: Subject) -> int:
         """Of a body given by handle or name. ModelError: of another model, unknown, or no body at all."""
@@ -89,26 +81,3 @@ class Bodies:
         many = [bodies] if isinstance(bodies, Body | str) else bodies
         return np.array([self.index(body, subject) for body in many], np.int32)
 
-
-class _PoseList:
-    """Poses (r, p), the ground first; grows by doubling so that adding one stays cheap."""
-
-    def __init__(self) -> None:
-        self._rows = np.zeros((16, 7))
-        self._rows[0, 3] = 1.0
-        self._used = 1
-
-    def append(self, position: Floats, orientation: Floats) -> None:
-        end = self._used + len(position)
-        if end > len(self._rows):
-            grown = np.zeros((max(end, 2 * len(self._rows)), 7))
-            grown[: self._used] = self._rows[: self._used]
-            self._rows = grown
-        self._rows[self._used : end, :3] = position
-        self._rows[self._used : end, 3:] = orientation / np.linalg.norm(orientation, axis=1, keepdims=True)
-        self._used = end
-
-    def __getitem__(self, bodies: Indices) -> tuple[Floats, Floats]:
-        """(position (k, 3), Euler parameters (k, 4)) of bodies by index."""
-        rows = self._rows[bodies + 1]
-        return rows[:, :3], rows[:, 3:]

@@ -297,8 +297,7 @@ class Model(JointMethods):
         q, v = _numbers(q, [(n, 7), (7 * n,)], "model", "q"), _numbers(v, [(n, 6), (6 * n,)], "model", "v")
         out = Model(self._core.gravity, self.name)
         out._core = self._core.with_initial_state(q.ravel(), v.ravel())
-        poses = out._core.q0.reshape(n, 7)
-        out._bodies = self._bodies.placed(out, out._core, poses[:, :3], poses[:, 3:])
+        out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
         return out
 

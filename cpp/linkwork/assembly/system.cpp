@@ -71,6 +71,11 @@ void System::compile_masses() {
 
 void System::compile_joints() {
   joint_batches_.resize(joint_kinds().size());
+  std::vector<std::size_t> count(joint_kinds().size(), 0);
+  for (const Element& element : model_.joints()) count[static_cast<std::size_t>(element.kind)] += 1;
+  for (std::size_t kind = 0; kind < count.size(); ++kind)
+    joint_batches_[kind].reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions_.width);
+  blocks_.reserve(2 * model_.joints().size());
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
     const KindInfo& info = joint_kinds()[static_cast<std::size_t>(element.kind)].info;

@@ -65,7 +65,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   dropped_ = DroppedRows(system_, rank_.redundant_rows);
   options_.system = choose_form(info, options, !dropped_.empty());
   options_.linear_solver = choose_solver(options_.system, options, system_);
-  for (VectorXd* rows : {&held_u_, &b_, &kept_b_, &lambda_}) rows->setZero(system_.row_count());
+  for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
@@ -237,15 +237,17 @@ void Dynamics::take_over() {
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
   statistics_.solves += 1;
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
+  if (!factorized_ && count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept(b), v_dot, lambda); }))
+    return;
+  const Stopwatch watch(statistics_.solve_time);
+  active().solve(a, kept(b), v_dot, lambda);
+}
+
+ConstVector Dynamics::kept(const ConstVector& b) {
+  if (dropped_.empty()) return b;
   kept_b_ = b;
   dropped_.take_from(kept_b_);
-  if (!factorized_) {
-    if (count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept_b_, v_dot, lambda); })) return;
-    kept_b_ = b;
-    dropped_.take_from(kept_b_);
-  }
-  const Stopwatch watch(statistics_.solve_time);
-  active().solve(a, kept_b_, v_dot, lambda);
+  return kept_b_;
 }
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {

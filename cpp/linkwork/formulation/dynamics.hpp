@@ -103,6 +103,7 @@ class Dynamics {
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
   void take_over();
+  ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
   void check_masses(const FormulationInfo& info) const;
   void check_kkt() const;

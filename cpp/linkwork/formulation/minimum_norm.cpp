@@ -12,8 +12,10 @@ constexpr int spare_iterations = 10;
 // is the multiplier of the kept rows k under the load a = D_d^T omega, b = 0. Under a = 0, b = u_k the motion is
 // x = M^-1 D_k^T S_k^-1 u_k, so N^T u = u_d - D_d x. In scaled variables, lambda = w^-1/2 mu and omega = w_d^-1/2 nu,
 // the normal equations of min |mu + N nu| are 1 + C^T C: conjugate gradients need few iterations.
-MinimumNorm::MinimumNorm(const System& system, const VectorXd& mobility, const DroppedRows& dropped)
-    : root_(mobility.cwiseSqrt()), scale_(dropped.count()) {
+MinimumNorm::MinimumNorm(const System& system, const VectorXd& mobility, const DroppedRows& dropped) {
+  if (dropped.empty()) return;
+  root_ = mobility.cwiseSqrt();
+  scale_.resize(dropped.count());
   dropped.gather(root_, scale_);
   scale_ = scale_.cwiseInverse();
   for (VectorXd* velocities : {&a_, &x_}) velocities->setZero(system.v_size());

@@ -215,7 +215,7 @@ Eigen::Index dense_row(Eigen::Index columns) {
 std::vector<int> dependent_columns(int rows, int columns, std::vector<Entry> entries, double tolerance) {
   if (columns == 0) return {};
   Matrix A = assemble(rows, columns, entries);
-  entries = {};
+  entries = std::vector<Entry>();
   const double largest = largest_column(A);
   std::vector<int> dead(static_cast<std::size_t>(columns));
   std::iota(dead.begin(), dead.end(), 0);

@@ -7,12 +7,25 @@ namespace {
 
 constexpr std::size_t attachment_size = 24;
 
+std::size_t padded_size(std::size_t count, int width) {
+  const auto step = static_cast<std::size_t>(width);
+  return (count + step - 1) / step * step;
+}
+
 }  // namespace
+
+void JointBatch::reserve(std::size_t count, std::size_t parameters_each, int width) {
+  const std::size_t padded = padded_size(count, width);
+  for (std::vector<int>* list : {&body_i, &body_j, &row}) list->reserve(padded);
+  D.reserve(count);
+  attachment.reserve(count);
+  parameters.reserve(parameters_each * padded);
+}
 
 void JointBatch::pack(int width) {
   if (row.empty()) return;
   const auto step = static_cast<std::size_t>(width);
-  const std::size_t padded = (row.size() + step - 1) / step * step, per_joint = parameters.size() / row.size();
+  const std::size_t padded = padded_size(row.size(), width), per_joint = parameters.size() / row.size();
   packed.resize(attachment_size * padded);
   for (std::size_t k = 0; k < padded; ++k) {
     const Attachment<double>& at = attachment[std::min(k, row.size() - 1)];
@@ -22,7 +35,7 @@ void JointBatch::pack(int width) {
     for (const auto* frame : {&at.C_i, &at.C_j})
       for (int c = 0; c < 9; ++c, to += step) *to = frame->data()[c];
   }
-  attachment = {};
+  attachment = std::vector<Attachment<double>>();  // gives the memory back, which {} would not
   body_i.resize(padded, body_i.back());
   body_j.resize(padded, body_j.back());
   while (parameters.size() < per_joint * padded) parameters.push_back(parameters[parameters.size() - per_joint]);

@@ -51,6 +51,8 @@ struct JointBatch {
   std::vector<Parameter> parameters;
   bool time_dependent = false;
 
+  /// For `count` joints, evaluated `width` at a time.
+  void reserve(std::size_t count, std::size_t parameters_each, int width);
   /// Lays the attachments out for evaluation, `width` joints at a time.
   void pack(int width);
   JointArrays arrays() const;

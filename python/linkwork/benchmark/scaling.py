@@ -16,6 +16,7 @@ from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import Timing
 from linkwork.errors import OptionError
+from linkwork.mechanisms import four_bar
 from linkwork.options import Options
 from linkwork.progress import ShowOption, counting
 from linkwork.system import System
@@ -99,6 +100,8 @@ def growth(
 
 def measure_size(subject: Subject, options: Options, rounds: int) -> Size:
     """In this process, which must not have measured before."""
+    small = System(four_bar(), **options)  # so that code and tables are loaded before memory is counted
+    small.derivative(0.0, small.initial_state())
     before, started = memory.resident(), time.perf_counter()
     model = subject.build()
     model.compiled()
