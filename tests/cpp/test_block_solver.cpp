@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/LU>
+#include <set>
 
 #include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/linear/block/schedule.hpp"
@@ -133,6 +134,37 @@ TEST_CASE("nets, whose fronts are wider than a vector, are solved exactly") {
       check_solves(solver, system, random, true);
     }
   });
+}
+
+TEST_CASE("fronts of every width and height are eliminated on every instruction set") {
+  std::set<int> widths, heights, lanes_filled;
+  for_every_instruction_set([&](SaddleSolver& solver) {
+    Random random(14);
+    for (int rows = 3; rows <= 40; ++rows) {
+      INFO(rows, " rows");
+      Model model;
+      const int bodies = std::max(3, rows / 5);
+      for (int body = 0; body < bodies; ++body) model.add_body("body" + std::to_string(body), random_body(random));
+      while (model.row_count() < rows) {
+        const int k = static_cast<int>(model.joints().size()), i = k % bodies;
+        const int j = k < bodies ? (i + 1) % bodies : random.integer(ground, bodies - 1);
+        const char* kind = rows - model.row_count() >= 3 && random.number() > 0.6 ? "spherical" : "distance";
+        if (i != j) add_joint(model, random, kind, "joint" + std::to_string(k) + kind, i, j);
+        else add_joint(model, random, kind, "joint" + std::to_string(k) + kind, ground, j);
+      }
+      const System system(model);
+      check_solves(solver, system, random, true);
+      const block::Schedule schedule(system);
+      for (const block::Front& front : schedule.fronts) {
+        if (front.body < 0) widths.insert(front.width);
+        heights.insert(front.size);
+        lanes_filled.insert((front.size - front.width) % block::lanes);
+      }
+    }
+  });
+  for (int width = 1; width <= 2 * block::lanes; ++width) CHECK_MESSAGE(widths.count(width) == 1, width, " wide");
+  for (int height = 3; height < 3 * block::lanes; ++height) CHECK_MESSAGE(heights.count(height) == 1, height, " high");
+  CHECK(lanes_filled.size() == block::lanes);
 }
 
 TEST_CASE("accelerations agree with dense elimination where masses are spread over six decades") {
