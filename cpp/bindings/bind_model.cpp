@@ -184,6 +184,10 @@ void bind_kinds(py::module_& module) {
       .def_readonly("placement", &KindInfo::placement)
       .def_readonly("parameters", &KindInfo::parameters)
       .def_readonly("differentiated", &KindInfo::differentiated)
+      .def_readonly("constants", &KindInfo::constants)
+      .def_readonly("whole_numbers", &KindInfo::whole_numbers)
+      .def_readonly("velocity_rows", &KindInfo::velocity_rows)
+      .def_readonly("coordinates", &KindInfo::coordinates)
       .def_readonly("equations", &KindInfo::equations)
       .def_readonly("documentation", &KindInfo::documentation);
   module.def("joint_kinds", [] {

@@ -80,4 +80,3 @@ class Bodies:
             return bodies.indices
         many = [bodies] if isinstance(bodies, Body | str) else bodies
         return np.array([self.index(body, subject) for body in many], np.int32)
-

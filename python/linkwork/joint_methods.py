@@ -30,6 +30,28 @@ _PLACES: dict[str, dict[str, str]] = {
         "at": "the joint's point (3,) [m]",
         "orientation?": "the joint frame's Euler parameters (4,), scalar first; without it the inertial axes",
     },
+    "direction": {
+        "axis": "the joint's axis (3,), of any length",
+        "x_axis?": "the joint frame's x axis (3,); without it a perpendicular to the axis",
+    },
+    "two_directions": {
+        "axes": "the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)",
+    },
+    "orientation": {
+        "orientation?": "the joint frame's Euler parameters (4,), scalar first; without it the inertial axes",
+    },
+    "shafts": {
+        "at": "the joint's point (3,) [m]",
+        "axes": "the axes of the shafts a and b, both the same way through the joint: a pair of (3,)",
+    },
+    "centers": {
+        "at": "a point on the axis of a and a point on that of b: a pair of (3,) [m]",
+        "axis": "the direction (3,) of both axes, of any length",
+    },
+    "disc": {
+        "at": "a point of the plane and the center of the disc: a pair of (3,) [m]",
+        "axes": "the normal of the plane, toward the disc, and the axis of the disc: a pair of (3,)",
+    },
 }
 
 #: What all methods share.
@@ -53,6 +75,8 @@ def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
     for name in kind.parameters:
         if name == "length":
             yield name, False, "a number or a function of time [m]; without it the initial distance"
+        elif name in kind.constants:
+            yield name, True, "a whole number" if name in kind.whole_numbers else "a number"
         else:
             yield name, True, "a number or a function of time"
 
@@ -70,6 +94,8 @@ def _documentation(kind: _core.KindInfo) -> str:
     meanings = {name: meaning for name, _, meaning in _arguments(kind)} | _COMMON
     arguments = "\n".join(f"{name:<{max(map(len, meanings))}}  {text}" for name, text in meanings.items())
     equations = f"{kind.rows} equation{'s' if kind.rows > 1 else ''}: {', '.join(kind.equations)}."
+    if kind.velocity_rows:
+        equations += f" The last {kind.velocity_rows} of velocities only (non-holonomic)."
     return f"{kind.documentation}\n\n{equations}\n\n{arguments}\n\n{_ERRORS}"
 
 
@@ -122,7 +148,7 @@ def _stub_method(kind: _core.KindInfo) -> str:
         "        *,",
     ]
     for name, required, _ in _arguments(kind):
-        type_ = "TimeFunctionLike" if name in kind.parameters else "ArrayLike"
+        type_ = "TimeFunctionLike" if name in kind.parameters and name not in kind.constants else "ArrayLike"
         optional = "" if required else " | None = None"
         lines.append(f"        {name}: {type_}{optional},")
     lines += ['        frames: Frames = "space",', "        name: str | None = None,", "    ) -> Joint:"]

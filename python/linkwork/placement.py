@@ -173,17 +173,25 @@ def point(place: Place, at: Any) -> Attachment:
 
 def axis(place: Place, at: Any, axis: Any, x_axis: Any = None) -> Attachment:
     """A point and an axis z. Without `x_axis` a perpendicular is chosen, in space the same for both."""
+    return _axis(place, place.common_points(at), axis, x_axis)
+
+
+def _axis(place: Place, points: Pair, axis: Any, x_axis: Any) -> Attachment:
     z_a, z_b = place.common_direction(axis, "axis")
     if x_axis is None:
         x_a = x_b = rotation.perpendicular(z_a)
     else:
         x_a, x_b = place.common_direction(x_axis, "x_axis")
     frames = _frame(place, z_a, x_a, "x_axis"), _frame(place, z_b, x_b, "x_axis")
-    return place.attachment(place.common_points(at), frames)
+    return place.attachment(points, frames)
 
 
 def two_axes(place: Place, at: Any, axes: Any) -> Attachment:
     """A point, and an axis z for each body, perpendicular to each other; x is perpendicular to both."""
+    return _two_axes(place, place.common_points(at), axes)
+
+
+def _two_axes(place: Place, points: Pair, axes: Any) -> Attachment:
     z_a, z_b = place.directions(axes, "axes")
     cosine = np.sum(z_a * z_b, axis=1)
     right = np.abs(cosine) <= (1 - ROUNDING if place.in_bodies else ROUNDING)
@@ -191,9 +199,62 @@ def two_axes(place: Place, at: Any, axes: Any) -> Attachment:
     if not place.in_bodies:
         z_b = z_b - cosine[:, None] * z_a
     x = np.cross(z_a, z_b)
-    return place.attachment(
-        place.common_points(at), (_frame(place, z_a, x, "axes"), _frame(place, z_b, x, "axes"))
+    return place.attachment(points, (_frame(place, z_a, x, "axes"), _frame(place, z_b, x, "axes")))
+
+
+def direction(place: Place, axis: Any, x_axis: Any = None) -> Attachment:
+    """An axis z and no point: as `axis`, in the centers of mass."""
+    return _axis(place, _centers_of_mass(place), axis, x_axis)
+
+
+def two_directions(place: Place, axes: Any) -> Attachment:
+    """An axis for each body, perpendicular to each other, and no point."""
+    return _two_axes(place, _centers_of_mass(place), axes)
+
+
+def orientation(place: Place, orientation: Any = None) -> Attachment:
+    """Full axes and no point."""
+    return _frames(place, _centers_of_mass(place), orientation)
+
+
+def shafts(place: Place, at: Any, axes: Any) -> Attachment:
+    """A point, and an axis z for each body, not opposite; x of b is that of a, turned along."""
+    z_a, z_b = place.directions(axes, "axes")
+    place.subject.check(
+        np.sum(z_a * z_b, axis=1) > -1 + ROUNDING,
+        lambda k: f"axes {text(z_a[k])} and {text(z_b[k])} are opposite",
+        "axes",
     )
+    first = _frame(place, z_a, rotation.perpendicular(z_a), "axes")
+    second = rotation.between(z_a, z_b) @ first
+    return place.attachment(place.common_points(at), (first, second))
+
+
+def centers(place: Place, at: Any, axis: Any) -> Attachment:
+    """A point for each body and a common axis z; x of each body points to the other's point.
+
+    The point of a is shifted along the axis until the line between the points is perpendicular to it.
+    """
+    z_a, z_b = place.common_direction(axis, "axis")
+    s_a, s_b = place.points(at)
+    d = place.separation(s_a, s_b)
+    along = np.sum(d * z_a, axis=1, keepdims=True) * z_a
+    s_a = place.a.body_point(place.a.point(s_a) + along)
+    d = d - along
+    place.subject.check(
+        np.linalg.norm(d, axis=1) > ROUNDING * np.linalg.norm(along, axis=1),
+        lambda k: f"its points are not apart from each other across the axis {text(z_a[k])}",
+        "at",
+    )
+    return place.attachment((s_a, s_b), (_frame(place, z_a, d, "at"), _frame(place, z_b, -d, "at")))
+
+
+def disc(place: Place, at: Any, axes: Any) -> Attachment:
+    """A point and an axis z for each body."""
+    z_a, z_b = place.directions(axes, "axes")
+    x_a, x_b = rotation.perpendicular(z_a), rotation.perpendicular(z_b)
+    frames = _frame(place, z_a, x_a, "axes"), _frame(place, z_b, x_b, "axes")
+    return place.attachment(place.points(at), frames)
 
 
 def two_points(place: Place, at: Any) -> Attachment:
@@ -207,6 +268,10 @@ def two_points(place: Place, at: Any) -> Attachment:
 
 def frame(place: Place, at: Any, orientation: Any = None) -> Attachment:
     """A point and full axes by Euler parameters; without them those of space at the initial pose."""
+    return _frames(place, place.common_points(at), orientation)
+
+
+def _frames(place: Place, points: Pair, orientation: Any) -> Attachment:
     if orientation is None:
         frames = _space_axes(place)
     elif place.in_bodies:
@@ -217,7 +282,7 @@ def frame(place: Place, at: Any, orientation: Any = None) -> Attachment:
         frames = place.a.A @ C_a, place.b.A @ C_b
     else:
         frames = (place.subject.orientations(orientation, "orientation"),) * 2
-    return place.attachment(place.common_points(at), frames)
+    return place.attachment(points, frames)
 
 
 #: The ways of placing, by the name that the compiled kinds use.
@@ -227,6 +292,12 @@ PLACEMENTS: Mapping[str, Callable[..., Attachment]] = {
     "two_axes": two_axes,
     "two_points": two_points,
     "frame": frame,
+    "direction": direction,
+    "two_directions": two_directions,
+    "orientation": orientation,
+    "shafts": shafts,
+    "centers": centers,
+    "disc": disc,
 }
 
 
@@ -239,6 +310,10 @@ def turn(A: Floats, u: Floats) -> Floats:
 def text(values: Floats) -> str:
     """A vector in a message."""
     return "(" + ", ".join(f"{value:.6g}" for value in values) + ")"
+
+
+def _centers_of_mass(place: Place) -> Pair:
+    return (np.zeros((place.subject.count, 3)),) * 2
 
 
 def _space_axes(place: Place) -> Pair:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["about", "from_axes", "from_matrix", "matrix", "perpendicular"]
+__all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
 
 Floats = NDArray[np.float64]
 
@@ -66,6 +66,14 @@ def perpendicular(z: ArrayLike) -> Floats:
     z = _unit(np.asarray(z, dtype=float))
     farthest = np.eye(3)[np.argmin(np.abs(z), axis=-1)]
     return _unit(farthest - np.sum(farthest * z, axis=-1, keepdims=True) * z)
+
+
+def between(a: ArrayLike, b: ArrayLike) -> Floats:
+    """The shortest rotation (..., 3, 3) that turns unit vectors a (..., 3) into b, not opposite to a."""
+    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    tilde = _skew(np.cross(a, b))
+    turn: Floats = np.eye(3) + tilde + tilde @ tilde / (1 + np.sum(a * b, axis=-1))[..., None, None]
+    return turn
 
 
 def _unit(a: Floats) -> Floats:

@@ -84,16 +84,37 @@ inline Attachment<double> place(const Model& model, int i, int j, const Vec3<dou
           A_j.transpose() * F_j};
 }
 
-/// Adds a joint of any kind that the initial pose satisfies. Parameters, where it has any, are the distance of its
-/// points.
+/// What parameters of a joint are in the tests, by name, where they are not a length or a motion.
+inline double constant_parameter(const std::string& name) {
+  return name == "teeth_a" ? 20.0 : name == "teeth_b" ? -37.0 : 0.3;  // else a pitch or a radius
+}
+
+/// Adds a joint of any kind that the initial pose satisfies.
 inline int add_joint(Model& model, Random& random, const std::string& kind, const std::string& name, int i, int j) {
   const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info;
-  const Vec3<double> P_i = random.vec3(), apart = random.vec3();
-  const Vec3<double> P_j = info.placement == "two_points" ? Vec3<double>(P_i + apart) : P_i;
-  const Mat3<double> F_i = random.frame();
+  const auto named = [&](const std::string& name) { return info.placement == name; };
+  Mat3<double> F_i = random.frame();
+  Vec3<double> P_i = random.vec3(), apart = Vec3<double>::Zero();
+  if (named("two_points")) apart = random.vec3();
+  if (named("centers")) apart = random.number(0.3, 1.0) * F_i.col(0);
+  const Vec3<double> P_j = P_i + apart;
   Mat3<double> F_j = F_i;
-  if (info.placement == "two_axes") F_j << F_i.col(0), -F_i.col(2), F_i.col(1);  // z_j perpendicular to z_i
-  const std::vector<Parameter> parameters(info.parameters.size(), Parameter{apart.norm(), -1});
+  if (named("two_axes") || named("two_directions")) F_j << F_i.col(0), -F_i.col(2), F_i.col(1);  // z_j normal to z_i
+  if (named("centers")) F_j << -F_i.col(0), -F_i.col(1), F_i.col(2);  // each x toward the other center
+  const auto turned = [&](double a) {
+    return Mat3<double>(rotation_matrix<double>(exponential(a * F_i.col(0))) * F_i);
+  };
+  if (named("shafts")) F_j = turned(0.7);
+  if (named("disc")) {
+    F_j = turned(0.9);
+    const Vec3<double> down = F_i.col(2).dot(F_j.col(2)) * F_j.col(2) - F_i.col(2);
+    P_i += constant_parameter("radius") * down.normalized();
+  }
+  std::vector<Parameter> parameters;
+  for (const std::string& name : info.parameters) {
+    const bool motion = name == "angle" || name == "displacement";
+    parameters.push_back({name == "length" ? apart.norm() : motion ? 0.0 : constant_parameter(name), -1});
+  }
   return model.add_joint(kind, name, i, j, place(model, i, j, P_i, P_j, F_i, F_j), parameters);
 }
 

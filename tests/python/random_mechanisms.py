@@ -26,6 +26,9 @@ JOINTS = {kind.name: kind for kind in _core.joint_kinds()}
 FORCES = {kind.name: kind for kind in _core.force_kinds()}
 
 #: Joints whose points may differ along the axis, and whose x axes may differ about it, at no violation.
+#: Parameters of joints that cannot vary.
+CONSTANTS = {"pitch": 0.3, "radius": 0.3, "teeth_a": 20.0, "teeth_b": -37.0}
+
 SLIDING, TURNING = ("cylindrical", "translational"), ("cylindrical", "revolute")
 
 #: Smallest singular value of D, rows of unit length in the metric M^-1, that counts as full row rank.
@@ -142,12 +145,16 @@ def _arguments(kinds: dict[str, Any], element: Element) -> dict[str, Any]:
     """Arguments of the public interface (`frames="body"`), by the placement of the kind."""
     (s_a, s_b), (C_a, C_b) = element.s, element.C
     kind = kinds[element.kind]
-    place: dict[str, Any] = {"at": (s_a, s_b)}
-    if kind.placement == "axis":
+    place: dict[str, Any] = {}
+    if kind.placement not in ("direction", "two_directions", "orientation"):
+        place["at"] = s_a, s_b
+    if kind.placement in ("axis", "direction"):
         place |= {"axis": (C_a[:, 2], C_b[:, 2]), "x_axis": (C_a[:, 0], C_b[:, 0])}
-    elif kind.placement == "two_axes":
-        place |= {"axes": (C_a[:, 2], C_b[:, 2])}
-    elif kind.placement == "frame":
+    elif kind.placement == "centers":
+        place["axis"] = C_a[:, 2], C_b[:, 2]
+    elif kind.placement in ("two_axes", "two_directions", "shafts", "disc"):
+        place["axes"] = C_a[:, 2], C_b[:, 2]
+    elif kind.placement in ("frame", "orientation"):
         place |= {"orientation": (lw.rotation.from_matrix(C_a), lw.rotation.from_matrix(C_b))}
     return place | dict(zip(kind.parameters, element.parameters, strict=True))
 
@@ -287,16 +294,32 @@ class Maker:
             P_b = P_a + self.rng.uniform(-0.5, 0.5) * C_a[:, 2]
         if kind.name in TURNING:
             C_b = C_a @ about_z(self.rng.uniform(-3, 3))
-        if kind.placement == "two_axes":  # z_b along y of the common frame, x along x
+        if kind.placement in ("two_axes", "two_directions"):  # z_b along y of the common frame, x along x
             C_a, C_b = C_a, C_a @ np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], float).T
         if kind.placement == "two_points":
             P_b = P_a + self.vector() + np.array([0.5, 0, 0])
+        if kind.placement == "centers":
+            P_b = P_a + self.rng.uniform(0.3, 1.0) * C_a[:, 0]
+        if kind.placement in ("shafts", "disc"):
+            C_b = lw.rotation.matrix(lw.rotation.about(C_a[:, 0], self.rng.uniform(0.5, 1.2))) @ C_a
+        if kind.placement == "disc":
+            down = (C_a[:, 2] @ C_b[:, 2]) * C_b[:, 2] - C_a[:, 2]
+            P_a = P_b + CONSTANTS["radius"] * down / np.linalg.norm(down)
         if kind.name in FORCES and kind.placement in ("axis", "frame"):
             C_b = lw.rotation.matrix(self.orientation())
-        if kind.parameters == ["length"]:
-            parameters = (self.length(float(np.linalg.norm(P_b - P_a))),)
+        if kind.name in JOINTS:
+            distance = float(np.linalg.norm(P_b - P_a))
+            parameters = tuple(self.parameter(what, distance) for what in kind.parameters)
         s = A_a.T @ (P_a - r_a), A_b.T @ (P_b - r_b)
         return Element(kind.name, a, b, s, (A_a.T @ C_a, A_b.T @ C_b), parameters, name)
+
+    def parameter(self, what: str, distance: float) -> Any:
+        """Of a joint: a length, a motion from zero, or a constant."""
+        if what == "length":
+            return self.length(distance)
+        if what in ("angle", "displacement"):
+            return lw.functions.polynomial(0.0, self.rng.uniform(-1, 1), self.rng.uniform(-1, 1))
+        return CONSTANTS[what]
 
     def length(self, distance: float) -> Any:
         """Constant, or a harmonic or parabola through the initial distance."""
@@ -338,6 +361,7 @@ def mechanisms(
     most: int = 30,
     floating: bool | None = None,
     forces: Sequence[str] = tuple(FORCES),
+    kinds: Sequence[str] = tuple(JOINTS),
     **choices: Any,
 ) -> Mechanism:
     """2 to `most` bodies in a tree of joints of every kind, with loops where they keep full row rank.
@@ -345,9 +369,9 @@ def mechanisms(
     The initial state is consistent.
 
     floating  without any joint to the ground; None: either
-    forces    kinds of force elements         choices  see `make`
+    forces    kinds of force elements         kinds    of joints         choices  see `make`
     """
-    joint_kinds = st.sampled_from(sorted(JOINTS))
+    joint_kinds = st.sampled_from(sorted(kinds))
     count = draw(st.integers(2, most))
     mechanism = make(
         seed=draw(st.integers(0, 2**32 - 1)),

@@ -256,13 +256,28 @@ IN_SPACE = {
     "two_axes": {"at": (1, 2, 3), "axes": ((0, 3, 4), (1, 0, 0))},
     "two_points": {"at": ((1, 2, 3), (4, 2, 0))},
     "frame": {"at": (1, 2, 3), "orientation": lw.rotation.about((1, 1, 0), 0.4)},
+    "direction": {"axis": (0, 3, 4)},
+    "two_directions": {"axes": ((0, 3, 4), (1, 0, 0))},
+    "orientation": {"orientation": lw.rotation.about((1, 1, 0), 0.4)},
+    "shafts": {"at": (1, 2, 3), "axes": ((0, 3, 4), (1, 0, 1))},
+    "centers": {"at": ((1, 2, 3), (1, -1, 4)), "axis": (0, 3, 4)},
+    "disc": {"at": ((1, 2, 3 - 0.5 * np.sqrt(0.5)), (1, 2, 3)), "axes": ((0, 0, 1), (1, 0, 1))},
 }
+
+#: Parameters of joints that need a value.
+PARAMETERS = {"pitch": -0.2, "radius": 0.5, "teeth_a": 20, "teeth_b": 31, "angle": 0.0, "displacement": 0.0}
+
+
+def arguments(kind: _core.KindInfo) -> dict[str, object]:
+    return IN_SPACE[kind.placement] | {
+        name: PARAMETERS[name] for name in kind.parameters if name in PARAMETERS
+    }
 
 
 @pytest.mark.parametrize("kind", _core.joint_kinds(), ids=lambda kind: kind.name)
 def test_a_joint_placed_in_space_holds_at_the_initial_pose(kind: _core.KindInfo) -> None:
     model = two_bodies()
-    getattr(model, kind.name)("crank", "rod", **IN_SPACE[kind.placement])
+    getattr(model, kind.name)("crank", "rod", **arguments(kind))
     assert joint_residuals(model, dynamics(model))[0].max() < 1e-14
 
 
@@ -277,9 +292,9 @@ def test_a_method_of_a_joint_is_documented_by_its_kind(kind: _core.KindInfo) -> 
 def test_joints_in_bulk_are_those_added_one_by_one(kind: _core.KindInfo) -> None:
     one_by_one, in_bulk = two_bodies(), two_bodies()
     for name in ("a", "b"):
-        getattr(one_by_one, kind.name)("crank", "rod", **IN_SPACE[kind.placement], name=name)
+        getattr(one_by_one, kind.name)("crank", "rod", **arguments(kind), name=name)
     pair = ["crank", "crank"], "rod"
-    in_bulk.joints(kind.name, *pair, **IN_SPACE[kind.placement])
+    in_bulk.joints(kind.name, *pair, **arguments(kind))
     assert one_by_one.hash() == in_bulk.hash()
 
 

@@ -40,10 +40,18 @@ def doubled(kind: str) -> lw.Model:
         "two_axes": {"at": (1, 0, 0), "axes": ((0, 1, 0), (1, 0, 1))},
         "two_points": {"at": ((1, 0, 0), (1.2, 0.3, 0.4))},
         "frame": {"at": (1, 0, 0)},
+        "direction": {"axis": (0, 1, 1)},
+        "two_directions": {"axes": ((0, 1, 0), (1, 0, 1))},
+        "orientation": {},
+        "shafts": {"at": (1, 0, 0), "axes": ((0, 1, 0), (1, 1, 1))},
+        "centers": {"at": ((1, 0, 0), (1.2, 0.3, 0.4)), "axis": (0, 1, 1)},
+        "disc": {"at": ((1, 0, 0), (1.2, 0.5 * np.sqrt(2 / 3), 0.4)), "axes": ((0, 1, 0), (1, 1, 1))},
     }
+    values = {"pitch": 0.1, "radius": 0.5, "teeth_a": 20, "teeth_b": 31, "angle": 0.0, "displacement": 0.0}
+    parameters = {name: values[name] for name in JOINTS[kind].parameters if name in values}
     model.spherical(model.ground, swing, at=(0, 0, 0), name="pivot")
     for name in ("first", "second"):
-        getattr(model, kind)(swing, load, name=name, **places[JOINTS[kind].placement])
+        getattr(model, kind)(swing, load, name=name, **places[JOINTS[kind].placement], **parameters)
     return model
 
 
@@ -259,7 +267,7 @@ def without_second(kind: str) -> lw.Model:
     model = lw.Model()
     bodies = [body(model, core.body_name(k), tuple(core.q0[7 * k : 7 * k + 3])) for k in range(2)]
     model.spherical(model.ground, bodies[0], at=(0, 0, 0), name="pivot")
-    values = arrays["parameters"][:1] if JOINTS[kind].parameters else np.zeros(0)
+    values = arrays["parameters"][: len(JOINTS[kind].parameters)]
     model.compiled().add_joints(
         kind, ["first"], arrays["bodies"][1:2], arrays["origin"][1:2], arrays["frame"][1:2],
         values.reshape(1, -1), np.full((1, len(values)), -1, np.int32),

@@ -29,6 +29,16 @@ struct Pack {
     for (int k = 0; k < width; ++k) out.v[k] = __builtin_sqrt(a.v[k]);
     return out;
   }
+  friend LINKWORK_INLINE Pack rint(const Pack& a) {
+    Pack out;
+    for (int k = 0; k < width; ++k) out.v[k] = __builtin_rint(a.v[k]);
+    return out;
+  }
+  friend LINKWORK_INLINE Pack atan2(const Pack& a, const Pack& b) {
+    Pack out;
+    for (int k = 0; k < width; ++k) out.v[k] = __builtin_atan2(a.v[k], b.v[k]);
+    return out;
+  }
 };
 
 template <int count>

@@ -9,13 +9,21 @@ namespace linkwork {
 ///   point       one point                       axis        a point and an axis
 ///   two_axes    a point and one axis per body   two_points  one point per body
 ///   frame       a point and full axes on both bodies
+///   direction, two_directions, orientation   the same without a point
+///   shafts      a point and an axis per body at any angle
+///   centers     an axis, and a point per body, joined by a line perpendicular to it
+///   disc        a point and an axis per body
 struct KindInfo {
   std::string name = "";
   int rows = 0;  ///< constraint equations (0 for forces)
   std::string placement = "";
   std::vector<std::string> parameters = {};      ///< numbers or functions of time
   std::vector<std::string> differentiated = {};  ///< those of the parameters whose time derivatives enter
+  std::vector<std::string> constants = {};       ///< those of the parameters that cannot vary in time, nor be zero
+  std::vector<std::string> whole_numbers = {};   ///< those of the constants that must be whole
   std::vector<std::string> equations = {};       ///< one name per row
+  int velocity_rows = 0;  ///< of the equations, the last so many are of velocities only (non-holonomic): Phi = 0
+  std::vector<std::string> coordinates = {};  ///< relative positions that are free: see System::joint_coordinates
   std::string documentation = "";
 };
 

@@ -136,8 +136,17 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
       refuse_element("not_finite", parameter + " = " + text(parameters[p].constant) + " is not finite");
     if (signal >= static_cast<int>(signals_.size()))
       refuse_element("unknown_signal", parameter + ": function of time " + std::to_string(signal) + " does not exist");
-    const bool differentiated =
-        std::find(info.differentiated.begin(), info.differentiated.end(), parameter) != info.differentiated.end();
+    const auto among = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), parameter) != names.end();
+    };
+    const bool differentiated = among(info.differentiated);
+    if (among(info.constants)) {
+      if (signal >= 0) refuse_element("not_constant", parameter + " is a function of time, and must be a number");
+      const double value = parameters[p].constant;
+      if (value == 0.0) refuse_element("zero_parameter", parameter + " is zero, and must not be");
+      if (among(info.whole_numbers) && value != std::round(value))
+        refuse_element("not_whole", parameter + " = " + text(value) + " must be a whole number");
+    }
     if (signal >= 0 && differentiated && !signals_[static_cast<std::size_t>(signal)]->has_derivatives())
       refuse_element("derivatives", parameter +
                                         " is a function of time without derivatives; give the first and second "

@@ -94,4 +94,106 @@ void separation(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<R
                  u_in_j.dot(centripetal(j.omega, s_j)) + u_in_i.dot(centripetal(i.omega, s_i));
 }
 
+// a = A_i a_i stays parallel to z of j: perpendicular to its x and y (2 equations).
+template <class Real>
+void parallel(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i, const Vec3<Real>& x_j,
+              const Vec3<Real>& y_j, Rows<Real, 2> out) {
+  perpendicular<Real>(i, j, a_i, x_j, out.template slice<0, 1>());
+  perpendicular<Real>(i, j, a_i, y_j, out.template slice<1, 1>());
+}
+
+/// One equation on its own, to be composed with others.
+template <class Real>
+struct Equation {
+  Real Phi, Phi_t, gamma, D_i[6], D_j[6];
+
+  Rows<Real, 1> rows() { return {&Phi, &Phi_t, &gamma, D_i, D_j}; }
+  /// For a primitive with the bodies in the other order.
+  Rows<Real, 1> swapped() { return {&Phi, &Phi_t, &gamma, D_j, D_i}; }
+  /// D v.
+  Real rate(const BodyState<Real>& i, const BodyState<Real>& j) const {
+    const auto part = [](const Real* D, const BodyState<Real>& body) {
+      using Row = Eigen::Map<const Vec3<Real>>;
+      return Row(D).dot(body.r_dot) + Row(D + 3).dot(body.omega);
+    };
+    return part(D_i, i) + part(D_j, j);
+  }
+};
+
+/// out = sum factor_k equation_k
+template <class Real, int N>
+void combine(const Real (&factors)[N], const Equation<Real> (&equations)[N], Rows<Real, 1> out) {
+  const auto sum = [&](auto part) {
+    Real total = factors[0] * part(equations[0]);
+    for (int k = 1; k < N; ++k) total += factors[k] * part(equations[k]);
+    return total;
+  };
+  out.Phi[0] = sum([](const Equation<Real>& e) { return e.Phi; });
+  out.Phi_t[0] = sum([](const Equation<Real>& e) { return e.Phi_t; });
+  out.gamma[0] = sum([](const Equation<Real>& e) { return e.gamma; });
+  for (int c = 0; c < 6; ++c) {
+    out.D_i[c] = sum([c](const Equation<Real>& e) { return e.D_i[c]; });
+    out.D_j[c] = sum([c](const Equation<Real>& e) { return e.D_j[c]; });
+  }
+}
+
+// Phi = atan2(s, c) in (-pi, pi], of two quantities that are no angle's sine and cosine but in proportion to them:
+// exact in every pose, whatever c^2 + s^2 is. Phi_dot = (c s_dot - s c_dot) / (c^2 + s^2) gamma = (c gamma_s - s
+// gamma_c) / (c^2 + s^2) + 2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2)
+template <class Real>
+void angle_of(const BodyState<Real>& i, const BodyState<Real>& j, const Equation<Real>& s, const Equation<Real>& c,
+              Rows<Real, 1> out) {
+  using std::atan2;
+  const Real scale = Real(1) / (c.Phi * c.Phi + s.Phi * s.Phi), by_s = scale * c.Phi, by_c = -scale * s.Phi;
+  const Real s_dot = s.rate(i, j), c_dot = c.rate(i, j), rate = by_s * s_dot + by_c * c_dot;
+  combine<Real, 2>({by_s, by_c}, {s, c}, out);
+  out.Phi[0] = atan2(s.Phi, c.Phi);
+  out.gamma[0] += Real(2) * scale * rate * (c.Phi * c_dot + s.Phi * s_dot);
+}
+
+// Phi = the angle of x_j against x_i about z_i [rad], in (-pi, pi].
+template <class Real>
+void angle(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i, const Vec3<Real>& y_i,
+           const Vec3<Real>& x_j, Rows<Real, 1> out) {
+  Equation<Real> s, c;
+  perpendicular<Real>(i, j, y_i, x_j, s.rows());
+  perpendicular<Real>(i, j, x_i, x_j, c.rows());
+  angle_of<Real>(i, j, s, c, out);
+}
+
+// Phi = the angle about z_i of the direction from the point of i to the point of j [rad], in (-pi, pi].
+template <class Real>
+void bearing(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i, const Vec3<Real>& y_i,
+             const Vec3<Real>& s_i, const Vec3<Real>& s_j, Rows<Real, 1> out) {
+  Equation<Real> s, c;
+  in_plane<Real>(i, j, y_i, s_i, s_j, s.rows());
+  in_plane<Real>(i, j, x_i, s_i, s_j, c.rows());
+  angle_of<Real>(i, j, s, c, out);
+}
+
+/// x modulo the period, nearest to zero: the violation of a constraint on an angle, which is known up to full turns.
+template <class Real>
+Real wrapped(const Real& x, const Real& period) {
+  using std::rint;
+  return x - period * rint(x / period);
+}
+
+// A velocity constraint that no Phi has (non-holonomic): the material points of i and j at a place C have the same
+// velocity along a direction a.
+// rho = A^T (C - r) in each body, rho_dot how the place moves in it; a_dot in space.
+// D_i = -[a^T, (rho_i x A_i^T a)^T],   D_j = [a^T, (rho_j x A_j^T a)^T],   Phi = Phi_t = 0
+// gamma = -a_dot . (u_j - u_i) - a . (c_j - c_i),   u = r_dot + A w x rho,   c = A (w x (w x rho) + w x rho_dot)
+template <class Real>
+void no_slip(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a, const Vec3<Real>& a_dot,
+             const Vec3<Real>& rho_i, const Vec3<Real>& rho_i_dot, const Vec3<Real>& rho_j, const Vec3<Real>& rho_j_dot,
+             Rows<Real, 1> out) {
+  const Vec3<Real> a_in_i = i.A.transpose() * a, a_in_j = j.A.transpose() * a;
+  const Vec3<Real> u_i = i.r_dot + i.A * i.omega.cross(rho_i), u_j = j.r_dot + j.A * j.omega.cross(rho_j);
+  set_row<Real>(out.D_i, 0, -a, -rho_i.cross(a_in_i));
+  set_row<Real>(out.D_j, 0, a, rho_j.cross(a_in_j));
+  out.Phi[0] = out.Phi_t[0] = Real(0);
+  out.gamma[0] = -a_dot.dot(u_j - u_i) - a_in_j.dot(centripetal(j.omega, rho_j) + j.omega.cross(rho_j_dot)) +
+                 a_in_i.dot(centripetal(i.omega, rho_i) + i.omega.cross(rho_i_dot));
+}
+
 }  // namespace linkwork

@@ -12,6 +12,7 @@ struct Cylindrical {
             .placement = "axis",
             .equations = {"translation along joint x", "translation along joint y", "rotation about joint y",
                           "rotation about joint x"},
+            .coordinates = {"angle", "displacement"},
             .documentation =
                 "Sleeve on a shaft: bodies a and b share an axis; sliding along it and rotation about it are free."};
   }
@@ -21,8 +22,7 @@ struct Cylindrical {
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     in_plane<Real>(i, j, at.x_i(), at.s_i, at.s_j, out.template slice<0, 1>());
     in_plane<Real>(i, j, at.y_i(), at.s_i, at.s_j, out.template slice<1, 1>());
-    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<2, 1>());
-    perpendicular<Real>(i, j, at.z_i(), at.y_j(), out.template slice<3, 1>());
+    parallel<Real>(i, j, at.z_i(), at.x_j(), at.y_j(), out.template slice<2, 2>());
   }
 };
 

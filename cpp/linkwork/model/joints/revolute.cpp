@@ -12,6 +12,7 @@ struct Revolute {
             .placement = "axis",
             .equations = {"translation x", "translation y", "translation z", "rotation about joint y",
                           "rotation about joint x"},
+            .coordinates = {"angle"},
             .documentation = "Hinge: bodies a and b share a point and an axis; rotation about the axis is free."};
   }
 
@@ -19,8 +20,7 @@ struct Revolute {
   static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     coincident<Real>(i, j, at.s_i, at.s_j, out.template slice<0, 3>());
-    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<3, 1>());
-    perpendicular<Real>(i, j, at.z_i(), at.y_j(), out.template slice<4, 1>());
+    parallel<Real>(i, j, at.z_i(), at.x_j(), at.y_j(), out.template slice<3, 2>());
   }
 };
 

@@ -12,6 +12,7 @@ struct Translational {
             .placement = "axis",
             .equations = {"translation along joint x", "translation along joint y", "rotation about joint y",
                           "rotation about joint x", "rotation about joint z"},
+            .coordinates = {"displacement"},
             .documentation = "Slider: body b slides on body a along an axis; no rotation is free."};
   }
 
@@ -20,8 +21,7 @@ struct Translational {
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     in_plane<Real>(i, j, at.x_i(), at.s_i, at.s_j, out.template slice<0, 1>());
     in_plane<Real>(i, j, at.y_i(), at.s_i, at.s_j, out.template slice<1, 1>());
-    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<2, 1>());
-    perpendicular<Real>(i, j, at.z_i(), at.y_j(), out.template slice<3, 1>());
+    parallel<Real>(i, j, at.z_i(), at.x_j(), at.y_j(), out.template slice<2, 2>());
     perpendicular<Real>(i, j, at.x_i(), at.y_j(), out.template slice<4, 1>());
   }
 };

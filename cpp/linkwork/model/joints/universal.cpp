@@ -11,6 +11,7 @@ struct Universal {
     return {.name = "universal",
             .placement = "two_axes",
             .equations = {"translation x", "translation y", "translation z", "rotation about both axes' normal"},
+            .coordinates = {"angle_a", "angle_b"},
             .documentation =
                 "Cardan joint: bodies a and b share a point; the axis fixed in a stays perpendicular to "
                 "the axis fixed in b, and rotation about each is free."};

@@ -1,0 +1,27 @@
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+
+/// A point of b stays on a line of a, the joint's axis (2 equations).
+struct PointOnLine {
+  static constexpr int rows = 2;
+
+  static KindInfo info() {
+    return {.name = "point_on_line",
+            .placement = "axis",
+            .equations = {"translation along joint x", "translation along joint y"},
+            .documentation = "A point of b stays on a line of a, the axis; all rotations are free."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    in_plane<Real>(i, j, at.x_i(), at.s_i, at.s_j, out.template slice<0, 1>());
+    in_plane<Real>(i, j, at.y_i(), at.s_i, at.s_j, out.template slice<1, 1>());
+  }
+};
+
+LINKWORK_DEFINE_JOINT(point_on_line, PointOnLine)
+
+}  // namespace linkwork

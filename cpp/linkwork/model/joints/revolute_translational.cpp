@@ -1,0 +1,33 @@
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+
+/// A pin of a in a straight slot of b: a massless block, hinged on a, slides on b (4 equations).
+struct RevoluteTranslational {
+  static constexpr int rows = 4;
+
+  static KindInfo info() {
+    return {.name = "revolute_translational",
+            .placement = "two_axes",
+            .equations = {"rotation about both axes' normal", "rotation about the slot", "translation along the pin",
+                          "translation across the slot"},
+            .documentation =
+                "Pin in a slot: a massless block, hinged on a about the first axis, slides on b along the "
+                "second, which is perpendicular to the first."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    perpendicular<Real>(i, j, at.z_i(), at.z_j(), out.template slice<0, 1>());
+    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<1, 1>());
+    in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, out.template slice<2, 1>());
+    const Rows<Real, 1> across = out.template slice<3, 1>();
+    in_plane<Real>(j, i, at.x_j(), at.s_j, at.s_i, {across.Phi, across.Phi_t, across.gamma, across.D_j, across.D_i});
+  }
+};
+
+LINKWORK_DEFINE_JOINT(revolute_translational, RevoluteTranslational)
+
+}  // namespace linkwork
