@@ -260,20 +260,25 @@ VectorXd System::row_mobility(const Evaluation& at) const {
 }
 
 // A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.
-// About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite.
+// About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite;
+// that one is asked where the second is the ground, where P_j = s_j.
 void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
-    const BlockRange places = joint_blocks(joint);
-    const ConstraintBlock& block = blocks_[static_cast<std::size_t>(*(places.end() - 1))];  // the second body, if any
-    const double sign = element.j == ground ? -1.0 : 1.0;
-    const BodyState<double> body = pose(block.body, q), second = pose(element.j, q);
-    const Vec3<double> point = second.r + second.A * element.at.s_j;
-    const Eigen::Matrix<double, 6, 1> wrench = block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
-    const Vec3<double> F = wrench.head<3>(), n = wrench.tail<3>();
-    force.col(joint) = sign * F;
-    torque.col(joint) = sign * (body.A * n - (point - body.r).cross(F));
+    const ConstraintBlock& block = blocks_[static_cast<std::size_t>(*(joint_blocks(joint).end() - 1))];
+    const bool grounded = element.j == ground;
+    const double* D = at.D.data() + block.offset;
+    Vec3<double> F = Vec3<double>::Zero(), n = Vec3<double>::Zero();
+    for (int row = 0; row < block.rows; ++row, D += velocity_size) {
+      F += lambda[block.row + row] * Eigen::Map<const Vec3<double>>(D);
+      n += lambda[block.row + row] * Eigen::Map<const Vec3<double>>(D + 3);
+    }
+    const BodyState<double> body = pose(block.body, q);
+    const Vec3<double> arm = grounded ? Vec3<double>(element.at.s_j - body.r) : Vec3<double>(body.A * element.at.s_j);
+    const Vec3<double> T = body.A * n - arm.cross(F);
+    force.col(joint) = grounded ? Vec3<double>(-F) : F;
+    torque.col(joint) = grounded ? Vec3<double>(-T) : T;
   }
 }
 
