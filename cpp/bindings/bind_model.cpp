@@ -166,6 +166,13 @@ void bind_time_functions(py::module_& module) {
           },
           py::arg("t"), "(value, rate, acceleration) at t.")
       .def_property_readonly("has_derivatives", &TimeFunction::has_derivatives)
+      .def_property_readonly("of_time", &TimeFunction::of_time)
+      .def_static(
+          "characteristic",
+          [](std::shared_ptr<TimeFunction> f) {
+            return std::const_pointer_cast<TimeFunction>(characteristic(std::move(f)));
+          },
+          py::arg("function"), "The same function of a coordinate or velocity of a force element.")
       .def_static(
           "constant", [](double c) { return polynomial({c}); }, py::arg("value"))
       .def_static("polynomial", &polynomial, py::arg("coefficients"), "sum c_k t^k, ascending powers.")
@@ -186,6 +193,8 @@ void bind_kinds(py::module_& module) {
       .def_readonly("differentiated", &KindInfo::differentiated)
       .def_readonly("constants", &KindInfo::constants)
       .def_readonly("whole_numbers", &KindInfo::whole_numbers)
+      .def_readonly("functions", &KindInfo::functions)
+      .def_readonly("defaults", &KindInfo::defaults)
       .def_readonly("velocity_rows", &KindInfo::velocity_rows)
       .def_readonly("coordinates", &KindInfo::coordinates)
       .def_readonly("equations", &KindInfo::equations)

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
     from linkwork.assembly import Assembly, JointResidual, assemble
+    from linkwork.contact import contact_hysteresis
     from linkwork.errors import (
         FileError,
         LinkworkError,
@@ -67,6 +68,7 @@ __all__ = [
     "ViolationError",
     "__version__",
     "assemble",
+    "contact_hysteresis",
     "functions",
     "integrators",
     "mechanisms",
@@ -77,6 +79,7 @@ __all__ = [
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
     "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
+    "linkwork.contact": ("contact_hysteresis",),
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("FileError", "LinkworkError", "LinkworkWarning", "ModelError", "NotConvergedError",

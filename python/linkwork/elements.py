@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -47,7 +48,10 @@ class Elements:
         for column, what in enumerate(self.info.parameters):
             parameter = self.parameters[what]
             if isinstance(parameter, TimeFunction):
-                signals[:, column] = core.add_signal(parameter.compiled())
+                function = parameter.compiled()
+                if what in self.info.functions:
+                    function = _core.TimeFunction.characteristic(function)
+                signals[:, column] = core.add_signal(function)
             else:
                 values[:, column] = parameter
         add = core.add_joints if self.info.name in KINDS["joint"] else core.add_forces
@@ -56,8 +60,16 @@ class Elements:
 
     def signals(self) -> list[tuple[str, TimeFunction]]:
         """The functions of time, each with what it drives."""
-        named = ((f"{self.subject.who(0)}: {what}", parameter) for what, parameter in self.parameters.items())
-        return [(what, parameter) for what, parameter in named if isinstance(parameter, TimeFunction)]
+        return [
+            (f"{self.subject.who(0)}: {what}", parameter)
+            for what, parameter in self.parameters.items()
+            if isinstance(parameter, TimeFunction) and what not in self.info.functions
+        ]
+
+    def characteristics(self) -> list[TimeFunction]:
+        """The functions of coordinates."""
+        functions = (self.parameters[what] for what in self.info.functions)
+        return [function for function in functions if isinstance(function, TimeFunction)]
 
 
 def kind_info(role: Role, name: str) -> _core.KindInfo:
@@ -89,6 +101,9 @@ def with_parameters(
 def _parameter(subject: Subject, info: _core.KindInfo, what: str, given: Any, place: Attachment) -> Parameter:
     if given is None and what in _LENGTHS:
         return place.distance
+    if given is None and info.defaults:
+        default = info.defaults[info.parameters.index(what)]
+        given = None if math.isnan(default) else default
     if given is None:
         subject.refuse(0, f"{what} is missing", "missing")
     if subject.group and np.shape(given) == (subject.count,):

@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.bodies import Bodies
+from linkwork.element_methods import ForceMethods, JointMethods
 from linkwork.elements import Elements, Role, kind_info, placed, with_parameters
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.functions import TimeFunction, TimeFunctionLike
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
-from linkwork.joint_methods import JointMethods
 from linkwork.placement import Attachment, Frames, Place, Subject
 
 __all__ = ["Model"]
@@ -27,7 +27,7 @@ Floats = NDArray[np.float64]
 Shape = tuple[int | None, ...]
 
 
-class Model(JointMethods):
+class Model(JointMethods, ForceMethods):
     """A mechanism under construction. SI units, angles in rad.
 
     Every kind of joint is a method: `revolute`, `spherical`, ... (`help(linkwork.Model)` has them all).
@@ -42,6 +42,7 @@ class Model(JointMethods):
         self._bodies = Bodies(self, self._core)
         self._counts: Counter[str] = Counter()
         self._signals: list[tuple[str, TimeFunction]] = []
+        self._characteristics: list[TimeFunction] = []
 
     @property
     def ground(self) -> Body:
@@ -146,6 +147,19 @@ class Model(JointMethods):
 
     # --- forces ---------------------------------------------------------------------------------------------
 
+    def _add_force(
+        self,
+        kind: str,
+        a: BodyLike,
+        b: BodyLike,
+        frames: Frames,
+        name: str | None,
+        arguments: Mapping[str, Any],
+    ) -> Force:
+        """What every method of a force element does."""
+        self._place("force", kind, a, b, frames, name, False, arguments)
+        return self._force(self.force_count - 1, kind)
+
     def force(
         self,
         body: BodyLike,
@@ -197,8 +211,7 @@ class Model(JointMethods):
         Quantities are numbers or functions of time.
         """
         own = {"stiffness": stiffness, "damping": damping, "free_length": free_length, "force": force}
-        self._place("force", "spring_damper", a, b, frames, name, False, {"at": at, **own})
-        return self._force(self.force_count - 1, "spring_damper")
+        return self._add_force("spring_damper", a, b, frames, name, {"at": at, **own})
 
     def rotational_spring_damper(
         self,
@@ -234,8 +247,43 @@ class Model(JointMethods):
         point = at if at is not None else ((origin, origin) if frames == "body" else origin)
         place = {"at": point, "axis": axis, "x_axis": x_axis}
         own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
-        self._place("force", "rotational_spring_damper", a, b, frames, name, False, {**place, **own})
-        return self._force(self.force_count - 1, "rotational_spring_damper")
+        return self._add_force("rotational_spring_damper", a, b, frames, name, {**place, **own})
+
+    def bushing(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike | tuple[ArrayLike, ArrayLike],
+        orientation: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        stiffness: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        rotational_stiffness: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        rotational_damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Join frames of a and b elastically: -k u - c u_dot along a's axes, -K phi - C phi_dot about them.
+
+        u is the shift of b's point in a's frame, phi the rotation vector of b's frame against a's.
+
+        at                    the common point [m], in space at the initial pose; a pair with frames="body"
+        orientation           the frame's Euler parameters, scalar first; without it the inertial axes
+        stiffness             k [N/m] along x, y, z         rotational_stiffness  K [N m/rad]
+        damping               c [N s/m]                     rotational_damping    C [N m s/rad]
+
+        Quantities are numbers or functions of time.
+        """
+        subject = Subject("bushing", name or "bushing", False, 1)
+        own: dict[str, Any] = {}
+        for what, values in (
+            ("stiffness", stiffness),
+            ("rotational_stiffness", rotational_stiffness),
+            ("damping", damping),
+            ("rotational_damping", rotational_damping),
+        ):
+            own |= subject.components(values, what)
+        return self._add_force("bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own})
 
     def forces(
         self,
@@ -299,6 +347,7 @@ class Model(JointMethods):
         out._core = self._core.with_initial_state(q.ravel(), v.ravel())
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
+        out._characteristics = self._characteristics.copy()
         return out
 
     def compiled(self) -> _core.Model:
@@ -312,8 +361,8 @@ class Model(JointMethods):
         digest = hashlib.blake2b(digest_size=16)
         for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements):
             digest.update(np.ascontiguousarray(array).data)
-        for _, signal in self._signals:
-            digest.update(signal.fingerprint())
+        for function in (*(signal for _, signal in self._signals), *self._characteristics):
+            digest.update(function.fingerprint())
         return digest.hexdigest()
 
     def describe(self) -> str:
@@ -354,6 +403,7 @@ class Model(JointMethods):
     def _add(self, elements: Elements) -> None:
         elements.add_to(self._core)
         self._signals += elements.signals()
+        self._characteristics += elements.characteristics()
         self._counts[elements.info.name] += elements.subject.count
 
     def _joint(self, index: int) -> Joint:

@@ -257,6 +257,14 @@ def disc(place: Place, at: Any, axes: Any) -> Attachment:
     return place.attachment(place.points(at), frames)
 
 
+def plane(place: Place, at: Any, normal: Any) -> Attachment:
+    """A plane of a, by a point and its normal z toward b, and a point of b."""
+    z = place.subject.directions(normal, "normal")
+    z = turn(place.a.A, z) if place.in_bodies else z
+    frame = _frame(place, z, rotation.perpendicular(z), "normal")
+    return place.attachment(place.points(at), (frame, frame))
+
+
 def two_points(place: Place, at: Any) -> Attachment:
     """A point of a and a point of b; z points from one to the other at the initial pose."""
     s_a, s_b = place.points(at)
@@ -298,6 +306,7 @@ PLACEMENTS: Mapping[str, Callable[..., Attachment]] = {
     "shafts": shafts,
     "centers": centers,
     "disc": disc,
+    "plane": plane,
 }
 
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "support.hpp"
@@ -14,10 +15,18 @@ constexpr double pi = std::numbers::pi;
 Model random_force(const std::string& kind, int i, int j, Random& random) {
   Model model(random.vec3(9.81));
   for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
+  const KindInfo& info = force_kinds()[static_cast<std::size_t>(force_kind_index(kind))].info;
   std::vector<Parameter> parameters;
-  for (std::size_t p = 0; p < force_kinds()[static_cast<std::size_t>(force_kind_index(kind))].info.parameters.size();
-       ++p)
-    parameters.push_back({0.0, model.add_signal(harmonic(random.number(), random.number(1, 3), random.number(), 1.0))});
+  for (const std::string& name : info.parameters) {
+    const auto among = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const TimeFunctionPtr function = harmonic(random.number(), random.number(1, 3), random.number(), 1.0);
+    if (among(info.constants)) parameters.push_back({name.starts_with("radius") ? 1.5 : random.number(1.2, 2.0), -1});
+    else if (name == "lower" || name == "upper")
+      parameters.push_back({0.0, model.add_signal(harmonic(0.1, 2.0, 0.0, name == "lower" ? -0.2 : 0.2))});
+    else parameters.push_back({0.0, model.add_signal(among(info.functions) ? characteristic(function) : function)});
+  }
   model.add_force(kind, "force", i, j, random_attachment(random), parameters);
   return model;
 }
@@ -28,7 +37,8 @@ void for_every_force(Check check) {
   for (const ForceKind& kind : force_kinds())
     for (const auto& [i, j] : std::vector<std::pair<int, int>>{{0, 1}, {1, 0}, {ground, 0}, {0, ground}, {1, 1}})
       for (int repetition = 0; repetition < 3; ++repetition) {
-        if (i == j && kind.info.placement == "axis") continue;  // the angle of a body against itself
+        if (i == j && kind.info.placement != "frame" && kind.info.placement != "two_points")
+          continue;  // a body against itself
         INFO(kind.info.name, " between ", i, " and ", j);
         check(random_force(kind.info.name, i, j, random));
       }
@@ -88,9 +98,11 @@ TEST_CASE("gyroscopic torques are -omega x J omega and do no work") {
   CHECK(std::abs(at.g.segment<3>(3).dot(body.omega)) < 1e-15);
 }
 
-TEST_CASE("springs act with equal and opposite forces and moments on their bodies") {
+TEST_CASE("force elements act with equal and opposite forces and moments on their bodies") {
   Random random(22);
-  for (const char* kind : {"spring_damper", "rotational_spring_damper"}) {
+  for (const ForceKind& any : force_kinds()) {
+    const std::string& kind = any.info.name;
+    if (kind == "applied" || kind == "drag") continue;  // on one body only
     CAPTURE(kind);
     const Model model = random_force(kind, 0, 1, random);
     const System system(model);

@@ -146,6 +146,8 @@ def _arguments(kinds: dict[str, Any], element: Element) -> dict[str, Any]:
     (s_a, s_b), (C_a, C_b) = element.s, element.C
     kind = kinds[element.kind]
     place: dict[str, Any] = {}
+    if kind.placement == "plane":
+        place["normal"] = C_a[:, 2]
     if kind.placement not in ("direction", "two_directions", "orientation"):
         place["at"] = s_a, s_b
     if kind.placement in ("axis", "direction"):
@@ -334,8 +336,7 @@ class Maker:
         )
 
     def force(self, kind: Any, a: int, b: int) -> Element:
-        size = {"stiffness": 100.0, "damping": 10.0, "free_angle": 1.0, "free_length": 1.0}
-        parameters = tuple(self.quantity(size.get(what, 20.0), what) for what in kind.parameters)
+        parameters = tuple(self.quantity(size_of(what), what) for what in kind.parameters)
         return self.element(kind, a, b, parameters)
 
     def quantity(self, size: float, what: str) -> Any:
@@ -348,6 +349,28 @@ class Maker:
                     value, self.rng.uniform(0, 10), self.rng.uniform(-3, 3), value / 2
                 )
         return float(value)
+
+
+def size_of(parameter: str) -> float:
+    """The largest that a parameter of a force element is here."""
+    sizes = {
+        "damp": 10.0,
+        "viscous": 10.0,
+        "hysteresis": 0.5,
+        "friction": 0.3,
+        "radius": 2.0,
+        "exponent": 2.0,
+    }
+    sizes |= {
+        "free": 1.0,
+        "throttle": 1.0,
+        "transition": 0.1,
+        "lower": -0.1,
+        "upper": 0.1,
+        "coefficient": 5.0,
+    }
+    sizes |= {"stiff": 100.0, "rotational_stiff": 100.0, "rotational_damp": 10.0, "spring": 100.0}
+    return next((size for start, size in sizes.items() if parameter.startswith(start)), 20.0)
 
 
 def about_z(angle: float) -> Floats:

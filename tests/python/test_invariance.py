@@ -182,7 +182,7 @@ def test_swapping_the_bodies_of_a_joint_reverses_its_reaction(mechanism: Mechani
 KG, M = 1e3, 1e3  # in g and mm
 
 #: Powers of kg and m in the unit of a parameter; seconds and radians stay.
-DIMENSIONS: dict[str, Any] = {
+DIMENSIONS = {
     "length": (0, 1),
     "displacement": (0, 1),
     "angle": (0, 0),
@@ -194,14 +194,39 @@ DIMENSIONS: dict[str, Any] = {
     "free_angle": (0, 0),
     "force": (1, 1),
     "torque": (1, 2),
-    "stiffness": {"spring_damper": (1, 0), "rotational_spring_damper": (1, 2)},
-    "damping": {"spring_damper": (1, 0), "rotational_spring_damper": (1, 2)},
+    "radius_a": (0, 1),
+    "radius_b": (0, 1),
+    "rotational_stiffness": (1, 2),
+    "rotational_damping": (1, 2),
+    "exponent": (0, 0),
+    "hysteresis": (0, 0),
+    "friction": (0, 0),
+    "throttle": (0, 0),
+    "curve": (1, 2),
+    "coefficient": (1, -1),
+}
+#: Of parameters that have another unit in elements that turn.
+TURNING = {
+    "stiffness": ((1, 0), (1, 2)),
+    "damping": ((1, 0), (1, 2)),
+    "spring": ((1, 0), (1, 2)),
+    "damper": ((1, 0), (1, 2)),
+    "viscous": ((1, 0), (1, 2)),
+    "coulomb": ((1, 1), (1, 2)),
+    "transition": ((0, 1), (0, 0)),
+    "lower": ((0, 1), (0, 0)),
+    "upper": ((0, 1), (0, 0)),
 }
 
 
-def factor(kind: str, parameter: str) -> float:
-    dimension = DIMENSIONS[parameter.removesuffix("_x").removesuffix("_y").removesuffix("_z")]
-    kg, m = dimension[kind] if isinstance(dimension, dict) else dimension
+def factor(kind: str, parameter: str, exponent: float = 0.0) -> float:
+    name = parameter.removesuffix("_x").removesuffix("_y").removesuffix("_z")
+    turning = kind == "bending_spring" or "rotational" in kind
+    kg, m = TURNING[name][turning] if name in TURNING else DIMENSIONS[name]
+    if name == "stiffness" and kind.endswith("contact"):  # N / m^n
+        m = 1 - exponent
+    if name == "damping" and kind == "translational_stop":  # N s / m^2
+        m = -1
     return float(KG**kg * M**m)
 
 
@@ -223,9 +248,9 @@ def in_grams_and_millimeters(mechanism: Mechanism) -> Mechanism:
     )
 
     def element(old: Element, names: list[str]) -> Element:
-        values = tuple(
-            times(x, factor(old.kind, name)) for name, x in zip(names, old.parameters, strict=True)
-        )
+        given = dict(zip(names, old.parameters, strict=True))
+        exponent = float(given.get("exponent", 0.0))
+        values = tuple(times(x, factor(old.kind, name, exponent)) for name, x in given.items())
         return replace(old, s=(M * old.s[0], M * old.s[1]), parameters=values)
 
     joints = tuple(element(joint, JOINTS[joint.kind].parameters) for joint in mechanism.joints)

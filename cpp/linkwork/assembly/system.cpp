@@ -144,7 +144,8 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, Eval
 }
 
 void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  for (std::size_t s = 0; s < out.signals.size(); ++s) out.signals[s] = model_.signals()[s]->evaluate(t);
+  for (std::size_t s = 0; s < out.signals.size(); ++s)
+    if (model_.signals()[s]->of_time()) out.signals[s] = model_.signals()[s]->evaluate(t);
   const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
   for (std::size_t kind = 0; kind < joint_batches_.size(); ++kind)
     if (!joint_batches_[kind].row.empty())
@@ -164,7 +165,8 @@ void System::evaluate_elements(const ConstVector& q, const ConstVector& v, Evalu
   const ForceArrays arrays{out.g.data(), out.memory.data(), &out.potential, &out.power};
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
     if (force_batches_[kind].size() > 0)
-      force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), arrays);
+      force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), model_.signals().data(),
+                                   arrays);
 }
 
 BodyState<double> System::pose(int body, const ConstVector& q) const {

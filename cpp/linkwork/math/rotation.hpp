@@ -60,4 +60,13 @@ inline Vec3<double> logarithm(const Vec4<double>& p) {
   return factor * e;
 }
 
+/// The rotation vector phi [rad], |phi| <= pi, of a rotation matrix R = exp(phi~).
+template <class Real>
+Vec3<Real> rotation_vector(const Mat3<Real>& R) {
+  using std::atan2;
+  const Vec3<Real> axial = Vec3<Real>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) * Real(0.5);
+  const Real sine = axial.norm(), cosine = (R.trace() - Real(1)) * Real(0.5);
+  return sine < Real(1e-8) ? axial : Vec3<Real>(axial * (atan2(sine, cosine) / sine));
+}
+
 }  // namespace linkwork

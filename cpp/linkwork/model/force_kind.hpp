@@ -4,12 +4,13 @@
 
 #include "linkwork/model/batch.hpp"
 #include "linkwork/model/kind_info.hpp"
+#include "linkwork/model/time_function.hpp"
 
 /// A force element is a struct (one file in forces/, one line in forces.def) with
 ///   static constexpr int memory;               numbers it remembers between evaluations (an unwrapped angle)
 ///   static KindInfo info();
 ///   template <class Real>
-///   static void evaluate(const Attachment<Real>&, const Signal<Real>* parameters, const BodyState<Real>& i,
+///   static void evaluate(const Attachment<Real>&, const ForceParameters<Real>&, const BodyState<Real>& i,
 ///                        const BodyState<Real>& j, Real* memory, Wrenches<Real>& out);
 /// Power balance, checked for every registered force: g . v = -d(potential)/dt + power.
 namespace linkwork {
@@ -23,6 +24,26 @@ struct Wrenches {
   Real power = Real(0);      ///< power of the part without a potential [W]
 };
 
+/// The parameters of one element at the present time.
+template <class Real>
+class ForceParameters {
+ public:
+  ForceParameters(const Parameter* given, const Signal<Real>* signals, const TimeFunctionPtr* functions)
+      : given_(given), signals_(signals), functions_(functions) {}
+
+  Signal<Real> operator[](int p) const { return current(given_[p], signals_); }
+  /// A parameter that is a function of a coordinate; a number stands for the slope of a line through zero.
+  Real at(int p, Real x) const {
+    const Parameter& parameter = given_[p];
+    return parameter.signal < 0 ? parameter.constant * x : functions_[parameter.signal]->evaluate(x).value;
+  }
+
+ private:
+  const Parameter* given_;
+  const Signal<Real>* signals_;
+  const TimeFunctionPtr* functions_;
+};
+
 /// Where the forces go: g (6 per body, ground included as the last), the sums of potential and power.
 struct ForceArrays {
   double* g;
@@ -34,17 +55,16 @@ struct ForceArrays {
 struct ForceKind {
   KindInfo info;
   int memory = 0;
-  void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals, ForceArrays);
+  void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals,
+                   const TimeFunctionPtr* functions, ForceArrays);
 };
 
 template <class Force>
 void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
-                     ForceArrays out) {
+                     const TimeFunctionPtr* functions, ForceArrays out) {
   const std::size_t count = batch.parameters.size() / (batch.size() ? batch.size() : 1);
-  constexpr std::size_t max_parameters = 8;
-  Signal<double> parameters[max_parameters];
   for (std::size_t k = 0; k < batch.size(); ++k) {
-    for (std::size_t p = 0; p < count; ++p) parameters[p] = current(batch.parameters[k * count + p], signals);
+    const ForceParameters<double> parameters(batch.parameters.data() + k * count, signals, functions);
     const int i = batch.body_i[k], j = batch.body_j[k];
     Wrenches<double> wrenches;
     Force::template evaluate<double>(batch.attachment[k], parameters, bodies[i], bodies[j],

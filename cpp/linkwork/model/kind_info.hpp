@@ -1,9 +1,12 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace linkwork {
+
+constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
 
 /// What a user says about where a joint or force element sits.
 ///   point       one point                       axis        a point and an axis
@@ -13,6 +16,7 @@ namespace linkwork {
 ///   shafts      a point and an axis per body at any angle
 ///   centers     an axis, and a point per body, joined by a line perpendicular to it
 ///   disc        a point and an axis per body
+///   plane       a point and a normal of a, a point of b
 struct KindInfo {
   std::string name = "";
   int rows = 0;  ///< constraint equations (0 for forces)
@@ -21,7 +25,9 @@ struct KindInfo {
   std::vector<std::string> differentiated = {};  ///< those of the parameters whose time derivatives enter
   std::vector<std::string> constants = {};       ///< those of the parameters that cannot vary in time, nor be zero
   std::vector<std::string> whole_numbers = {};   ///< those of the constants that must be whole
-  std::vector<std::string> equations = {};       ///< one name per row
+  std::vector<std::string> functions = {};  ///< those of the parameters that are functions of a coordinate, not of time
+  std::vector<double> defaults = {};        ///< of the parameters, where there are any: NaN: none
+  std::vector<std::string> equations = {};  ///< one name per row
   int velocity_rows = 0;  ///< of the equations, the last so many are of velocities only (non-holonomic): Phi = 0
   std::vector<std::string> coordinates = {};  ///< relative positions that are free: see System::joint_coordinates
   std::string documentation = "";

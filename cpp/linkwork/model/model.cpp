@@ -140,6 +140,10 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
       return std::find(names.begin(), names.end(), parameter) != names.end();
     };
     const bool differentiated = among(info.differentiated);
+    if (signal >= 0 && signals_[static_cast<std::size_t>(signal)]->of_time() == among(info.functions))
+      refuse_element("function",
+                     parameter + (among(info.functions) ? " takes a characteristic, not a function of time"
+                                                        : " takes a function of time, not a characteristic"));
     if (among(info.constants)) {
       if (signal >= 0) refuse_element("not_constant", parameter + " is a function of time, and must be a number");
       const double value = parameters[p].constant;

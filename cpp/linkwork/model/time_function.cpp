@@ -45,6 +45,24 @@ class Harmonic final : public TimeFunction {
   double amplitude_, frequency_, phase_, offset_;
 };
 
+class Characteristic final : public TimeFunction {
+ public:
+  explicit Characteristic(TimeFunctionPtr function) : function_(std::move(function)) {}
+  Signal<double> evaluate(double x) const override {
+    try {
+      return function_->evaluate(x);
+    } catch (const OptionError& error) {
+      throw OptionError("outside_table", "the characteristic of a force element has no value at " + std::to_string(x) +
+                                             ": the motion leaves its table; extend it");
+    }
+  }
+  bool has_derivatives() const override { return function_->has_derivatives(); }
+  bool of_time() const override { return false; }
+
+ private:
+  TimeFunctionPtr function_;
+};
+
 class PiecewisePolynomial final : public TimeFunction {
  public:
   PiecewisePolynomial(std::vector<double> breaks, std::vector<double> coefficients)
@@ -101,6 +119,10 @@ TimeFunctionPtr harmonic(double amplitude, double frequency, double phase, doubl
 
 TimeFunctionPtr piecewise_polynomial(std::vector<double> breaks, std::vector<double> coefficients) {
   return std::make_shared<PiecewisePolynomial>(std::move(breaks), std::move(coefficients));
+}
+
+TimeFunctionPtr characteristic(TimeFunctionPtr function) {
+  return std::make_shared<Characteristic>(std::move(function));
 }
 
 TimeFunctionPtr callback(std::function<double(double)> value, std::function<double(double)> rate,

@@ -15,6 +15,8 @@ class TimeFunction {
   virtual Signal<double> evaluate(double t) const = 0;
   /// False where `rate` and `acceleration` are not known: then it cannot drive a constraint.
   virtual bool has_derivatives() const { return true; }
+  /// False for a function of something else, such as a length: it is evaluated by the elements that it belongs to.
+  virtual bool of_time() const { return true; }
 };
 
 using TimeFunctionPtr = std::shared_ptr<const TimeFunction>;
@@ -28,6 +30,10 @@ TimeFunctionPtr harmonic(double amplitude, double frequency, double phase, doubl
 /// f(t) = sum_k c[i][k] (t - t_i)^k on [t_i, t_{i+1}); coefficients hold `pieces` rows of equal length, ascending
 /// powers. Outside of [t_0, t_n] an evaluation throws an OptionError.
 TimeFunctionPtr piecewise_polynomial(std::vector<double> breaks, std::vector<double> coefficients);
+
+/// The same function, of a coordinate or a velocity of a force element instead of time. Outside of a table an
+/// evaluation throws an OptionError.
+TimeFunctionPtr characteristic(TimeFunctionPtr function);
 
 /// Any functions of time; without `rate` and `acceleration` it has no derivatives.
 TimeFunctionPtr callback(std::function<double(double)> value, std::function<double(double)> rate = {},

@@ -1,11 +1,12 @@
-"""One method of Model for every registered joint, made from what the compiled module says about the joint.
+"""One method of Model for every registered joint and force, made from what the compiled module says about it.
 
-A joint added there (one file, one line) appears here by itself, with its documentation. Type checkers read
-joint_methods.pyi; `python -m linkwork.joint_methods --stub` prints it anew.
+One added there (one file, one line) appears here by itself, with its documentation. Type checkers read
+element_methods.pyi; `python -m linkwork.element_methods --stub` prints it anew.
 """
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable, Iterator
 from inspect import Parameter, Signature
@@ -15,38 +16,42 @@ from linkwork import _core
 
 #: The arguments of each placement, with what they mean; a question mark: it can be left out.
 _PLACES: dict[str, dict[str, str]] = {
-    "point": {"at": "the joint's point (3,) [m]"},
+    "point": {"at": "its point (3,) [m]"},
     "axis": {
-        "at": "the joint's point (3,) [m]",
-        "axis": "the joint's axis (3,), of any length",
-        "x_axis?": "the joint frame's x axis (3,); without it a perpendicular to the axis",
+        "at": "its point (3,) [m]",
+        "axis": "the axis (3,), of any length",
+        "x_axis?": "the frame's x axis (3,); without it a perpendicular to the axis",
     },
     "two_axes": {
-        "at": "the joint's point (3,) [m]",
+        "at": "its point (3,) [m]",
         "axes": "the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)",
     },
     "two_points": {"at": "a point of a and a point of b: a pair of (3,) [m]"},
     "frame": {
-        "at": "the joint's point (3,) [m]",
-        "orientation?": "the joint frame's Euler parameters (4,), scalar first; without it the inertial axes",
+        "at": "its point (3,) [m]",
+        "orientation?": "the frame's Euler parameters (4,), scalar first; without it the inertial axes",
     },
     "direction": {
-        "axis": "the joint's axis (3,), of any length",
-        "x_axis?": "the joint frame's x axis (3,); without it a perpendicular to the axis",
+        "axis": "the axis (3,), of any length",
+        "x_axis?": "the frame's x axis (3,); without it a perpendicular to the axis",
     },
     "two_directions": {
         "axes": "the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)",
     },
     "orientation": {
-        "orientation?": "the joint frame's Euler parameters (4,), scalar first; without it the inertial axes",
+        "orientation?": "the frame's Euler parameters (4,), scalar first; without it the inertial axes",
     },
     "shafts": {
-        "at": "the joint's point (3,) [m]",
+        "at": "its point (3,) [m]",
         "axes": "the axes of the shafts a and b, both the same way through the joint: a pair of (3,)",
     },
     "centers": {
         "at": "a point on the axis of a and a point on that of b: a pair of (3,) [m]",
         "axis": "the direction (3,) of both axes, of any length",
+    },
+    "plane": {
+        "at": "a point of the plane and a point of b: a pair of (3,) [m]",
+        "normal": "of the plane (3,), toward b, of any length; fixed in a",
     },
     "disc": {
         "at": "a point of the plane and the center of the disc: a pair of (3,) [m]",
@@ -63,9 +68,24 @@ _COMMON = {
 _ERRORS = """\
 ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name."""
 
+#: Forces whose methods have a form of their own in Model.
+_OWN = ("applied", "spring_damper", "rotational_spring_damper", "bushing")
+
 
 class JointMethods:
     """The methods of Model that add a joint between bodies a and b."""
+
+
+class ForceMethods:
+    """The methods of Model that add a force element between bodies a and b."""
+
+
+def _default(kind: _core.KindInfo, name: str) -> float | None:
+    """Of a parameter; None: there is none."""
+    if name not in kind.parameters or not kind.defaults:
+        return None
+    value = float(kind.defaults[kind.parameters.index(name)])
+    return None if math.isnan(value) else value
 
 
 def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
@@ -73,19 +93,23 @@ def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
     for name, meaning in _PLACES[kind.placement].items():
         yield name.rstrip("?"), not name.endswith("?"), meaning
     for name in kind.parameters:
-        if name == "length":
+        if name in ("length", "free_length"):
             yield name, False, "a number or a function of time [m]; without it the initial distance"
-        elif name in kind.constants:
-            yield name, True, "a whole number" if name in kind.whole_numbers else "a number"
-        else:
-            yield name, True, "a number or a function of time"
+            continue
+        meaning = "a number or a function of time"
+        if name in kind.constants:
+            meaning = "a whole number" if name in kind.whole_numbers else "a number, not zero"
+        if name in kind.functions:
+            meaning = "a characteristic, or a number for a linear one"
+        default = _default(kind, name)
+        yield name, default is None, meaning if default is None else f"{meaning}; {default:g}"
 
 
 def _signature(kind: _core.KindInfo) -> Signature:
     keyword, nothing = Parameter.KEYWORD_ONLY, Parameter.empty
     parameters = [Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in ("self", "a", "b")]
     for name, required, _ in _arguments(kind):
-        parameters.append(Parameter(name, keyword, default=nothing if required else None))
+        parameters.append(Parameter(name, keyword, default=nothing if required else _default(kind, name)))
     parameters += [Parameter("frames", keyword, default="space"), Parameter("name", keyword, default=None)]
     return Signature(parameters)
 
@@ -93,10 +117,13 @@ def _signature(kind: _core.KindInfo) -> Signature:
 def _documentation(kind: _core.KindInfo) -> str:
     meanings = {name: meaning for name, _, meaning in _arguments(kind)} | _COMMON
     arguments = "\n".join(f"{name:<{max(map(len, meanings))}}  {text}" for name, text in meanings.items())
-    equations = f"{kind.rows} equation{'s' if kind.rows > 1 else ''}: {', '.join(kind.equations)}."
-    if kind.velocity_rows:
-        equations += f" The last {kind.velocity_rows} of velocities only (non-holonomic)."
-    return f"{kind.documentation}\n\n{equations}\n\n{arguments}\n\n{_ERRORS}"
+    parts = [kind.documentation, arguments, _ERRORS]
+    if kind.rows:
+        equations = f"{kind.rows} equation{'s' if kind.rows > 1 else ''}: {', '.join(kind.equations)}."
+        if kind.velocity_rows:
+            equations += f" The last {kind.velocity_rows} of velocities only (non-holonomic)."
+        parts.insert(1, equations)
+    return "\n\n".join(parts)
 
 
 def _method(kind: _core.KindInfo) -> Callable[..., Any]:
@@ -107,7 +134,8 @@ def _method(kind: _core.KindInfo) -> Callable[..., Any]:
         bound.apply_defaults()
         values = dict(bound.arguments)
         model, a, b, frames, name = (values.pop(key) for key in ("self", "a", "b", "frames", "name"))
-        return model._add_joint(kind.name, a, b, frames, name, values)
+        hand_over = model._add_joint if kind.rows else model._add_force
+        return hand_over(kind.name, a, b, frames, name, values)
 
     add.__name__ = add.__qualname__ = kind.name
     add.__doc__ = _documentation(kind)
@@ -115,27 +143,34 @@ def _method(kind: _core.KindInfo) -> Callable[..., Any]:
     return add
 
 
+def _forces() -> list[_core.KindInfo]:
+    return [kind for kind in _core.force_kinds() if kind.name not in _OWN]
+
+
 for _kind in _core.joint_kinds():
     setattr(JointMethods, _kind.name, _method(_kind))
+for _kind in _forces():
+    setattr(ForceMethods, _kind.name, _method(_kind))
 
 
 def stub() -> str:
-    """The text of joint_methods.pyi."""
-    return _STUB_HEAD + "\n".join(_stub_method(kind) for kind in _core.joint_kinds())
+    """The text of element_methods.pyi."""
+    joints = "\n".join(_stub_method(kind) for kind in _core.joint_kinds())
+    forces = "\n".join(_stub_method(kind) for kind in _forces())
+    return f"{_STUB_HEAD}class JointMethods:\n{joints}\nclass ForceMethods:\n{forces}"
 
 
 _STUB_HEAD = '''\
-"""Printed by `python -m linkwork.joint_methods --stub`."""
+"""Printed by `python -m linkwork.element_methods --stub`."""
 
 from numpy.typing import ArrayLike
 
 from linkwork.functions import TimeFunctionLike
-from linkwork.handles import BodyLike, Joint
+from linkwork.handles import BodyLike, Force, Joint
 from linkwork.placement import Frames
 
 def stub() -> str: ...
 
-class JointMethods:
 '''
 
 
@@ -148,14 +183,17 @@ def _stub_method(kind: _core.KindInfo) -> str:
         "        *,",
     ]
     for name, required, _ in _arguments(kind):
-        type_ = "TimeFunctionLike" if name in kind.parameters and name not in kind.constants else "ArrayLike"
-        optional = "" if required else " | None = None"
+        of_time = name in kind.parameters and name not in kind.constants
+        type_ = "TimeFunctionLike" if of_time else "float" if name in kind.constants else "ArrayLike"
+        default = _default(kind, name)
+        optional = "" if required else " | None = None" if default is None else f" = {default!r}"
         lines.append(f"        {name}: {type_}{optional},")
-    lines += ['        frames: Frames = "space",', "        name: str | None = None,", "    ) -> Joint:"]
+    result = "Joint" if kind.rows else "Force"
+    lines += ['        frames: Frames = "space",', "        name: str | None = None,", f"    ) -> {result}:"]
     return "\n".join([*lines, f'        """{kind.documentation}"""', ""])
 
 
 if __name__ == "__main__":
     if sys.argv[1:] != ["--stub"]:
-        sys.exit("usage: python -m linkwork.joint_methods --stub")
+        sys.exit("usage: python -m linkwork.element_methods --stub")
     print(stub(), end="")

@@ -1,9 +1,9 @@
-"""Printed by `python -m linkwork.joint_methods --stub`."""
+"""Printed by `python -m linkwork.element_methods --stub`."""
 
 from numpy.typing import ArrayLike
 
 from linkwork.functions import TimeFunctionLike
-from linkwork.handles import BodyLike, Joint
+from linkwork.handles import BodyLike, Force, Joint
 from linkwork.placement import Frames
 
 def stub() -> str: ...
@@ -188,7 +188,7 @@ class JointMethods:
         at: ArrayLike,
         axis: ArrayLike,
         x_axis: ArrayLike | None = None,
-        pitch: ArrayLike,
+        pitch: float,
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -201,8 +201,8 @@ class JointMethods:
         *,
         at: ArrayLike,
         axis: ArrayLike,
-        teeth_a: ArrayLike,
-        teeth_b: ArrayLike,
+        teeth_a: float,
+        teeth_b: float,
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -215,7 +215,7 @@ class JointMethods:
         *,
         at: ArrayLike,
         axes: ArrayLike,
-        radius: ArrayLike,
+        radius: float,
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -319,8 +319,182 @@ class JointMethods:
         *,
         at: ArrayLike,
         axes: ArrayLike,
-        radius: ArrayLike,
+        radius: float,
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
         """A thin disc of b rolls on a plane of a without slipping; non-holonomic. The joint's point is the point of the plane for a and the center of the disc for b, its axes are the normal of the plane, toward the disc, and the axis of the disc; `radius` [m]. Reactions are about the center of the disc."""
+
+class ForceMethods:
+    def nonlinear_spring_damper(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        spring: TimeFunctionLike = 0.0,
+        damper: TimeFunctionLike = 0.0,
+        free_length: TimeFunctionLike | None = None,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Spring and damper between a point of a and a point of b by their characteristics: the pull is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a linear one. The energy in the spring counts as work."""
+
+    def nonlinear_rotational_spring_damper(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        axis: ArrayLike,
+        x_axis: ArrayLike | None = None,
+        spring: TimeFunctionLike = 0.0,
+        damper: TimeFunctionLike = 0.0,
+        free_angle: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Spring and damper about a joint axis by their characteristics: the torque on b is -spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The energy in the spring counts as work."""
+
+    def bending_spring(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        axis: ArrayLike,
+        x_axis: ArrayLike | None = None,
+        stiffness: TimeFunctionLike = 0.0,
+        damping: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Bending spring [N m/rad] and damper [N m s/rad] that hold an axis of b parallel to an axis of a, in all directions alike: the torque k beta against the angle beta between the axes, and c times the relative rotation across the axis of a."""
+
+    def motor(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        axis: ArrayLike,
+        x_axis: ArrayLike | None = None,
+        curve: TimeFunctionLike,
+        throttle: TimeFunctionLike = 1.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Motor about a joint axis: the torque on b about the axis is throttle(t) curve(theta_dot) [N m], the curve a function of the speed [rad/s], such as linkwork.functions.table(speeds, torques)."""
+
+    def rotational_friction(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        axis: ArrayLike,
+        x_axis: ArrayLike | None = None,
+        coulomb: TimeFunctionLike = 0.0,
+        viscous: TimeFunctionLike = 0.0,
+        transition: float = 0.01,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Friction about a joint axis: the torque on b is -n_c tanh(w / w_t) - c w [N m], w the relative speed [rad/s]: Coulomb friction `coulomb` [N m], regularized below the speed `transition` [rad/s], and `viscous` friction [N m s/rad]."""
+
+    def translational_friction(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        axis: ArrayLike,
+        x_axis: ArrayLike | None = None,
+        coulomb: TimeFunctionLike = 0.0,
+        viscous: TimeFunctionLike = 0.0,
+        transition: float = 0.001,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Friction along a joint axis: the force on b is -f_c tanh(v / v_t) - c v [N], v the relative speed [m/s]: Coulomb friction `coulomb` [N], regularized below the speed `transition` [m/s], and `viscous` friction [N s/m]."""
+
+    def rotational_stop(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        axis: ArrayLike,
+        x_axis: ArrayLike | None = None,
+        lower: TimeFunctionLike,
+        upper: TimeFunctionLike,
+        stiffness: TimeFunctionLike,
+        damping: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """End stops about a joint axis: where the angle of b against a [rad] is beyond `lower` or `upper` by d, the torque k |d| + c |d| theta_dot [N m] acts against it, never back; k [N m/rad], c [N m s/rad^2]."""
+
+    def translational_stop(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        axis: ArrayLike,
+        x_axis: ArrayLike | None = None,
+        lower: TimeFunctionLike,
+        upper: TimeFunctionLike,
+        stiffness: TimeFunctionLike,
+        damping: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """End stops along a joint axis: where the shift of b against a [m] is beyond `lower` or `upper` by d, the force k |d| + c |d| x_dot [N] acts against it, never back; k [N/m], c [N s/m^2]."""
+
+    def drag(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        coefficient: TimeFunctionLike,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u [N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / 2 [N s^2/m^2]. Nothing acts on a."""
+
+    def sphere_plane_contact(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        normal: ArrayLike,
+        radius: float,
+        stiffness: float,
+        exponent: float = 1.5,
+        hysteresis: TimeFunctionLike = 0.0,
+        friction: TimeFunctionLike = 0.0,
+        transition: float = 0.001,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Contact of a sphere of b, by its center and `radius` [m], with a plane of a, by a point and the normal toward b; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis."""
+
+    def sphere_sphere_contact(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        radius_a: float,
+        radius_b: float,
+        stiffness: float,
+        exponent: float = 1.5,
+        hysteresis: TimeFunctionLike = 0.0,
+        friction: TimeFunctionLike = 0.0,
+        transition: float = 0.001,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Contact of a sphere of a with a sphere of b, by their centers and radii [m]; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis."""

@@ -1,0 +1,40 @@
+#include "linkwork/model/forces/coordinates.hpp"
+
+namespace linkwork {
+
+/// A spring and damper that hold two axes parallel, in all directions alike.
+struct BendingSpring {
+  static constexpr int memory = 0;
+
+  static KindInfo info() {
+    return {.name = "bending_spring",
+            .placement = "direction",
+            .parameters = {"stiffness", "damping"},
+            .differentiated = {"stiffness"},
+            .defaults = {0.0, 0.0},
+            .documentation =
+                "Bending spring [N m/rad] and damper [N m s/rad] that hold an axis of b parallel to an axis "
+                "of a, in all directions alike: the torque k beta against the angle beta between the axes, "
+                "and c times the relative rotation across the axis of a."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Real*, Wrenches<Real>& out) {
+    // V = k beta^2 / 2;  torque on j: -k beta n - c w, n = z_i x z_j / sin(beta), w the relative rotation across z_i
+    const Vec3<Real> z_i = i.A * at.z_i(), z_j = j.A * at.z_j(), normal = z_i.cross(z_j);
+    const Real sine = normal.norm(), cosine = z_i.dot(z_j), beta = std::atan2(sine, cosine);
+    const Vec3<Real> omega = j.A * j.omega - i.A * i.omega, across = omega - omega.dot(z_i) * z_i;
+    const Real stiffness = parameters[0].value, damping = parameters[1].value;
+    Vec3<Real> torque = -damping * across;
+    if (sine > Real(0)) torque -= stiffness * beta / sine * normal;
+    out.torque_i = -(i.A.transpose() * torque);
+    out.torque_j = j.A.transpose() * torque;
+    out.potential = Real(0.5) * stiffness * beta * beta;
+    out.power = Real(0.5) * parameters[0].rate * beta * beta - damping * across.squaredNorm();
+  }
+};
+
+LINKWORK_DEFINE_FORCE(bending_spring, BendingSpring)
+
+}  // namespace linkwork

@@ -1,0 +1,34 @@
+#include "linkwork/model/forces/coordinates.hpp"
+
+namespace linkwork {
+
+/// Resistance of a medium that grows with the square of the speed.
+struct Drag {
+  static constexpr int memory = 0;
+
+  static KindInfo info() {
+    return {.name = "drag",
+            .placement = "point",
+            .parameters = {"coefficient"},
+            .documentation =
+                "Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u "
+                "[N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / "
+                "2 [N s^2/m^2]. Nothing acts on a."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Real*, Wrenches<Real>& out) {
+    const Vec3<Real> arm = j.A * at.s_j, point = j.r + arm;
+    const Vec3<Real> point_dot = j.r_dot + j.A * j.omega.cross(at.s_j);
+    const Vec3<Real> u = point_dot - i.r_dot - (i.A * i.omega).cross(point - i.r);
+    const Vec3<Real> F = -parameters[0].value * u.norm() * u;
+    out.force_j = F;
+    out.torque_j = j.A.transpose() * arm.cross(F);
+    out.power = F.dot(point_dot);
+  }
+};
+
+LINKWORK_DEFINE_FORCE(drag, Drag)
+
+}  // namespace linkwork

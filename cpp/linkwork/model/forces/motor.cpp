@@ -1,0 +1,34 @@
+#include "linkwork/model/forces/coordinates.hpp"
+
+namespace linkwork {
+
+/// A motor about an axis: a torque by its speed curve.
+struct Motor {
+  static constexpr int memory = Angle::memory;
+
+  static KindInfo info() {
+    return {.name = "motor",
+            .placement = Angle::placement,
+            .parameters = {"curve", "throttle"},
+            .functions = {"curve"},
+            .defaults = {no_default, 1.0},
+            .documentation =
+                "Motor about a joint axis: the torque on b about the axis is throttle(t) curve(theta_dot) [N "
+                "m], the curve a function of the speed [rad/s], such as linkwork.functions.table(speeds, "
+                "torques)."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+    Equation<Real> turn;
+    Angle::evaluate(at, i, j, memory, turn);
+    const Real rate = turn.rate(i, j), torque = parameters[1].value * parameters.at(0, rate);
+    act(turn, torque, out);
+    out.power = torque * rate;
+  }
+};
+
+LINKWORK_DEFINE_FORCE(motor, Motor)
+
+}  // namespace linkwork

@@ -1,0 +1,35 @@
+#include "linkwork/model/forces/coordinates.hpp"
+
+namespace linkwork {
+
+/// Spring and damper about an axis by their characteristics.
+struct NonlinearRotationalSpringDamper {
+  static constexpr int memory = Angle::memory;
+
+  static KindInfo info() {
+    return {.name = "nonlinear_rotational_spring_damper",
+            .placement = Angle::placement,
+            .parameters = {"spring", "damper", "free_angle"},
+            .functions = {"spring", "damper"},
+            .defaults = {0.0, 0.0, 0.0},
+            .documentation =
+                "Spring and damper about a joint axis by their characteristics: the torque on b is "
+                "-spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or "
+                "rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The "
+                "energy in the spring counts as work."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+    Equation<Real> along;
+    const Real x = Angle::evaluate(at, i, j, memory, along) - parameters[2].value, rate = along.rate(i, j);
+    const Real pull = parameters.at(0, x) + parameters.at(1, rate);
+    act(along, -pull, out);
+    out.power = -pull * rate;
+  }
+};
+
+LINKWORK_DEFINE_FORCE(nonlinear_rotational_spring_damper, NonlinearRotationalSpringDamper)
+
+}  // namespace linkwork

@@ -1,0 +1,35 @@
+#include "linkwork/model/forces/coordinates.hpp"
+
+namespace linkwork {
+
+/// Spring and damper between two points by their characteristics.
+struct NonlinearSpringDamper {
+  static constexpr int memory = Length::memory;
+
+  static KindInfo info() {
+    return {.name = "nonlinear_spring_damper",
+            .placement = Length::placement,
+            .parameters = {"spring", "damper", "free_length"},
+            .functions = {"spring", "damper"},
+            .defaults = {0.0, 0.0, no_default},
+            .documentation =
+                "Spring and damper between a point of a and a point of b by their characteristics: the pull "
+                "is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its "
+                "extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a "
+                "linear one. The energy in the spring counts as work."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+    Equation<Real> along;
+    const Real x = Length::evaluate(at, i, j, memory, along) - parameters[2].value, rate = along.rate(i, j);
+    const Real pull = parameters.at(0, x) + parameters.at(1, rate);
+    act(along, -pull, out);
+    out.power = -pull * rate;
+  }
+};
+
+LINKWORK_DEFINE_FORCE(nonlinear_spring_damper, NonlinearSpringDamper)
+
+}  // namespace linkwork

@@ -1,0 +1,35 @@
+#include "linkwork/model/forces/coordinates.hpp"
+
+namespace linkwork {
+
+/// Friction of a hinge.
+struct RotationalFriction {
+  static constexpr int memory = Angle::memory;
+
+  static KindInfo info() {
+    return {.name = "rotational_friction",
+            .placement = Angle::placement,
+            .parameters = {"coulomb", "viscous", "transition"},
+            .constants = {"transition"},
+            .defaults = {0.0, 0.0, 1e-2},
+            .documentation =
+                "Friction about a joint axis: the torque on b is -n_c tanh(w / w_t) - c w [N m], w the "
+                "relative speed [rad/s]: Coulomb friction `coulomb` [N m], regularized below the speed "
+                "`transition` [rad/s], and `viscous` friction [N m s/rad]."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+    Equation<Real> along;
+    Angle::evaluate(at, i, j, memory, along);
+    const Real rate = along.rate(i, j);
+    const Real force = -parameters[0].value * std::tanh(rate / parameters[2].value) - parameters[1].value * rate;
+    act(along, force, out);
+    out.power = force * rate;
+  }
+};
+
+LINKWORK_DEFINE_FORCE(rotational_friction, RotationalFriction)
+
+}  // namespace linkwork

@@ -1,0 +1,34 @@
+#include "linkwork/model/forces/contact.hpp"
+
+namespace linkwork {
+
+/// Two spheres.
+struct SphereSphereContact {
+  static constexpr int memory = 1;
+
+  static KindInfo info() {
+    return {.name = "sphere_sphere_contact",
+            .placement = "two_points",
+            .parameters = contact_parameters({"radius_a", "radius_b"}),
+            .constants = {"radius_a", "radius_b", "stiffness", "exponent", "transition"},
+            .defaults = {no_default, no_default, no_default, 1.5, 0.0, 0.0, 1e-3},
+            .documentation =
+                "Contact of a sphere of a with a sphere of b, by their centers and radii [m]; stiffness K "
+                "[N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed "
+                "[m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which "
+                "contact began; see linkwork.contact_hysteresis."};
+  }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+    const Vec3<Real> P_i = i.r + i.A * at.s_i, d = j.r + j.A * at.s_j - P_i;
+    const Real distance = d.norm(), depth = parameters[0].value + parameters[1].value - distance;
+    const Vec3<Real> n = distance > Real(0) ? Vec3<Real>(d / distance) : Vec3<Real>(i.A * at.z_i());
+    contact<Real>(parameters, 2, i, j, P_i + (parameters[0].value - Real(0.5) * depth) * n, n, depth, memory, out);
+  }
+};
+
+LINKWORK_DEFINE_FORCE(sphere_sphere_contact, SphereSphereContact)
+
+}  // namespace linkwork
