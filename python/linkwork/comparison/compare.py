@@ -1,0 +1,228 @@
+"""The same model by every method, with errors measured and not assumed."""
+
+from __future__ import annotations
+
+import logging
+import math
+import os
+import warnings
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+
+from linkwork.comparison import runs
+from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
+from linkwork.comparison.reference import GOOD_ENOUGH, Reference, given_reference, solved_reference
+from linkwork.comparison.runs import Outcome, Runs, Sampling
+from linkwork.comparison.store import Store
+from linkwork.comparison.table import Comparison
+from linkwork.comparison.workers import Lost, in_processes, processor_count
+from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, nearest
+from linkwork.manifest import platform_facts
+from linkwork.model import Model
+from linkwork.options import check_number
+from linkwork.progress import ShowOption, counting
+from linkwork.result import Result
+
+__all__ = ["compare"]
+
+log = logging.getLogger(__name__)
+
+#: Without steps: twice, once and half the step that a method of order 4 needs for an error of about this.
+USUAL_ERROR = 1e-4
+
+
+def compare(
+    model: Model | str,
+    t_end: float | None = None,
+    *,
+    formulations: Iterable[Entry] | None = None,
+    stabilizations: Iterable[Entry] | None = None,
+    integrators: Iterable[Entry] | None = None,
+    linear_solvers: Iterable[Entry] | None = None,
+    steps: Iterable[float] | None = None,
+    tolerances: Iterable[float] | None = None,
+    reference: Result | str | os.PathLike[str] | None = None,
+    processes: int | None = None,
+    time_limit: float | None = None,
+    resume: str | os.PathLike[str] | None = None,
+    progress: ShowOption = None,
+    **options: Any,
+) -> Comparison:
+    """Simulate a model by many methods, in parallel processes, and measure the error of each.
+
+    model           a Model, or the name of a mechanism in linkwork.mechanisms
+    t_end           [s]; None: what the mechanism recommends
+    formulations, stabilizations, integrators, linear_solvers
+                    the axes of the grid; one that is not given is left to `simulate`. None of them given: a
+                    selection that shows what they are about. An entry is a name, a name with numbers
+                    ("baumgarte:5:5" [1/s], "baumgarte:1/h:sqrt(2)/h" with the step h, "penalty:1e7"), or
+                    options by name; integrators may be methods as data
+    steps           fixed steps [s]; None without tolerances: of the mechanism four times, twice and once the
+                    recommended one, of other models what the reference suggests
+    tolerances      rtol of steps that follow it (atol = rtol / 1000), for integrators with an error estimate
+    reference       a known solution, with frames at multiples of the steps; None: one is computed by DOP853
+                    with projection at a tight tolerance, its own error by a second, tighter one
+    processes       at the same time; None: one a processor
+    time_limit      of one cell [s]; beyond it the cell is lost
+    resume          a folder in which every finished cell is kept at once, and from which an interrupted
+                    comparison goes on, also with more cells
+    progress        None: a line on a terminal after two seconds; False: nothing
+    options         further options of every cell, see linkwork.options.Options
+
+    A cell that is refused, diverges or fails does not stop the others: its `status` and `reason` say so.
+    Figures are those of `simulate` with the options of the cell, at up to 200 frames. Times are of processes
+    that run side by side: fewer of them than processors give better ones.
+
+    OptionError: a grid without cells, no reference. ModelError: the model cannot be simulated. FileError: of
+    `reference` or `resume`. LinkworkWarning: the reference is too inaccurate to compare with.
+    """
+    model, t_end, recommended = _resolved(model, t_end)
+    for name, number in (("processes", processes), ("time_limit", time_limit)):
+        if number is not None:
+            check_number(name, number, positive=True)
+    methods = choices(formulations, stabilizations, integrators, linear_solvers, options)
+    rtols = list(tolerances or ())
+    asked = [float(step) for step in steps] if steps is not None else None
+    if asked is None and not rtols and recommended is not None:
+        asked = [4 * recommended, 2 * recommended, recommended]
+    if asked is None and not rtols and reference is None:
+        asked = _suggested_steps(model, t_end, processes)
+    if not asked and not rtols:
+        raise OptionError(
+            "steps and tolerances are missing: give steps=[1e-2, 5e-3] [s] or tolerances=[1e-6, 1e-8]", code="step"
+        )
+    grid = cells(methods, asked or [], rtols)
+    store = _store(resume, model, t_end, reference)
+    sampling = Sampling.of(t_end, asked or [])
+    done = {} if store is None else store.outcomes()
+    count = processes or processor_count()
+    log.info("comparison of %s: %d cells, %d of them known", model.name or "model", len(grid),
+             sum(cell.key in done for cell in grid))  # fmt: skip
+    with counting(progress, len(grid) + 1) as report:
+        exact = _reference(model, t_end, sampling, asked or [], reference, store, count, report)
+        times = exact.motion.t if reference is not None else None
+        outcomes = _run(Runs(model, t_end, sampling, exact, times), grid, done, store, count, time_limit, report)
+    manifest = {"model": model.name, "model_hash": model.hash(), "processes": count, **platform_facts()}
+    return Comparison(outcomes, exact, t_end, manifest)
+
+
+def _run(
+    task: Runs,
+    grid: Sequence[Cell],
+    done: dict[str, Outcome],
+    store: Store | None,
+    processes: int,
+    time_limit: float | None,
+    report: Any,
+) -> list[Outcome]:
+    """The outcome of every cell, known or new."""
+    found: list[Outcome | None] = [done.get(cell.key) for cell in grid]
+    todo = [place for place, outcome in enumerate(found) if outcome is None]
+
+    def beat(places: Sequence[int]) -> None:
+        complete = sum(outcome is not None for outcome in found)
+        now = "; ".join(grid[todo[place]].label for place in places[:1])
+        report(1 + complete, f"{complete} of {len(grid)} cells, {now}")
+
+    for place, answer in in_processes(task, [grid[place] for place in todo], processes, time_limit, beat):
+        cell = grid[todo[place]]
+        outcome = runs.lost(cell, answer.reason) if isinstance(answer, Lost) else answer
+        found[todo[place]] = outcome
+        log.info("%s: %s%s", cell.label, outcome.verdict, f": {outcome.reason}" if outcome.reason else "")
+        if store is not None and outcome.status != "lost":
+            store.keep(cell, outcome)
+    return [outcome for outcome in found if outcome is not None]
+
+
+def _reference(
+    model: Model,
+    t_end: float,
+    sampling: Sampling,
+    steps: Sequence[float],
+    given: Result | str | os.PathLike[str] | None,
+    store: Store | None,
+    processes: int,
+    report: Any,
+) -> Reference:
+    if given is not None:
+        return _checked(given_reference(given), model, t_end)
+    times = sampling.times(steps)
+    stored = store.reference() if store is not None else None
+    if stored is not None and len(stored.motion.at(times)[1]) == len(times):
+        return stored
+    made = solved_reference(model, t_end, times, processes, beat=lambda _: report(0, "reference solution"))
+    if made.error is not None and made.error["state_error"] > GOOD_ENOUGH:
+        warnings.warn(
+            f"reference of {model.name or 'the model'}: two runs at tight tolerances differ by "
+            f"{made.error['state_error']:.1e} of the motion; smaller errors cannot be told from it: shorten the "
+            "run, or give a known solution as reference",
+            LinkworkWarning,
+            stacklevel=3,
+        )
+    if store is not None:
+        store.keep_reference(made)
+    return made
+
+
+def _checked(reference: Reference, model: Model, t_end: float) -> Reference:
+    """OptionError: a solution of another mechanism, or one that ends too early."""
+    bodies = reference.motion.q.shape[1]
+    if bodies != model.body_count:
+        raise OptionError(
+            f"reference: has {bodies} bodies, the model {model.body_count}; give a result of this model",
+            code="reference",
+        )
+    if not len(reference.motion.t) or reference.motion.t[-1] < t_end * (1 - 1e-9):
+        last = reference.motion.t[-1] if len(reference.motion.t) else math.nan
+        raise OptionError(
+            f"reference: ends at {last:g} s, the comparison at {t_end:g} s; shorten it", code="reference"
+        )
+    return reference
+
+
+def _suggested_steps(model: Model, t_end: float, processes: int | None) -> list[float]:
+    """From the steps of a run with an error of about USUAL_ERROR by a method of order 5."""
+    from linkwork.simulation import simulate
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            pilot = simulate(model, t_end, rtol=USUAL_ERROR, integrator="dopri5", progress=False,
+                             times=[t_end])  # fmt: skip
+        count = max(int(pilot.statistics["steps"]), 10)
+    except LinkworkError as error:
+        raise OptionError(
+            f"steps are missing, and none could be found ({error}); give steps=[...] [s]", code="step"
+        ) from error
+    return [t_end / (count * n) for n in (1, 2, 4)]
+
+
+def _store(
+    folder: str | os.PathLike[str] | None, model: Model, t_end: float, reference: Any
+) -> Store | None:
+    if folder is None:
+        return None
+    given = None if reference is None else str(getattr(reference, "manifest", {}).get("started", reference))
+    return Store(folder, {"model_hash": model.hash(), "t_end": t_end, "reference": given})
+
+
+def _resolved(model: Model | str, t_end: float | None) -> tuple[Model, float, float | None]:
+    """The model, the end, and the recommended step. OptionError."""
+    settings: dict[str, Any] = {}
+    if isinstance(model, str):
+        from linkwork.mechanisms import MECHANISMS
+
+        if model not in MECHANISMS:
+            raise OptionError(
+                f"mechanism '{model}' does not exist{nearest(model, MECHANISMS)}", code="unknown_option"
+            )
+        settings = dict(MECHANISMS[model].settings)
+        model = MECHANISMS[model].function()
+    end = settings.get("t_end") if t_end is None else t_end
+    if end is None:
+        raise OptionError("t_end is missing: give the end of the simulated time [s]", code="t_end")
+    check_number("t_end", end, positive=True, unit="s")
+    return model, float(end), settings.get("step")
+
+

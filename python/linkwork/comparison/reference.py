@@ -1,0 +1,150 @@
+"""The solution that errors are measured against, and how far it may be trusted."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.comparison.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.comparison.workers import Lost, in_processes
+from linkwork.errors import LinkworkError, ModelError, OptionError
+from linkwork.model import Model
+from linkwork.result import Result
+from linkwork.simulation import simulate
+
+__all__ = ["Reference", "given_reference", "solved_reference"]
+
+Floats = NDArray[np.float64]
+
+#: Tried one after the other: rtol; each is judged by a run with a tolerance ten times smaller.
+TOLERANCES, TIGHTER = (1e-12, 1e-11, 1e-10), 0.1
+
+#: What a reference is computed with; the second where the first refuses or fails (massless bodies).
+METHODS: tuple[dict[str, Any], ...] = (
+    {"formulation": "standard", "stabilization": "projection", "integrator": "dop853"},
+    {"formulation": "augmented_lagrangian", "stabilization": "projection", "integrator": "dop853"},
+)
+
+#: A reference with a larger error is improved on, if that is possible.
+GOOD_ENOUGH = 1e-6
+
+
+@dataclass(frozen=True)
+class Reference:
+    """A motion, its scales, and its own error: None where that is not known."""
+
+    motion: Sampled
+    scales: Scales
+    description: str
+    error: Mapping[str, float] | None  #: pose, velocity, state and reaction error, largest over time
+    steps: int | None  #: that it took
+    seconds: float | None
+    unique_joints: Sequence[str]
+    joint_count: int
+
+    def errors(self, motion: Sampled) -> dict[str, float]:
+        """Largest pose, velocity, state and reaction error of another motion."""
+        return largest(Differences.between(motion, self.motion), self.scales)
+
+
+def largest(differences: Differences, scales: Scales) -> dict[str, float]:
+    """The errors of `measures`, largest over time; NaN where there are no unique reactions."""
+    return {
+        "pose_error": _most(differences.pose(scales)),
+        "velocity_error": _most(differences.velocities(scales)),
+        "state_error": _most(differences.state(scales)),
+        "reaction_error": _most(differences.reaction(scales)),
+    }
+
+
+def given_reference(reference: Result | str | os.PathLike[str]) -> Reference:
+    """A known solution; its error is not known. FileError: the file cannot be read."""
+    result = reference if isinstance(reference, Result) else Result.load(reference)
+    name = "given result" if isinstance(reference, Result) else str(reference)
+    options = result.manifest.get("options", {})
+    words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
+    return _made(result, ": ".join(filter(None, [name, ", ".join(words)])), None)
+
+
+def solved_reference(
+    model: Model,
+    t_end: float,
+    times: Floats,
+    processes: int | None = None,
+    seconds: float | None = None,
+    beat: Callable[[Sequence[int]], object] = lambda places: None,
+) -> Reference:
+    """DOP853 with projection at a tight tolerance; its error is the difference to a run at a tighter one.
+
+    The two take different steps, so their errors, of truncation and of rounding, are independent: the
+    difference is that of the first run, or up to sqrt(2) more. LinkworkError: no method gives a solution.
+    """
+    best: Reference | None = None
+    failures: list[str] = []
+    for method in METHODS:
+        for rtol in TOLERANCES:
+            runs = [_Run(model, t_end, times, method, rtol), _Run(model, t_end, times, method, TIGHTER * rtol)]
+            found: dict[int, Any] = dict(in_processes(_solve, runs, processes, seconds, beat))
+            failed = [it for it in (found[0], found[1]) if not isinstance(it, Result)]
+            if failed:
+                failures.append(f"{method['formulation']}, rtol {rtol:g}: {failed[0].reason}")
+                continue
+            loose, tight = found[0], found[1]
+            made = _made(loose, f"{method['integrator']}, {method['formulation']}, {method['stabilization']}, "
+                         f"rtol {rtol:g}", tight)  # fmt: skip
+            assert made.error is not None
+            if made.error["state_error"] <= GOOD_ENOUGH:
+                return made
+            if best is None or best.error is None or made.error["state_error"] < best.error["state_error"]:
+                best = made
+        if best is not None:
+            return best
+    raise OptionError(
+        f"no reference solution was found ({'; '.join(dict.fromkeys(failures))}); give one: reference=result",
+        code="reference",
+    )
+
+
+@dataclass(frozen=True)
+class _Run:
+    model: Model
+    t_end: float
+    times: Floats
+    method: Mapping[str, Any]
+    rtol: float
+
+
+def _solve(run: _Run) -> Result | Lost:
+    # An absolute tolerance as fine as the relative one is for coordinates of the size of the mechanism.
+    positions = np.abs(run.model.compiled().q0.reshape(-1, 7)[:, :3])
+    size = float(positions.max(initial=0.0)) or 1.0
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return simulate(run.model, run.t_end, rtol=run.rtol, atol=run.rtol * min(size, 1.0),
+                            times=run.times, progress=False, **run.method)  # fmt: skip
+    except ModelError:
+        raise
+    except LinkworkError as error:
+        return Lost(str(error))
+
+
+def _made(result: Result, description: str, tighter: Result | None) -> Reference:
+    motion = Sampled.of(result)
+    scales = Scales.of(motion, longest_arm(result))
+    error = None
+    if tighter is not None:
+        error = largest(Differences.between(motion, Sampled.of(tighter)), scales)
+    joints = [name for name, unique in zip(result.joint_names, result.unique_reactions, strict=True) if unique]
+    return Reference(motion, scales, description, error, result.statistics.get("steps"),
+                     result.statistics.get("driver_seconds"), joints, len(result.joint_names))  # fmt: skip
+
+
+def _most(values: Floats) -> float:
+    return float(values.max(initial=0.0)) if not np.isnan(values).any() else float("nan")

@@ -1,0 +1,275 @@
+"""One cell of a comparison: a run, and its figures against the reference."""
+
+from __future__ import annotations
+
+import json
+import math
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.comparison.choices import Cell
+from linkwork.comparison.measures import Differences, Sampled
+from linkwork.comparison.reference import Reference, largest
+from linkwork.errors import (
+    LinkworkError,
+    ModelError,
+    NotConvergedError,
+    NotFiniteError,
+    OptionError,
+    SingularSystemError,
+    StepSizeError,
+    ViolationError,
+)
+from linkwork.model import Model
+from linkwork.result import Result
+from linkwork.simulation import simulate
+
+__all__ = ["Curves", "Outcome", "Runs", "Sampling"]
+
+Floats = NDArray[np.float64]
+
+Status = Literal["finished", "refused", "diverged", "singular", "failed", "lost"]
+
+#: Frames of a run that are compared, if its steps allow that.
+FRAMES, FEWEST_FRAMES = 200, 20
+
+#: A state error this large says that the motion is another one.
+WRONG = 1.0
+
+#: A run this short [s] is repeated, at most so often, and its shortest time counts.
+SHORT_SECONDS, REPEATS = 0.2, 3
+
+
+@dataclass(frozen=True)
+class Curves:
+    """Over time, at the frames that were compared."""
+
+    t: Sequence[float]  # [s]
+    state_error: Sequence[float]
+    violation: Sequence[Sequence[float]]  # of positions, velocities, accelerations
+    energy_error: Sequence[float]  # [J]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The figures of one cell: None where there is nothing to measure. Largest over the compared frames.
+
+    status     finished; refused before the first step; diverged: what is not finite, does not converge or
+               has no step that is small enough; singular: a pose or a matrix that stopped the run; failed:
+               another error; lost: the process died or was too slow
+    reason     of a cell that did not finish
+    t_reached  [s]
+    errors     see linkwork.comparison.measures; `reaction_error` of joints with unique reactions alone
+    seconds    wall time of the steps, without the setup; the shortest of up to three for short runs
+    """
+
+    label: str
+    resolution: str
+    options: Mapping[str, Any]
+    step: float | None
+    rtol: float | None
+    status: Status
+    reason: str = ""
+    remarks: Sequence[str] = ()
+    t_reached: float | None = None
+    pose_error: float | None = None
+    velocity_error: float | None = None
+    state_error: float | None = None
+    reaction_error: float | None = None
+    position_violation: float | None = None
+    velocity_violation: float | None = None
+    acceleration_violation: float | None = None
+    energy_error: float | None = None
+    steps: int | None = None
+    rejected_steps: int | None = None
+    evaluations: int | None = None
+    factorizations: int | None = None
+    iterations: int | None = None
+    singular_poses: int | None = None
+    seconds: float | None = None
+    curves: Curves | None = field(default=None, repr=False)
+
+    @property
+    def method(self) -> str:
+        """Equal for cells that differ in their step alone; unlike `label`, never by chance."""
+        return json.dumps([self.label, dict(self.options)], sort_keys=True)
+
+    @property
+    def verdict(self) -> str:
+        """The status in words; a motion that has nothing to do with the reference is not just finished."""
+        if self.status == "finished":
+            return "finished" if self.state_error is None or self.state_error < WRONG else "wrong"
+        reached = f" at {self.t_reached:.4g} s" if self.t_reached is not None else ""
+        return f"{self.status}{reached}"
+
+    def figures(self) -> dict[str, Any]:
+        """Everything but the curves."""
+        return {name: value for name, value in asdict(self).items() if name != "curves"}
+
+    @classmethod
+    def from_figures(cls, figures: Mapping[str, Any]) -> Outcome:
+        """The inverse of `dataclasses.asdict`."""
+        curves = figures.get("curves")
+        return cls(**{**figures, "curves": Curves(**curves) if curves else None})
+
+
+@dataclass(frozen=True)
+class Sampling:
+    """At which frames the cells are compared: the same times for all where their steps allow it.
+
+    t_end      [s]
+    intervals  of the common times, 0 where there are none
+    """
+
+    t_end: float
+    intervals: int
+
+    @classmethod
+    def of(cls, t_end: float, steps: Sequence[float]) -> Sampling:
+        counts = [t_end / step for step in steps]
+        whole = [round(count) for count in counts]
+        if any(abs(c - n) > 1e-6 * max(n, 1) or not n for c, n in zip(counts, whole, strict=True)):
+            return cls(t_end, 0)
+        common = math.gcd(*whole) if whole else FRAMES
+        intervals = max(n for n in range(1, min(FRAMES, common) + 1) if common % n == 0)
+        return cls(t_end, intervals if intervals >= FEWEST_FRAMES else 0)
+
+    def every(self, step: float) -> int:
+        """Steps between frames of a run with a fixed step [s]."""
+        count = max(1, round(self.t_end / step))
+        return count // self.intervals if self.intervals else max(1, count // FRAMES)
+
+    def times(self, steps: Sequence[float]) -> Floats:
+        """At which the reference is needed."""
+        grids = [np.linspace(0.0, self.t_end, (self.intervals or FRAMES) + 1)]
+        if not self.intervals:
+            for step in steps:
+                grid = step * self.every(step) * np.arange(1, int(self.t_end / step / self.every(step)) + 1)
+                grids.append(grid[grid < self.t_end * (1 - 1e-9)])
+        times = np.sort(np.concatenate(grids))
+        return times[np.concatenate([[True], np.diff(times) > 1e-10 * self.t_end])]
+
+    def arguments(self, cell: Cell, times: Floats | None) -> dict[str, Any]:
+        """For `simulate`: where it records. `times`: of a reference that was given."""
+        if cell.step is None:
+            usual = np.linspace(0.0, self.t_end, (self.intervals or FRAMES) + 1)
+            return {"times": usual if times is None else times[times <= self.t_end]}
+        if times is None or len(times) < 2:
+            return {"record_every": self.every(cell.step)}
+        apart = float(np.min(np.diff(times))) / cell.step
+        return {"record_every": round(apart) if abs(apart - round(apart)) < 1e-6 and apart > 0.5 else 1}
+
+
+@dataclass(frozen=True)
+class Runs:
+    """What every cell has in common."""
+
+    model: Model
+    t_end: float
+    sampling: Sampling
+    reference: Reference
+    times: Floats | None  #: of a reference that was given
+
+    def __call__(self, cell: Cell) -> Outcome:
+        """Run a cell; whatever it does is an outcome."""
+        try:
+            given = {**cell.options(), **self.sampling.arguments(cell, self.times)}
+        except OptionError as error:
+            return self._without_result(cell, "refused", error, ())
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            try:
+                result, seconds = self._timed(given)
+            except (OptionError, ModelError) as error:
+                return self._without_result(cell, "refused", error, caught)
+            except LinkworkError as error:
+                return self._without_result(cell, _kind(error), error, caught)
+            except MemoryError:
+                return self._without_result(cell, "failed", "not enough memory", caught)
+            except Exception as error:  # of a function of the user's, in the model or the integrator
+                return self._without_result(cell, "failed", f"{type(error).__name__}: {error}", caught)
+        return self._figures(cell, result, seconds, [str(it.message) for it in caught])
+
+    def _timed(self, given: Mapping[str, Any]) -> tuple[Result, float]:
+        spent: list[float] = []
+        while not spent or (sum(spent) < SHORT_SECONDS and len(spent) < REPEATS):
+            result = simulate(self.model, self.t_end, progress=False, **given)
+            spent.append(float(result.statistics["driver_seconds"]))
+        return result, min(spent)
+
+    def _figures(self, cell: Cell, result: Result, seconds: float, remarks: Sequence[str]) -> Outcome:
+        differences = Differences.between(Sampled.of(result), self.reference.motion)
+        errors = largest(differences, self.reference.scales)
+        state = differences.state(self.reference.scales)
+        compared = np.isin(result.t, differences.t)
+        counted = {
+            name: int(result.statistics.get(name, 0))
+            for name in ("steps", "rejected_steps", "evaluations", "factorizations", "iterations", "singular_poses")
+        }  # fmt: skip
+        return Outcome(
+            **_identity(cell, result.manifest["options"]), status="finished", remarks=remarks,
+            t_reached=float(result.t[-1]), seconds=seconds, **_numbers(errors), **_observed(result), **counted,
+            curves=Curves(differences.t.tolist(), _list(state), result.violation[compared].tolist(),
+                          _list(result.energy_error[compared])),
+        )  # fmt: skip
+
+    def _without_result(
+        self, cell: Cell, status: Status, error: LinkworkError | str, caught: Sequence[Any]
+    ) -> Outcome:
+        result = getattr(error, "result", None)
+        reached = getattr(error, "time", None)
+        if reached is None and result is not None and len(result):
+            reached = float(result.t[-1])
+        observed = _observed(result) if result is not None and len(result) else {}
+        return Outcome(**_identity(cell, {}), status=status, reason=str(error), t_reached=reached,
+                       remarks=[str(it.message) for it in caught], **observed)  # fmt: skip
+
+
+def lost(cell: Cell, reason: str) -> Outcome:
+    """Of a cell whose process gave no answer."""
+    return Outcome(**_identity(cell, {}), status="lost", reason=reason)
+
+
+def _identity(cell: Cell, chosen: Mapping[str, Any]) -> dict[str, Any]:
+    """`options`: as chosen, or as asked for where the run did not begin."""
+    asked = {name: value if isinstance(value, str | int | float | bool | None) else str(getattr(value, "name", value))
+             for name, value in cell.choice.options.items()}  # fmt: skip
+    names = ("formulation", "system", "stabilization", "integrator", "linear_solver")
+    found = {name: chosen[name] for name in names if chosen.get(name) is not None}
+    return {
+        "label": cell.choice.label,
+        "resolution": cell.resolution,
+        "options": {**asked, **found},
+        "step": cell.step,
+        "rtol": cell.rtol,
+    }
+
+
+def _kind(error: LinkworkError) -> Status:
+    if isinstance(error, NotFiniteError | NotConvergedError | StepSizeError | ViolationError):
+        return "diverged"
+    return "singular" if isinstance(error, SingularSystemError) else "failed"
+
+
+def _observed(result: Result) -> dict[str, float | None]:
+    violation = result.violation.max(axis=0)
+    return _numbers({
+        "position_violation": violation[0],
+        "velocity_violation": violation[1],
+        "acceleration_violation": violation[2],
+        "energy_error": np.abs(result.energy_error).max(),
+    })  # fmt: skip
+
+
+def _numbers(values: Mapping[str, Any]) -> dict[str, float | None]:
+    """NaN and infinity are None: there is nothing to measure."""
+    return {name: float(value) if np.isfinite(value) else None for name, value in values.items()}
+
+
+def _list(values: Floats) -> list[float]:
+    return [float(value) for value in values]

@@ -1,0 +1,248 @@
+"""What a comparison found: a table, its orders, a recommendation, files and pictures."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from linkwork.comparison.reference import Reference
+from linkwork.comparison.runs import Outcome
+from linkwork.errors import FileError, OptionError, nearest
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
+
+__all__ = ["ERRORS", "ORDERS", "Comparison"]
+
+#: The errors of a cell, and its observed orders: between it and the next larger step of the same method.
+ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")
+ORDERS = {error: error.replace("error", "order") for error in ERRORS}
+
+#: An error less than so many times that of the reference says nothing about the order.
+ABOVE_REFERENCE = 3.0
+
+#: By which the cheapest can be chosen.
+COSTS = {"seconds": "s", "evaluations": "evaluations", "factorizations": "factorizations"}
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Cells in the order of the grid: each method from its largest step to its smallest.
+
+    `print(comparison)` shows the table; `linkwork.comparison.measures` defines the errors.
+    """
+
+    outcomes: Sequence[Outcome]
+    reference: Reference
+    t_end: float
+    manifest: Mapping[str, Any]  #: versions, machine, name and hash of the model
+
+    def __len__(self) -> int:
+        return len(self.outcomes)
+
+    def __iter__(self) -> Iterator[Outcome]:
+        return iter(self.outcomes)
+
+    @property
+    def methods(self) -> dict[str, list[Outcome]]:
+        """The cells of each method, by `Outcome.method`."""
+        found: dict[str, list[Outcome]] = {}
+        for outcome in self.outcomes:
+            found.setdefault(outcome.method, []).append(outcome)
+        return found
+
+    def rows(self) -> list[dict[str, Any]]:
+        """The table: the figures of each cell, and its observed orders."""
+        orders = self._orders()
+        return [{**it.figures(), **orders[place]} for place, it in enumerate(self.outcomes)]
+
+    def orders(self, error: str = "pose_error") -> dict[str, float | None]:
+        """The observed order of each method, by label: that of the finest two steps that can tell it.
+
+        Steps whose error is near that of the reference cannot. OptionError: no such error.
+        """
+        _check_name(error, ERRORS, "error")
+        found: dict[str, float | None] = {}
+        for cells in self.methods.values():
+            known = [self._order(coarse, fine, error) for coarse, fine in pairwise(_stepped(cells))]
+            found[cells[0].label] = next((order for order in reversed(known) if order is not None), None)
+        return found
+
+    def recommend(self, error: float = 1e-3, of: str = "state_error", by: str = "seconds") -> str:
+        """One sentence: the cheapest of these cells whose error is no larger, from the measured table.
+
+        of  "state_error", "pose_error", "velocity_error" or "reaction_error"
+        by  "seconds", "evaluations" or "factorizations"
+
+        OptionError: a name that does not exist.
+        """
+        _check_name(of, ERRORS, "of")
+        _check_name(by, COSTS, "by")
+        what = of.replace("_", " ")
+        measured = [it for it in self.outcomes if it.status == "finished" and getattr(it, of) is not None]
+        if not measured:
+            return f"No cell has a {what}: {self._why_none(of)}."
+        meeting = [it for it in measured if getattr(it, of) <= error]
+        if not meeting:
+            best = min(measured, key=lambda it: float(getattr(it, of)))
+            return (f"No cell meets a {what} of {error:.2g}: the smallest is {getattr(best, of):.2g}, by "
+                    f"{best.label} with {_with(best)}; try smaller steps.")  # fmt: skip
+        best = min(meeting, key=lambda it: (getattr(it, by), getattr(it, of)))
+        cost = f"{getattr(best, by):.3g} s" if by == "seconds" else f"{getattr(best, by):,} {COSTS[by]}"
+        doubt = ""
+        if self.reference.error is not None and self.reference.error[of] > error / ABOVE_REFERENCE:
+            doubt = f", though the reference itself is only known to {self.reference.error[of]:.1g}"
+        return (f"The cheapest of {len(meeting)} cells that meet a {what} of {error:.2g} is {best.label} with "
+                f"{_with(best)}: {getattr(best, of):.2g} in {cost}{doubt}.")  # fmt: skip
+
+    # --- as text, table, files ---
+
+    def __str__(self) -> str:
+        from linkwork.comparison import text
+
+        return text.whole(self)
+
+    def __repr__(self) -> str:
+        done = sum(it.status == "finished" for it in self.outcomes)
+        return f"<Comparison of {self.manifest.get('model') or 'model'}: {done} of {len(self)} cells finished>"
+
+    def _repr_html_(self) -> str:
+        from linkwork.comparison import page
+
+        return page.table(self)
+
+    def to_frame(self) -> pandas.DataFrame:
+        """The table as a pandas.DataFrame. OptionError: pandas is not installed; `rows` needs nothing."""
+        try:
+            import pandas
+        except ImportError as error:
+            raise OptionError(
+                "to_frame needs pandas: pip install pandas, or use rows()", code="missing_package"
+            ) from error
+        return pandas.DataFrame(self._flat_rows())
+
+    def to_csv(self, path: str | os.PathLike[str] | None = None) -> str:
+        """The table as CSV, also written to `path`. FileError."""
+        out = io.StringIO()
+        rows = self._flat_rows()
+        writer = csv.DictWriter(out, list(rows[0]) if rows else [], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+        return _written(out.getvalue(), path)
+
+    def to_json(self, path: str | os.PathLike[str] | None = None) -> str:
+        """Everything, the curves over time too, as JSON, also written to `path`. FileError."""
+        document = {**self.document(), "cells": [
+            {**row, "curves": it.curves and asdict(it.curves)}
+            for row, it in zip(self.rows(), self.outcomes, strict=True)
+        ]}  # fmt: skip
+        return _written(json.dumps(_plain(document), indent=1, allow_nan=False) + "\n", path)
+
+    def to_html(self, path: str | os.PathLike[str] | None = None) -> str:
+        """A page that needs nothing but a browser: table, pictures, definitions; also written to `path`."""
+        from linkwork.comparison import page
+
+        return _written(page.page(self), path)
+
+    def plot(self, kind: str = "work_precision", path: str | os.PathLike[str] | None = None) -> Figure:
+        """A picture: "work_precision", "order", "violation", "energy" or "error"; written to `path` when given.
+
+        OptionError: no such kind. FileError.
+        """
+        from linkwork.comparison import plots
+
+        return plots.plot(self, kind, path)
+
+    def document(self) -> dict[str, Any]:
+        """The table and what it rests on, as data."""
+        return {
+            "model": self.manifest.get("model"),
+            "t_end": self.t_end,
+            "reference": {
+                "description": self.reference.description,
+                "error": self.reference.error,
+                "scales": asdict(self.reference.scales),
+                "steps": self.reference.steps,
+                "seconds": self.reference.seconds,
+                "unique_joints": list(self.reference.unique_joints),
+                "joints": self.reference.joint_count,
+            },
+            "cells": self.rows(),
+            "manifest": dict(self.manifest),
+        }
+
+    # --- how it works ---
+
+    def _orders(self) -> list[dict[str, float | None]]:
+        found: list[dict[str, float | None]] = [dict.fromkeys(ORDERS.values()) for _ in self.outcomes]
+        places = {id(it): place for place, it in enumerate(self.outcomes)}
+        for cells in self.methods.values():
+            for coarse, fine in pairwise(_stepped(cells)):
+                found[places[id(fine)]] = {name: self._order(coarse, fine, error) for error, name in ORDERS.items()}
+        return found
+
+    def _order(self, coarse: Outcome, fine: Outcome, error: str) -> float | None:
+        """log(e_coarse / e_fine) / log(h_coarse / h_fine); None where the reference hides it."""
+        of_coarse, of_fine = getattr(coarse, error), getattr(fine, error)
+        floor = ABOVE_REFERENCE * (self.reference.error[error] if self.reference.error else 0.0)
+        if not of_coarse or not of_fine or of_fine <= floor or of_coarse >= 1 or not coarse.step or not fine.step:
+            return None
+        return math.log(of_coarse / of_fine) / math.log(coarse.step / fine.step)
+
+    def _flat_rows(self) -> list[dict[str, Any]]:
+        rows = []
+        for row in self.rows():
+            options = {f"{name}": value for name, value in row.pop("options").items()}
+            remarks = "; ".join(row.pop("remarks"))
+            rows.append({**row, "remarks": remarks, "options": json.dumps(options)})
+        return rows
+
+    def _why_none(self, of: str) -> str:
+        if of == "reaction_error" and not self.reference.unique_joints:
+            return "no joint of the mechanism has a reaction that follows from its motion"
+        verdicts = sorted({it.status for it in self.outcomes})
+        return f"all are {' or '.join(verdicts)}" if verdicts else "there are none"
+
+
+def _stepped(cells: Sequence[Outcome]) -> list[Outcome]:
+    """Those with a fixed step, coarse to fine, that finished."""
+    return sorted((it for it in cells if it.step and it.status == "finished"), key=lambda it: -(it.step or 0))
+
+
+def _with(it: Outcome) -> str:
+    return f"steps of {it.step:g} s" if it.step is not None else f"rtol {it.rtol:g}"
+
+
+def _check_name(name: str, known: Any, what: str) -> None:
+    if name not in known:
+        raise OptionError(f"{what} '{name}' does not exist{nearest(name, known)}", code="unknown_option")
+
+
+def _plain(value: Any) -> Any:
+    """For JSON, which has no NaN."""
+    if isinstance(value, dict):
+        return {name: _plain(item) for name, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def _written(text: str, path: str | os.PathLike[str] | None) -> str:
+    if path is not None:
+        try:
+            Path(path).write_text(text, encoding="utf-8")
+        except OSError as error:
+            reason = os.strerror(error.errno).lower() if error.errno else str(error)
+            raise FileError(f"output '{path}': cannot be written: {reason}", code="not_writable") from error
+    return text

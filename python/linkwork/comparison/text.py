@@ -1,0 +1,89 @@
+"""A comparison as plain text."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from linkwork.comparison.table import Comparison
+
+#: Heading, and how a row says it.
+COLUMNS: tuple[tuple[str, str, str], ...] = (
+    ("pose\nerror", "pose_error", "{:.1e}"),
+    ("\norder", "pose_order", "{:.1f}"),
+    ("velocity\nerror", "velocity_error", "{:.1e}"),
+    ("\norder", "velocity_order", "{:.1f}"),
+    ("reaction\nerror", "reaction_error", "{:.1e}"),
+    ("violation\nposition", "position_violation", "{:.0e}"),
+    ("of\nvelocity", "velocity_violation", "{:.0e}"),
+    ("constraints\nacceleration", "acceleration_violation", "{:.0e}"),
+    ("energy\nerror [J]", "energy_error", "{:.1e}"),
+    ("evalua-\ntions", "evaluations", "{:,}"),
+    ("time\n[s]", "seconds", "{:.3f}"),
+)
+
+
+def header() -> tuple[str, ...]:
+    return ("method", "step [s]\nor rtol", *(heading for heading, _, _ in COLUMNS), "status")
+
+
+def rows(comparison: Comparison) -> list[tuple[str, ...]]:
+    """The label of a method stands at its first cell alone."""
+    out, shown = [], ""
+    for outcome, row in zip(comparison.outcomes, comparison.rows(), strict=True):
+        label = "" if outcome.method == shown else outcome.label
+        shown = outcome.method
+        size = f"{outcome.step:g}" if outcome.step is not None else f"rtol {outcome.rtol:g}"
+        cells = [_said(row[key], form) for _, key, form in COLUMNS]
+        out.append((label, size, *cells, outcome.verdict))
+    return out
+
+
+def notes(comparison: Comparison) -> list[str]:
+    """What the table rests on, and why cells are missing."""
+    reference = comparison.reference
+    own = (
+        f"own error about {reference.error['state_error']:.1e}" if reference.error else "own error not known"
+    )
+    scales = reference.scales
+    unique = f"{len(reference.unique_joints)} of {reference.joint_count}"
+    return [
+        f"Reference: {reference.description}; {own}.",
+        f"Errors: largest over {_frames(comparison)}, of poses relative to {scales.length:.3g} m (and 1 rad), "
+        f"of velocities to {scales.speed:.3g} m/s, of reactions to {scales.force:.3g} N; reactions of the {unique} "
+        "joints where they are unique.",
+        *dict.fromkeys(f"{it.label}: {it.status}: {it.reason}" for it in comparison.outcomes if it.reason),
+        *dict.fromkeys(f"{it.label}: {remark}" for it in comparison.outcomes for remark in it.remarks[:1]),
+    ]
+
+
+def whole(comparison: Comparison) -> str:
+    """Table, notes and recommendation."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, collapse_padding=True)
+    for place, column in enumerate(header()):
+        justify: Any = "left" if place in (0, len(COLUMNS) + 2) else "right"
+        table.add_column(Text(column), justify=justify, vertical="bottom", overflow="fold")
+    for row in rows(comparison):
+        table.add_row(*map(Text, row))
+    console = Console(width=200, highlight=False, color_system=None)
+    with console.capture() as capture:
+        console.print(table)
+    lines = [line.rstrip() for line in capture.get().splitlines()]
+    return "\n".join([*lines, "", *notes(comparison), comparison.recommend()])
+
+
+def _frames(comparison: Comparison) -> str:
+    counts = {len(it.curves.t) for it in comparison.outcomes if it.curves}
+    if not counts:
+        return "no frame"
+    least, most = min(counts), max(counts)
+    return f"{most} frames" if least == most else f"{least} to {most} frames"
+
+
+def _said(value: Any, form: str) -> str:
+    return "-" if value is None else form.format(value)

@@ -1,0 +1,156 @@
+"""Tasks in parallel processes: what one of them cannot do does no harm to the others.
+
+Where the system can fork, the processes inherit the task, so it may hold anything (a model with functions of
+Python); elsewhere it must be picklable.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import sys
+import time
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from multiprocessing.process import BaseProcess
+from typing import Any, TypeVar
+
+__all__ = ["Lost", "in_processes", "processor_count"]
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+#: Between two beats of the one who waits [s].
+BEAT_SECONDS = 0.2
+
+
+@dataclass(frozen=True)
+class Lost:
+    """Why a task has no answer: its process died, or its time was over."""
+
+    reason: str
+
+
+@dataclass
+class _Worker:
+    process: BaseProcess
+    connection: Connection
+    place: int | None = None  #: of the item it works on
+    deadline: float = float("inf")
+
+
+def processor_count() -> int:
+    """Processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def in_processes(
+    task: Callable[[T], R],
+    items: Sequence[T],
+    processes: int | None = None,
+    seconds: float | None = None,
+    beat: Callable[[Sequence[int]], object] = lambda places: None,
+) -> Iterator[tuple[int, R | Lost]]:
+    """(place, task(items[place])) as they come, from that many processes (None: one a processor).
+
+    seconds  that one item may take; then its process is ended
+    beat     called now and then with the places that are being worked on
+
+    An exception of `task` ends everything; closing the iterator ends all processes.
+    """
+    todo = list(range(len(items)))[::-1]
+    crew: list[_Worker] = []
+    count = min(processes or processor_count(), len(items))
+    try:
+        while todo or any(worker.place is not None for worker in crew):
+            while todo and len(crew) < count:
+                crew.append(_started(task, items, crew))
+            for worker in crew:
+                if worker.place is None and todo:
+                    worker.place = todo.pop()
+                    worker.deadline = time.monotonic() + seconds if seconds else float("inf")
+                    with contextlib.suppress(BrokenPipeError):  # it died: seen below
+                        worker.connection.send(worker.place)
+            beat([worker.place for worker in crew if worker.place is not None])
+            yield from _answers(crew, seconds)
+    finally:
+        for worker in crew:
+            _end(worker)
+
+
+def _answers(crew: list[_Worker], seconds: float | None) -> Iterator[tuple[int, Any]]:
+    """What came within a beat; a worker that is lost leaves the crew."""
+    busy = {worker.connection: worker for worker in crew if worker.place is not None}
+    for ready in wait(list(busy), BEAT_SECONDS):
+        worker = busy.pop(ready)  # type: ignore[call-overload]
+        place, worker.place = worker.place, None
+        try:
+            answer, error = worker.connection.recv()
+        except (EOFError, OSError):
+            crew.remove(worker)
+            worker.process.join(1.0)
+            cause = _cause_of_death(worker.process)
+            _end(worker)
+            yield place, Lost(cause)
+            continue
+        if error is not None:
+            raise error
+        yield place, answer
+    for worker in busy.values():
+        if time.monotonic() > worker.deadline:
+            crew.remove(worker)
+            _end(worker)
+            yield worker.place, Lost(f"not done after {seconds:g} s")  # type: ignore[misc]
+
+
+def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]) -> _Worker:
+    context = multiprocessing.get_context("fork" if _can_fork() else "spawn")
+    ours, theirs = context.Pipe()
+    others = [ours, *(worker.connection for worker in crew)] if _can_fork() else []
+    process = context.Process(target=_work, args=(theirs, others, task, items), daemon=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # of fork beside threads, which the child leaves alone
+        process.start()
+    theirs.close()
+    return _Worker(process, ours)
+
+
+def _work(connection: Connection, others: Sequence[Connection], task: Any, items: Sequence[Any]) -> None:
+    """The other process: it ends when nobody is left to ask it."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
+    for other in others:  # inherited; while they are open, nobody would notice that the one who asks is gone
+        other.close()
+    while True:
+        try:
+            place = connection.recv()
+        except EOFError:
+            return
+        try:
+            answer: tuple[Any, BaseException | None] = task(items[place]), None
+        except Exception as error:
+            answer = None, error
+        try:
+            connection.send(answer)
+        except BrokenPipeError:
+            return
+
+
+def _end(worker: _Worker) -> None:
+    worker.connection.close()
+    worker.process.kill()
+    worker.process.join()
+
+
+def _cause_of_death(process: BaseProcess) -> str:
+    code = process.exitcode
+    if code is not None and code < 0:
+        return f"its process was ended by {signal.Signals(-code).name}"
+    return f"its process ended with code {code}"
+
+
+def _can_fork() -> bool:
+    return sys.platform.startswith("linux")
