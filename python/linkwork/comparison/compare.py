@@ -6,12 +6,13 @@ import logging
 import math
 import os
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 
 from linkwork.comparison import runs
-from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
+from linkwork.comparison.choices import Cell, Entry, cells, choices
+from linkwork.comparison.order import OrderStudy, Study
 from linkwork.comparison.reference import GOOD_ENOUGH, Reference, given_reference, solved_reference
 from linkwork.comparison.runs import Outcome, Runs, Sampling
 from linkwork.comparison.store import Store
@@ -95,44 +96,48 @@ def compare(
     grid = cells(methods, asked or [], rtols)
     store = _store(resume, model, t_end, reference)
     sampling = Sampling.of(t_end, asked or [])
-    done = {} if store is None else store.outcomes()
+    known = {} if store is None else store.found()
+    studies = [Study(choice, min(asked)) for choice in methods] if asked else []
     count = processes or processor_count()
     log.info("comparison of %s: %d cells, %d of them known", model.name or "model", len(grid),
-             sum(cell.key in done for cell in grid))  # fmt: skip
-    with counting(progress, len(grid) + 1) as report:
+             sum(cell.key in known for cell in grid))  # fmt: skip
+    with counting(progress, 1 + len(grid) + len(studies)) as report:
         exact = _reference(model, t_end, sampling, asked or [], reference, store, count, report)
         times = exact.motion.t if reference is not None else None
-        outcomes = _run(Runs(model, t_end, sampling, exact, times), grid, done, store, count, time_limit, report)
+        task = Runs(model, t_end, sampling, exact, times)
+        found = _run(task, [*grid, *studies], known, store, count, time_limit, report)
     manifest = {"model": model.name, "model_hash": model.hash(), "processes": count, **platform_facts()}
-    return Comparison(outcomes, exact, t_end, manifest)
+    outcomes = [it for it in found if isinstance(it, Outcome)]
+    return Comparison(outcomes, exact, t_end, manifest, [it for it in found if isinstance(it, OrderStudy)])
 
 
 def _run(
     task: Runs,
-    grid: Sequence[Cell],
-    done: dict[str, Outcome],
+    items: Sequence[Cell | Study],
+    known: Mapping[str, Outcome | OrderStudy],
     store: Store | None,
     processes: int,
     time_limit: float | None,
-    report: Any,
-) -> list[Outcome]:
-    """The outcome of every cell, known or new."""
-    found: list[Outcome | None] = [done.get(cell.key) for cell in grid]
-    todo = [place for place, outcome in enumerate(found) if outcome is None]
+    report: Callable[[int, str], None],
+) -> list[Outcome | OrderStudy]:
+    """What every item gives, known or new."""
+    found = {item.key: known[item.key] for item in items if item.key in known}
+    todo = [item for item in items if item.key not in found]
 
     def beat(places: Sequence[int]) -> None:
-        complete = sum(outcome is not None for outcome in found)
-        now = "; ".join(grid[todo[place]].label for place in places[:1])
-        report(1 + complete, f"{complete} of {len(grid)} cells, {now}")
+        now = f", {todo[places[0]].label}" if places else ""
+        report(1 + len(found), f"{len(found)} of {len(items)} runs{now}")
 
-    for place, answer in in_processes(task, [grid[place] for place in todo], processes, time_limit, beat):
-        cell = grid[todo[place]]
-        outcome = runs.lost(cell, answer.reason) if isinstance(answer, Lost) else answer
-        found[todo[place]] = outcome
-        log.info("%s: %s%s", cell.label, outcome.verdict, f": {outcome.reason}" if outcome.reason else "")
-        if store is not None and outcome.status != "lost":
-            store.keep(cell, outcome)
-    return [outcome for outcome in found if outcome is not None]
+    for place, answer in in_processes(task, todo, processes, time_limit, beat):
+        item = todo[place]
+        if isinstance(answer, Lost):
+            found[item.key] = runs.lost(item, answer.reason)
+        else:
+            found[item.key] = answer
+            if store is not None:
+                store.keep(item, answer)
+        log.info("%s: %s", item.label, getattr(found[item.key], "verdict", "done"))
+    return [found[item.key] for item in items]
 
 
 def _reference(
@@ -143,7 +148,7 @@ def _reference(
     given: Result | str | os.PathLike[str] | None,
     store: Store | None,
     processes: int,
-    report: Any,
+    report: Callable[[int, str], None],
 ) -> Reference:
     if given is not None:
         return _checked(given_reference(given), model, t_end)

@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork.comparison import order
 from linkwork.comparison.choices import Cell
 from linkwork.comparison.measures import Differences, Sampled
 from linkwork.comparison.reference import Reference, largest
@@ -29,7 +30,7 @@ from linkwork.model import Model
 from linkwork.result import Result
 from linkwork.simulation import simulate
 
-__all__ = ["Curves", "Outcome", "Runs", "Sampling"]
+__all__ = ["ERRORS", "Curves", "Outcome", "Runs", "Sampling"]
 
 Floats = NDArray[np.float64]
 
@@ -37,6 +38,9 @@ Status = Literal["finished", "refused", "diverged", "singular", "failed", "lost"
 
 #: Frames of a run that are compared, if its steps allow that.
 FRAMES, FEWEST_FRAMES = 200, 20
+
+#: Of a run against the reference, see `measures`.
+ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")
 
 #: A state error this large says that the motion is another one.
 WRONG = 1.0
@@ -175,7 +179,34 @@ class Runs:
     reference: Reference
     times: Floats | None  #: of a reference that was given
 
-    def __call__(self, cell: Cell) -> Outcome:
+    def __call__(self, item: Cell | order.Study) -> Outcome | order.OrderStudy:
+        return self.cell(item) if isinstance(item, Cell) else self.study(item)
+
+    def study(self, study: order.Study) -> order.OrderStudy:
+        """Errors at the step and at its halves; a run that fails ends it."""
+        every, step, seconds = self.sampling.every(study.step), study.step, 0.0
+        found: dict[float, dict[str, float | None]] = {}
+        own = self.reference.error or {}
+        floors = {name: max(order.ROUNDING, order.ABOVE_REFERENCE * own.get(name, 0.0)) for name in ERRORS}
+        while len(found) <= order.HALVINGS and seconds < order.LONGEST_SECONDS:
+            try:
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    given = Cell(study.choice, step=step).options()
+                    result = simulate(self.model, order.WINDOW * self.t_end, record_every=every, progress=False,
+                                      **given)  # fmt: skip
+            except LinkworkError:
+                break
+            seconds = float(result.statistics["seconds"])
+            errors = largest(Differences.between(Sampled.of(result), self.reference.motion), self.reference.scales)
+            found[step] = _numbers(errors)
+            if all((errors[name] or 0.0) <= floors[name] for name in ("pose_error", "velocity_error")):
+                break
+            step, every = step / 2, every * 2
+        by_error = {name: [errors[name] for errors in found.values()] for name in ERRORS}
+        return order.OrderStudy(study.choice.label, list(found), by_error, floors)
+
+    def cell(self, cell: Cell) -> Outcome:
         """Run a cell; whatever it does is an outcome."""
         try:
             given = {**cell.options(), **self.sampling.arguments(cell, self.times)}
@@ -230,9 +261,11 @@ class Runs:
                        remarks=[str(it.message) for it in caught], **observed)  # fmt: skip
 
 
-def lost(cell: Cell, reason: str) -> Outcome:
-    """Of a cell whose process gave no answer."""
-    return Outcome(**_identity(cell, {}), status="lost", reason=reason)
+def lost(item: Cell | order.Study, reason: str) -> Outcome | order.OrderStudy:
+    """Of one whose process gave no answer."""
+    if isinstance(item, Cell):
+        return Outcome(**_identity(item, {}), status="lost", reason=reason)
+    return order.OrderStudy(item.choice.label, [], {name: [] for name in ERRORS}, dict.fromkeys(ERRORS, 0.0))
 
 
 def _identity(cell: Cell, chosen: Mapping[str, Any]) -> dict[str, Any]:

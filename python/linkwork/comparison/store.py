@@ -18,6 +18,7 @@ import numpy as np
 
 from linkwork.comparison.choices import Cell
 from linkwork.comparison.measures import Sampled, Scales
+from linkwork.comparison.order import OrderStudy, Study
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import Outcome
 from linkwork.errors import FileError
@@ -59,9 +60,9 @@ class Store:
         except OSError as error:
             raise self._unwritable(error) from error
 
-    def outcomes(self) -> dict[str, Outcome]:
-        """By the key of their cell; a line that was cut off by the end of the process does not count."""
-        found: dict[str, Outcome] = {}
+    def found(self) -> dict[str, Outcome | OrderStudy]:
+        """By the key of their cell or study; a line that was cut off by the end of the process does not count."""
+        found: dict[str, Outcome | OrderStudy] = {}
         try:
             lines = (self.folder / "cells.jsonl").read_text().splitlines()
         except FileNotFoundError:
@@ -69,14 +70,15 @@ class Store:
         for line in lines:
             try:
                 record = json.loads(line)
-                found[record["key"]] = Outcome.from_figures(record["outcome"])
+                kept = record["found"]
+                found[record["key"]] = OrderStudy(**kept) if "floors" in kept else Outcome.from_figures(kept)
             except (ValueError, KeyError, TypeError):
                 continue
         return found
 
-    def keep(self, cell: Cell, outcome: Outcome) -> None:
+    def keep(self, item: Cell | Study, found: Outcome | OrderStudy) -> None:
         """FileError: the disk is full, say; what was kept before stays readable."""
-        line = json.dumps({"key": cell.key, "outcome": asdict(outcome)})
+        line = json.dumps({"key": item.key, "found": asdict(found)})
         try:
             with open(self.folder / "cells.jsonl", "a", encoding="utf-8") as file:
                 file.write(("" if self._whole_lines() else "\n") + line + "\n")

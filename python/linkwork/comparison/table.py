@@ -14,7 +14,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from linkwork.comparison.reference import Reference
-from linkwork.comparison.runs import Outcome
+from linkwork.comparison.order import OrderStudy
+from linkwork.comparison.runs import ERRORS, Outcome
 from linkwork.errors import FileError, OptionError, nearest
 
 if TYPE_CHECKING:
@@ -23,8 +24,7 @@ if TYPE_CHECKING:
 
 __all__ = ["ERRORS", "ORDERS", "Comparison"]
 
-#: The errors of a cell, and its observed orders: between it and the next larger step of the same method.
-ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")
+#: The observed orders of a cell: between it and the next larger step of the same method.
 ORDERS = {error: error.replace("error", "order") for error in ERRORS}
 
 #: An error less than so many times that of the reference says nothing about the order.
@@ -45,6 +45,7 @@ class Comparison:
     reference: Reference
     t_end: float
     manifest: Mapping[str, Any]  #: versions, machine, name and hash of the model
+    studies: Sequence[OrderStudy] = ()
 
     def __len__(self) -> int:
         return len(self.outcomes)
@@ -63,19 +64,21 @@ class Comparison:
     def rows(self) -> list[dict[str, Any]]:
         """The table: the figures of each cell, and its observed orders."""
         orders = self._orders()
-        return [{**it.figures(), **orders[place]} for place, it in enumerate(self.outcomes)]
+        asymptotic = self.orders()
+        return [
+            {**it.figures(), **orders[place], "asymptotic_order": asymptotic[it.label] if it.step else None}
+            for place, it in enumerate(self.outcomes)
+        ]
 
     def orders(self, error: str = "pose_error") -> dict[str, float | None]:
-        """The observed order of each method, by label: that of the finest two steps that can tell it.
+        """The order of each method as steps go to zero, by label; None where nothing shows it.
 
-        Steps whose error is near that of the reference cannot. OptionError: no such error.
+        Observed early in the motion and with smaller steps than those of the table: `linkwork.comparison.order`.
+        OptionError: no such error.
         """
         _check_name(error, ERRORS, "error")
-        found: dict[str, float | None] = {}
-        for cells in self.methods.values():
-            known = [self._order(coarse, fine, error) for coarse, fine in pairwise(_stepped(cells))]
-            found[cells[0].label] = next((order for order in reversed(known) if order is not None), None)
-        return found
+        found: dict[str, float | None] = dict.fromkeys(it.label for it in self.outcomes)
+        return found | {study.label: study.order(error) for study in self.studies}
 
     def recommend(self, error: float = 1e-3, of: str = "state_error", by: str = "seconds") -> str:
         """One sentence: the cheapest of these cells whose error is no larger, from the measured table.
@@ -177,6 +180,7 @@ class Comparison:
                 "joints": self.reference.joint_count,
             },
             "cells": self.rows(),
+            "order_studies": [asdict(study) for study in self.studies],
             "manifest": dict(self.manifest),
         }
 

@@ -24,18 +24,20 @@ COLUMNS: tuple[tuple[str, str, str], ...] = (
 
 
 def header() -> tuple[str, ...]:
-    return ("method", "step [s]\nor rtol", *(heading for heading, _, _ in COLUMNS), "status")
+    return ("method", "order,\nh -> 0", "step [s]\nor rtol", *(heading for heading, _, _ in COLUMNS), "status")
 
 
 def rows(comparison: Comparison) -> list[tuple[str, ...]]:
     """The label of a method stands at its first cell alone."""
-    out, shown = [], ""
+    out: list[tuple[str, ...]] = []
+    shown, orders = "", comparison.orders()
     for outcome, row in zip(comparison.outcomes, comparison.rows(), strict=True):
         label = "" if outcome.method == shown else outcome.label
         shown = outcome.method
         size = f"{outcome.step:g}" if outcome.step is not None else f"rtol {outcome.rtol:g}"
         cells = [_said(row[key], form) for _, key, form in COLUMNS]
-        out.append((label, size, *cells, outcome.verdict))
+        limit = _said(orders[label], "{:.1f}") if label else ""
+        out.append((label, limit, size, *cells, outcome.verdict))
     return out
 
 
@@ -66,7 +68,7 @@ def whole(comparison: Comparison) -> str:
 
     table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, collapse_padding=True)
     for place, column in enumerate(header()):
-        justify: Any = "left" if place in (0, len(COLUMNS) + 2) else "right"
+        justify: Any = "left" if place in (0, len(COLUMNS) + 3) else "right"
         table.add_column(Text(column), justify=justify, vertical="bottom", overflow="fold")
     for row in rows(comparison):
         table.add_row(*map(Text, row))

@@ -1,0 +1,62 @@
+"""The order of a method as steps go to zero, where the steps of the grid are too large to show it.
+
+Over a whole run the error grows by what the mechanism makes of it, and terms of higher order hide the leading
+one; so order is observed early in the motion, and with steps that are halved until the reference or rounding
+ends it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from linkwork.comparison.choices import Choice
+
+__all__ = ["WINDOW", "OrderStudy", "Study"]
+
+#: Share of the run in which order is observed.
+WINDOW = 0.25
+
+#: Halvings of the smallest step, and the time of a run [s] after which there is no other.
+HALVINGS, LONGEST_SECONDS = 6, 0.5
+
+#: Errors less than so many times the reference's own, or rounding, show no order.
+ABOVE_REFERENCE, ROUNDING = 10.0, 1e-12
+
+
+@dataclass(frozen=True)
+class Study:
+    """A method whose order is to be observed from this step [s] on."""
+
+    choice: Choice
+    step: float
+
+    @property
+    def key(self) -> str:
+        return f"order {self.choice.key} step={self.step!r}"
+
+    @property
+    def label(self) -> str:
+        return f"order of {self.choice.label}"
+
+
+@dataclass(frozen=True)
+class OrderStudy:
+    """Errors by step, over the first quarter of the run."""
+
+    label: str
+    steps: Sequence[float]
+    errors: Mapping[str, Sequence[float | None]]  #: each error of `measures`, a number for each step
+    floors: Mapping[str, float]
+
+    def order(self, error: str) -> float | None:
+        """Of the finest two steps whose error is above the floor; None where there are none."""
+        found = None
+        points = list(zip(self.steps, self.errors[error], strict=True))
+        for (coarse, of_coarse), (fine, of_fine) in pairwise(points):
+            if of_coarse is None or of_fine is None or of_fine <= self.floors[error] or of_coarse >= 1:
+                continue
+            found = math.log(of_coarse / of_fine) / math.log(coarse / fine)
+        return found
