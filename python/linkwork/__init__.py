@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
     from linkwork.assembly import Assembly, JointResidual, assemble
+    from linkwork.comparison import Comparison, compare
     from linkwork.contact import contact_hysteresis
     from linkwork.errors import (
         FileError,
@@ -43,6 +44,7 @@ __all__ = [
     "Assembly",
     "Body",
     "BodyResult",
+    "Comparison",
     "Event",
     "FileError",
     "Force",
@@ -68,6 +70,7 @@ __all__ = [
     "ViolationError",
     "__version__",
     "assemble",
+    "compare",
     "contact_hysteresis",
     "functions",
     "integrators",
@@ -79,6 +82,7 @@ __all__ = [
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
     "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
+    "linkwork.comparison": ("Comparison", "compare"),
     "linkwork.contact": ("contact_hysteresis",),
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),

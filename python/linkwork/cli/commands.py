@@ -28,6 +28,7 @@ def linkwork(context: click.Context) -> None:
     linkwork demo                          one mechanism by the four methods, in one table
     linkwork run four_bar --plot run.png   simulate a mechanism
     linkwork run chain --help              the options of one mechanism
+    linkwork compare four_bar --t-end 2    a mechanism by many methods, with the error of each
 
     --debug, anywhere, shows the Python traceback of an error.
     """
@@ -50,9 +51,11 @@ class MechanismGroup(base.Group):
         from linkwork.cli import mechanism_commands
         from linkwork.mechanisms import MECHANISMS
 
-        make = {"run": mechanism_commands.run_command, "check": mechanism_commands.check_command}[
-            self.name or ""
-        ]
+        make = {
+            "run": mechanism_commands.run_command,
+            "check": mechanism_commands.check_command,
+            "compare": mechanism_commands.compare_command,
+        }[self.name or ""]
         return make(name, MECHANISMS[name]) if name in MECHANISMS else None
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
@@ -75,6 +78,18 @@ def check() -> None:
     """Examine a mechanism before it is simulated.
 
     Degrees of freedom, rank of the constraints, redundant joints, initial residuals, inertias.
+    """
+
+
+@linkwork.group(cls=MechanismGroup, what="mechanism")
+def compare() -> None:
+    """Simulate a mechanism by many methods and measure the error of each.
+
+    \b
+    linkwork compare spatial_slider_crank --t-end 2 --steps 1e-2,5e-3,2.5e-3 --html c.html
+
+    Against a reference solution whose own error is estimated: poses, velocities, reactions, violation,
+    energy, effort, order. `linkwork compare NAME --help` shows the axes of the grid.
     """
 
 

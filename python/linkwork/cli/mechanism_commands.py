@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from linkwork.cli import base, run_options
+from linkwork.cli import base, compare_options, run_options
 
 if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism
@@ -37,6 +37,19 @@ def check_command(name: str, mechanism: Mechanism) -> click.Command:
         check_and_show(name, mechanism, _taken(values, mechanism), as_json)
 
     return _command(name, mechanism, [*_parameter_options(mechanism), JSON], check)
+
+
+def compare_command(name: str, mechanism: Mechanism) -> click.Command:
+    def compare(**values: Any) -> None:
+        from linkwork.cli.comparing import compare_and_show
+
+        parameters = _taken(values, mechanism)
+        rest = {what: value for what, value in values.items() if what not in parameters}
+        compare_and_show(name, mechanism, parameters=parameters, **rest)
+
+    return _command(
+        name, mechanism, [*_parameter_options(mechanism), *compare_options.options(), JSON], compare
+    )
 
 
 def _command(

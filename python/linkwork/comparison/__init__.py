@@ -8,7 +8,7 @@ comparison.to_html("comparison.html")
 from __future__ import annotations
 
 from linkwork.comparison.choices import DEFAULT_CHOICES, Choice
-from linkwork.comparison.compare import compare
+from linkwork.comparison.comparing import compare
 from linkwork.comparison.runs import Outcome
 from linkwork.comparison.table import Comparison
 

@@ -1,4 +1,4 @@
-"""The methods of a comparison: which formulation, stabilization, integrator and linear solver, at which steps."""
+"""The methods of a comparison: formulation, stabilization, integrator and linear solver, at which steps."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ def choices(
     linear_solvers: Iterable[Entry] | None,
     common: Mapping[str, Any],
 ) -> list[Choice]:
-    """All combinations of the axes; an axis that is None is left to `simulate`, and all four: DEFAULT_CHOICES.
+    """All combinations of the axes; one that is None is left to `simulate`. All four None: DEFAULT_CHOICES.
 
     `common`: options of every method. OptionError: an axis without entries, or an entry that is none.
     """

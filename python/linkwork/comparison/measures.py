@@ -64,7 +64,9 @@ class Sampled:
 class Scales:
     """What the errors are divided by; 1 where nothing moves or pulls."""
 
-    length: float  #: L: half the diagonal of the box in which the centers of mass move, or the longest arm [m]
+    length: (
+        float  #: L: half the diagonal of the box in which the centers of mass move, or the longest arm [m]
+    )
     speed: float  #: V: largest of |r_dot| and L |omega| [m/s]
     force: float  #: F_max: largest of |F| and |T| / L of the unique reactions [N]
 

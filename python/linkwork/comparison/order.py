@@ -25,6 +25,9 @@ HALVINGS, LONGEST_SECONDS = 6, 0.5
 #: Errors less than so many times the reference's own, or rounding, show no order.
 ABOVE_REFERENCE, ROUNDING = 10.0, 1e-12
 
+#: An order this low says that the error does not depend on the step.
+STAGNANT = 0.3
+
 
 @dataclass(frozen=True)
 class Study:
@@ -46,10 +49,11 @@ class Study:
 class OrderStudy:
     """Errors by step, over the first quarter of the run."""
 
+    method: str  #: as `Outcome.method`
     label: str
     steps: Sequence[float]
     errors: Mapping[str, Sequence[float | None]]  #: each error of `measures`, a number for each step
-    floors: Mapping[str, float]
+    floors: Mapping[str, float]  #: below which an error is that of the reference, or rounding
 
     def order(self, error: str) -> float | None:
         """Of the finest two steps whose error is above the floor; None where there are none."""
@@ -60,3 +64,9 @@ class OrderStudy:
                 continue
             found = math.log(of_coarse / of_fine) / math.log(coarse / fine)
         return found
+
+    def stagnation(self, error: str) -> float | None:
+        """The error that no smaller step makes smaller, such as that of a penalty; None: there is none."""
+        order = self.order(error)
+        known = [value for value in self.errors[error] if value is not None]
+        return known[-1] if order is not None and order < STAGNANT and len(known) > 2 else None

@@ -89,15 +89,18 @@ def solved_reference(
     failures: list[str] = []
     for method in METHODS:
         for rtol in TOLERANCES:
-            runs = [_Run(model, t_end, times, method, rtol), _Run(model, t_end, times, method, TIGHTER * rtol)]
+            runs = [
+                _Run(model, t_end, times, method, rtol),
+                _Run(model, t_end, times, method, TIGHTER * rtol),
+            ]
             found: dict[int, Any] = dict(in_processes(_solve, runs, processes, seconds, beat))
             failed = [it for it in (found[0], found[1]) if not isinstance(it, Result)]
             if failed:
                 failures.append(f"{method['formulation']}, rtol {rtol:g}: {failed[0].reason}")
                 continue
             loose, tight = found[0], found[1]
-            made = _made(loose, f"{method['integrator']}, {method['formulation']}, {method['stabilization']}, "
-                         f"rtol {rtol:g}", tight)  # fmt: skip
+            names = [method[axis] for axis in ("integrator", "formulation", "stabilization")]
+            made = _made(loose, ", ".join([*names, f"rtol {rtol:g}"]), tight)
             assert made.error is not None
             if made.error["state_error"] <= GOOD_ENOUGH:
                 return made
@@ -141,7 +144,9 @@ def _made(result: Result, description: str, tighter: Result | None) -> Reference
     error = None
     if tighter is not None:
         error = largest(Differences.between(motion, Sampled.of(tighter)), scales)
-    joints = [name for name, unique in zip(result.joint_names, result.unique_reactions, strict=True) if unique]
+    joints = [
+        name for name, unique in zip(result.joint_names, result.unique_reactions, strict=True) if unique
+    ]
     return Reference(motion, scales, description, error, result.statistics.get("steps"),
                      result.statistics.get("driver_seconds"), joints, len(result.joint_names))  # fmt: skip
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import warnings
 from collections.abc import Mapping, Sequence
@@ -39,8 +38,14 @@ Status = Literal["finished", "refused", "diverged", "singular", "failed", "lost"
 #: Frames of a run that are compared, if its steps allow that.
 FRAMES, FEWEST_FRAMES = 200, 20
 
+#: And the memory that they may take [bytes].
+RUN_BYTES = 2**28
+
 #: Of a run against the reference, see `measures`.
 ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")
+
+#: Kept of the statistics of a run.
+COUNTS = ("steps", "rejected_steps", "evaluations", "factorizations", "iterations", "singular_poses")
 
 #: A state error this large says that the motion is another one.
 WRONG = 1.0
@@ -63,6 +68,7 @@ class Curves:
 class Outcome:
     """The figures of one cell: None where there is nothing to measure. Largest over the compared frames.
 
+    method     equal for cells that differ in their step alone; `label` says it in words
     status     finished; refused before the first step; diverged: what is not finite, does not converge or
                has no step that is small enough; singular: a pose or a matrix that stopped the run; failed:
                another error; lost: the process died or was too slow
@@ -72,6 +78,7 @@ class Outcome:
     seconds    wall time of the steps, without the setup; the shortest of up to three for short runs
     """
 
+    method: str
     label: str
     resolution: str
     options: Mapping[str, Any]
@@ -99,11 +106,6 @@ class Outcome:
     curves: Curves | None = field(default=None, repr=False)
 
     @property
-    def method(self) -> str:
-        """Equal for cells that differ in their step alone; unlike `label`, never by chance."""
-        return json.dumps([self.label, dict(self.options)], sort_keys=True)
-
-    @property
     def verdict(self) -> str:
         """The status in words; a motion that has nothing to do with the reference is not just finished."""
         if self.status == "finished":
@@ -128,40 +130,45 @@ class Sampling:
 
     t_end      [s]
     intervals  of the common times, 0 where there are none
+    most       frames of one run
     """
 
     t_end: float
     intervals: int
+    most: int = FRAMES
 
     @classmethod
-    def of(cls, t_end: float, steps: Sequence[float]) -> Sampling:
+    def of(cls, t_end: float, steps: Sequence[float], frame_bytes: int = 0) -> Sampling:
+        """`frame_bytes`: what a frame of the model takes; large models have fewer frames."""
+        most = min(FRAMES, max(2, RUN_BYTES // max(frame_bytes, 1)))
         counts = [t_end / step for step in steps]
         whole = [round(count) for count in counts]
         if any(abs(c - n) > 1e-6 * max(n, 1) or not n for c, n in zip(counts, whole, strict=True)):
-            return cls(t_end, 0)
-        common = math.gcd(*whole) if whole else FRAMES
-        intervals = max(n for n in range(1, min(FRAMES, common) + 1) if common % n == 0)
-        return cls(t_end, intervals if intervals >= FEWEST_FRAMES else 0)
+            return cls(t_end, 0, most)
+        common = math.gcd(*whole) if whole else most
+        intervals = max(n for n in range(1, min(most, common) + 1) if common % n == 0)
+        return cls(t_end, intervals if intervals >= min(FEWEST_FRAMES, most) else 0, most)
 
     def every(self, step: float) -> int:
         """Steps between frames of a run with a fixed step [s]."""
         count = max(1, round(self.t_end / step))
-        return count // self.intervals if self.intervals else max(1, count // FRAMES)
+        return count // self.intervals if self.intervals else max(1, count // self.most)
 
     def times(self, steps: Sequence[float]) -> Floats:
         """At which the reference is needed."""
-        grids = [np.linspace(0.0, self.t_end, (self.intervals or FRAMES) + 1)]
+        grids: list[Any] = [np.linspace(0.0, self.t_end, (self.intervals or self.most) + 1)]
         if not self.intervals:
             for step in steps:
                 grid = step * self.every(step) * np.arange(1, int(self.t_end / step / self.every(step)) + 1)
                 grids.append(grid[grid < self.t_end * (1 - 1e-9)])
         times = np.sort(np.concatenate(grids))
-        return times[np.concatenate([[True], np.diff(times) > 1e-10 * self.t_end])]
+        apart: Floats = times[np.concatenate([[True], np.diff(times) > 1e-10 * self.t_end])]
+        return apart
 
     def arguments(self, cell: Cell, times: Floats | None) -> dict[str, Any]:
         """For `simulate`: where it records. `times`: of a reference that was given."""
         if cell.step is None:
-            usual = np.linspace(0.0, self.t_end, (self.intervals or FRAMES) + 1)
+            usual = np.linspace(0.0, self.t_end, (self.intervals or self.most) + 1)
             return {"times": usual if times is None else times[times <= self.t_end]}
         if times is None or len(times) < 2:
             return {"record_every": self.every(cell.step)}
@@ -184,7 +191,8 @@ class Runs:
 
     def study(self, study: order.Study) -> order.OrderStudy:
         """Errors at the step and at its halves; a run that fails ends it."""
-        every, step, seconds = self.sampling.every(study.step), study.step, 0.0
+        step, seconds = study.step, 0.0
+        every = self.sampling.arguments(Cell(study.choice, step=step), self.times)["record_every"]
         found: dict[float, dict[str, float | None]] = {}
         own = self.reference.error or {}
         floors = {name: max(order.ROUNDING, order.ABOVE_REFERENCE * own.get(name, 0.0)) for name in ERRORS}
@@ -193,18 +201,18 @@ class Runs:
                 with warnings.catch_warnings():
                     warnings.simplefilter("ignore")
                     given = Cell(study.choice, step=step).options()
-                    result = simulate(self.model, order.WINDOW * self.t_end, record_every=every, progress=False,
-                                      **given)  # fmt: skip
-            except LinkworkError:
+                    result = simulate(self.model, order.WINDOW * self.t_end, record_every=every,
+                                      progress=False, **given)  # fmt: skip
+                    errors = self.reference.errors(Sampled.of(result))
+            except Exception:  # whatever it was: the cells of the grid say so
                 break
             seconds = float(result.statistics["seconds"])
-            errors = largest(Differences.between(Sampled.of(result), self.reference.motion), self.reference.scales)
             found[step] = _numbers(errors)
             if all((errors[name] or 0.0) <= floors[name] for name in ("pose_error", "velocity_error")):
                 break
             step, every = step / 2, every * 2
         by_error = {name: [errors[name] for errors in found.values()] for name in ERRORS}
-        return order.OrderStudy(study.choice.label, list(found), by_error, floors)
+        return order.OrderStudy(study.choice.key, study.choice.label, list(found), by_error, floors)
 
     def cell(self, cell: Cell) -> Outcome:
         """Run a cell; whatever it does is an outcome."""
@@ -216,6 +224,7 @@ class Runs:
             warnings.simplefilter("always")
             try:
                 result, seconds = self._timed(given)
+                return self._figures(cell, result, seconds, caught)
             except (OptionError, ModelError) as error:
                 return self._without_result(cell, "refused", error, caught)
             except LinkworkError as error:
@@ -224,7 +233,6 @@ class Runs:
                 return self._without_result(cell, "failed", "not enough memory", caught)
             except Exception as error:  # of a function of the user's, in the model or the integrator
                 return self._without_result(cell, "failed", f"{type(error).__name__}: {error}", caught)
-        return self._figures(cell, result, seconds, [str(it.message) for it in caught])
 
     def _timed(self, given: Mapping[str, Any]) -> tuple[Result, float]:
         spent: list[float] = []
@@ -233,54 +241,74 @@ class Runs:
             spent.append(float(result.statistics["driver_seconds"]))
         return result, min(spent)
 
-    def _figures(self, cell: Cell, result: Result, seconds: float, remarks: Sequence[str]) -> Outcome:
+    def _figures(
+        self, cell: Cell, result: Result, seconds: float, caught: Sequence[warnings.WarningMessage]
+    ) -> Outcome:
         differences = Differences.between(Sampled.of(result), self.reference.motion)
         errors = largest(differences, self.reference.scales)
         state = differences.state(self.reference.scales)
         compared = np.isin(result.t, differences.t)
-        counted = {
-            name: int(result.statistics.get(name, 0))
-            for name in ("steps", "rejected_steps", "evaluations", "factorizations", "iterations", "singular_poses")
-        }  # fmt: skip
-        return Outcome(
-            **_identity(cell, result.manifest["options"]), status="finished", remarks=remarks,
-            t_reached=float(result.t[-1]), seconds=seconds, **_numbers(errors), **_observed(result), **counted,
-            curves=Curves(differences.t.tolist(), _list(state), result.violation[compared].tolist(),
-                          _list(result.energy_error[compared])),
+        counted = {name: int(result.statistics.get(name, 0)) for name in COUNTS}
+        curves = Curves(
+            differences.t.tolist(), _list(state), result.violation[compared].tolist(),
+            _list(result.energy_error[compared]),
         )  # fmt: skip
+        figures: dict[str, Any] = {**_numbers(errors), **_observed(result), **counted, "seconds": seconds}
+        return Outcome(
+            **_identity(cell, result.manifest["options"]),
+            status="finished",
+            remarks=_texts(caught),
+            t_reached=float(result.t[-1]),
+            curves=curves,
+            **figures,
+        )
 
     def _without_result(
-        self, cell: Cell, status: Status, error: LinkworkError | str, caught: Sequence[Any]
+        self,
+        cell: Cell,
+        status: Status,
+        error: LinkworkError | str,
+        caught: Sequence[warnings.WarningMessage],
     ) -> Outcome:
         result = getattr(error, "result", None)
         reached = getattr(error, "time", None)
         if reached is None and result is not None and len(result):
             reached = float(result.t[-1])
-        observed = _observed(result) if result is not None and len(result) else {}
+        observed: dict[str, Any] = _observed(result) if result is not None and len(result) else {}
         return Outcome(**_identity(cell, {}), status=status, reason=str(error), t_reached=reached,
-                       remarks=[str(it.message) for it in caught], **observed)  # fmt: skip
+                       remarks=_texts(caught), **observed)  # fmt: skip
 
 
 def lost(item: Cell | order.Study, reason: str) -> Outcome | order.OrderStudy:
     """Of one whose process gave no answer."""
     if isinstance(item, Cell):
         return Outcome(**_identity(item, {}), status="lost", reason=reason)
-    return order.OrderStudy(item.choice.label, [], {name: [] for name in ERRORS}, dict.fromkeys(ERRORS, 0.0))
+    nothing: dict[str, list[float | None]] = {name: [] for name in ERRORS}
+    return order.OrderStudy(item.choice.key, item.choice.label, [], nothing, dict.fromkeys(ERRORS, 0.0))
 
 
 def _identity(cell: Cell, chosen: Mapping[str, Any]) -> dict[str, Any]:
     """`options`: as chosen, or as asked for where the run did not begin."""
-    asked = {name: value if isinstance(value, str | int | float | bool | None) else str(getattr(value, "name", value))
-             for name, value in cell.choice.options.items()}  # fmt: skip
+    asked = {name: _said(value) for name, value in cell.choice.options.items()}
     names = ("formulation", "system", "stabilization", "integrator", "linear_solver")
     found = {name: chosen[name] for name in names if chosen.get(name) is not None}
     return {
+        "method": cell.choice.key,
         "label": cell.choice.label,
         "resolution": cell.resolution,
         "options": {**asked, **found},
         "step": cell.step,
         "rtol": cell.rtol,
     }
+
+
+def _texts(caught: Sequence[warnings.WarningMessage]) -> list[str]:
+    return list(dict.fromkeys(str(it.message) for it in caught))
+
+
+def _said(value: Any) -> Any:
+    """An option as a file can hold it: methods by their names."""
+    return value if isinstance(value, str | int | float | bool | None) else str(getattr(value, "name", value))
 
 
 def _kind(error: LinkworkError) -> Status:

@@ -1,8 +1,8 @@
 """A comparison on disk while it goes on, so that one that was interrupted continues where it was.
 
-    folder/comparison.json   what is compared: the model's hash, t_end, the reference asked for
-    folder/reference.npz     the reference solution, replaced only when a new one is complete
-    folder/cells.jsonl       one finished cell a line, brought to the disk at once
+folder/comparison.json   what is compared: the model's hash, t_end, the reference asked for
+folder/reference.npz     the reference solution, replaced only when a new one is complete
+folder/cells.jsonl       one finished cell a line, brought to the disk at once
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Store:
             raise self._unwritable(error) from error
 
     def found(self) -> dict[str, Outcome | OrderStudy]:
-        """By the key of their cell or study; a line that was cut off by the end of the process does not count."""
+        """By the key of their cell or study; a line that was cut off with the process does not count."""
         found: dict[str, Outcome | OrderStudy] = {}
         try:
             lines = (self.folder / "cells.jsonl").read_text().splitlines()
@@ -108,8 +108,8 @@ class Store:
         for name, value in identity.items():
             if stored.get(name) != value:
                 raise FileError(
-                    f"folder '{self.folder}': holds a comparison with {name} {stored.get(name)!r}, not {value!r}; "
-                    "give another folder, or remove this one",
+                    f"folder '{self.folder}': holds a comparison with {name} {stored.get(name)!r}, not "
+                    f"{value!r}; give another folder, or remove this one",
                     code="other_comparison",
                 )
 

@@ -13,8 +13,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from linkwork.comparison.reference import Reference
 from linkwork.comparison.order import OrderStudy
+from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import ERRORS, Outcome
 from linkwork.errors import FileError, OptionError, nearest
 
@@ -73,8 +73,8 @@ class Comparison:
     def orders(self, error: str = "pose_error") -> dict[str, float | None]:
         """The order of each method as steps go to zero, by label; None where nothing shows it.
 
-        Observed early in the motion and with smaller steps than those of the table: `linkwork.comparison.order`.
-        OptionError: no such error.
+        Observed early in the motion and with smaller steps than those of the table, see
+        linkwork.comparison.order. OptionError: no such error.
         """
         _check_name(error, ERRORS, "error")
         found: dict[str, float | None] = dict.fromkeys(it.label for it in self.outcomes)
@@ -104,8 +104,8 @@ class Comparison:
         doubt = ""
         if self.reference.error is not None and self.reference.error[of] > error / ABOVE_REFERENCE:
             doubt = f", though the reference itself is only known to {self.reference.error[of]:.1g}"
-        return (f"The cheapest of {len(meeting)} cells that meet a {what} of {error:.2g} is {best.label} with "
-                f"{_with(best)}: {getattr(best, of):.2g} in {cost}{doubt}.")  # fmt: skip
+        return (f"The cheapest of {len(meeting)} cells that meet a {what} of {error:.2g} is {best.label} "
+                f"with {_with(best)}: {getattr(best, of):.2g} in {cost}{doubt}.")  # fmt: skip
 
     # --- as text, table, files ---
 
@@ -116,7 +116,9 @@ class Comparison:
 
     def __repr__(self) -> str:
         done = sum(it.status == "finished" for it in self.outcomes)
-        return f"<Comparison of {self.manifest.get('model') or 'model'}: {done} of {len(self)} cells finished>"
+        return (
+            f"<Comparison of {self.manifest.get('model') or 'model'}: {done} of {len(self)} cells finished>"
+        )
 
     def _repr_html_(self) -> str:
         from linkwork.comparison import page
@@ -157,7 +159,7 @@ class Comparison:
         return _written(page.page(self), path)
 
     def plot(self, kind: str = "work_precision", path: str | os.PathLike[str] | None = None) -> Figure:
-        """A picture: "work_precision", "order", "violation", "energy" or "error"; written to `path` when given.
+        """A picture, also written to `path`: "work_precision", "order", "violation", "energy" or "error".
 
         OptionError: no such kind. FileError.
         """
@@ -191,14 +193,23 @@ class Comparison:
         places = {id(it): place for place, it in enumerate(self.outcomes)}
         for cells in self.methods.values():
             for coarse, fine in pairwise(_stepped(cells)):
-                found[places[id(fine)]] = {name: self._order(coarse, fine, error) for error, name in ORDERS.items()}
+                found[places[id(fine)]] = {
+                    name: self._order(coarse, fine, error) for error, name in ORDERS.items()
+                }
         return found
 
     def _order(self, coarse: Outcome, fine: Outcome, error: str) -> float | None:
         """log(e_coarse / e_fine) / log(h_coarse / h_fine); None where the reference hides it."""
         of_coarse, of_fine = getattr(coarse, error), getattr(fine, error)
         floor = ABOVE_REFERENCE * (self.reference.error[error] if self.reference.error else 0.0)
-        if not of_coarse or not of_fine or of_fine <= floor or of_coarse >= 1 or not coarse.step or not fine.step:
+        if (
+            not of_coarse
+            or not of_fine
+            or of_fine <= floor
+            or of_coarse >= 1
+            or not coarse.step
+            or not fine.step
+        ):
             return None
         return math.log(of_coarse / of_fine) / math.log(coarse.step / fine.step)
 

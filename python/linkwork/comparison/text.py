@@ -24,7 +24,13 @@ COLUMNS: tuple[tuple[str, str, str], ...] = (
 
 
 def header() -> tuple[str, ...]:
-    return ("method", "order,\nh -> 0", "step [s]\nor rtol", *(heading for heading, _, _ in COLUMNS), "status")
+    return (
+        "method",
+        "order,\nh -> 0",
+        "step [s]\nor rtol",
+        *(heading for heading, _, _ in COLUMNS),
+        "status",
+    )
 
 
 def rows(comparison: Comparison) -> list[tuple[str, ...]]:
@@ -49,34 +55,52 @@ def notes(comparison: Comparison) -> list[str]:
     )
     scales = reference.scales
     unique = f"{len(reference.unique_joints)} of {reference.joint_count}"
-    return [
+    found = [
         f"Reference: {reference.description}; {own}.",
-        f"Errors: largest over {_frames(comparison)}, of poses relative to {scales.length:.3g} m (and 1 rad), "
-        f"of velocities to {scales.speed:.3g} m/s, of reactions to {scales.force:.3g} N; reactions of the {unique} "
+        f"Errors: largest over {_frames(comparison)}; of poses relative to {scales.length:.3g} m and 1 rad, "
+        f"of velocities to {scales.speed:.3g} m/s, of reactions to {scales.force:.3g} N, in the {unique} "
         "joints where they are unique.",
+        "Order, h -> 0: of poses, early in the motion, with steps smaller than those of the table.",
+        *(
+            f"{study.label}: the reaction error stays at {floor:.1e}, however small the step."
+            for study in comparison.studies
+            if (floor := study.stagnation("reaction_error")) is not None
+        ),
         *dict.fromkeys(f"{it.label}: {it.status}: {it.reason}" for it in comparison.outcomes if it.reason),
-        *dict.fromkeys(f"{it.label}: {remark}" for it in comparison.outcomes for remark in it.remarks[:1]),
+        *_remarks(comparison),
     ]
+    return found if comparison.studies else [note for note in found if not note.startswith("Order,")]
+
+
+def _remarks(comparison: Comparison) -> list[str]:
+    """Warnings of the runs, one a method."""
+    by_label = {it.label: it.remarks[0] for it in comparison.outcomes[::-1] if it.remarks}
+    return [f"{label}: {remark}" for label, remark in by_label.items()]
 
 
 def whole(comparison: Comparison) -> str:
     """Table, notes and recommendation."""
+    return "\n".join([table(comparison), "", *notes(comparison), comparison.recommend()])
+
+
+def table(comparison: Comparison) -> str:
+    """The table alone; lines are as long as they need to be."""
     from rich import box
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
     table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, collapse_padding=True)
-    for place, column in enumerate(header()):
-        justify: Any = "left" if place in (0, len(COLUMNS) + 3) else "right"
-        table.add_column(Text(column), justify=justify, vertical="bottom", overflow="fold")
+    columns = header()
+    for place, column in enumerate(columns):
+        justify: Any = "left" if place in (0, len(columns) - 1) else "right"
+        table.add_column(Text(column), justify=justify, vertical="bottom", no_wrap=True)
     for row in rows(comparison):
         table.add_row(*map(Text, row))
-    console = Console(width=200, highlight=False, color_system=None)
+    console = Console(width=300, highlight=False, color_system=None)
     with console.capture() as capture:
         console.print(table)
-    lines = [line.rstrip() for line in capture.get().splitlines()]
-    return "\n".join([*lines, "", *notes(comparison), comparison.recommend()])
+    return "\n".join(line.rstrip() for line in capture.get().splitlines())
 
 
 def _frames(comparison: Comparison) -> str:

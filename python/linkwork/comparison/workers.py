@@ -86,8 +86,10 @@ def _answers(crew: list[_Worker], seconds: float | None) -> Iterator[tuple[int, 
     """What came within a beat; a worker that is lost leaves the crew."""
     busy = {worker.connection: worker for worker in crew if worker.place is not None}
     for ready in wait(list(busy), BEAT_SECONDS):
-        worker = busy.pop(ready)  # type: ignore[call-overload]
+        assert isinstance(ready, Connection)
+        worker = busy.pop(ready)
         place, worker.place = worker.place, None
+        assert place is not None
         try:
             answer, error = worker.connection.recv()
         except (EOFError, OSError):
@@ -101,19 +103,21 @@ def _answers(crew: list[_Worker], seconds: float | None) -> Iterator[tuple[int, 
             raise error
         yield place, answer
     for worker in busy.values():
-        if time.monotonic() > worker.deadline:
+        if worker.place is not None and time.monotonic() > worker.deadline:
             crew.remove(worker)
             _end(worker)
-            yield worker.place, Lost(f"not done after {seconds:g} s")  # type: ignore[misc]
+            yield worker.place, Lost(f"not done after {seconds:g} s")
 
 
 def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]) -> _Worker:
-    context = multiprocessing.get_context("fork" if _can_fork() else "spawn")
+    context: Any = multiprocessing.get_context("fork" if _can_fork() else "spawn")
     ours, theirs = context.Pipe()
     others = [ours, *(worker.connection for worker in crew)] if _can_fork() else []
     process = context.Process(target=_work, args=(theirs, others, task, items), daemon=True)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # of fork beside threads, which the child leaves alone
+        warnings.simplefilter(
+            "ignore", DeprecationWarning
+        )  # of fork beside threads, which the child leaves alone
         process.start()
     theirs.close()
     return _Worker(process, ours)

@@ -9,7 +9,6 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-
 from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
@@ -23,6 +22,7 @@ from linkwork.manifest import platform_facts
 from linkwork.model import Model
 from linkwork.options import check_number
 from linkwork.progress import ShowOption, counting
+from linkwork.recording import frame_bytes
 from linkwork.result import Result
 
 __all__ = ["compare"]
@@ -86,16 +86,17 @@ def compare(
     rtols = list(tolerances or ())
     asked = [float(step) for step in steps] if steps is not None else None
     if asked is None and not rtols and recommended is not None:
-        asked = [4 * recommended, 2 * recommended, recommended]
+        asked = usual_steps(recommended)
     if asked is None and not rtols and reference is None:
         asked = _suggested_steps(model, t_end, processes)
     if not asked and not rtols:
         raise OptionError(
-            "steps and tolerances are missing: give steps=[1e-2, 5e-3] [s] or tolerances=[1e-6, 1e-8]", code="step"
+            "steps and tolerances are missing: give steps=[1e-2, 5e-3] [s] or tolerances=[1e-6, 1e-8]",
+            code="step",
         )
     grid = cells(methods, asked or [], rtols)
     store = _store(resume, model, t_end, reference)
-    sampling = Sampling.of(t_end, asked or [])
+    sampling = Sampling.of(t_end, asked or [], frame_bytes(model))
     known = {} if store is None else store.found()
     studies = [Study(choice, min(asked)) for choice in methods] if asked else []
     count = processes or processor_count()
@@ -109,6 +110,11 @@ def compare(
     manifest = {"model": model.name, "model_hash": model.hash(), "processes": count, **platform_facts()}
     outcomes = [it for it in found if isinstance(it, Outcome)]
     return Comparison(outcomes, exact, t_end, manifest, [it for it in found if isinstance(it, OrderStudy)])
+
+
+def usual_steps(recommended: float) -> list[float]:
+    """Where no steps are given: the recommended one [s], and larger ones that show the order."""
+    return [4 * recommended, 2 * recommended, recommended]
 
 
 def _run(
@@ -160,8 +166,8 @@ def _reference(
     if made.error is not None and made.error["state_error"] > GOOD_ENOUGH:
         warnings.warn(
             f"reference of {model.name or 'the model'}: two runs at tight tolerances differ by "
-            f"{made.error['state_error']:.1e} of the motion; smaller errors cannot be told from it: shorten the "
-            "run, or give a known solution as reference",
+            f"{made.error['state_error']:.1e} of the motion; smaller errors cannot be told from it: shorten "
+            "the run, or give a known solution as reference",
             LinkworkWarning,
             stacklevel=3,
         )
@@ -203,9 +209,7 @@ def _suggested_steps(model: Model, t_end: float, processes: int | None) -> list[
     return [t_end / (count * n) for n in (1, 2, 4)]
 
 
-def _store(
-    folder: str | os.PathLike[str] | None, model: Model, t_end: float, reference: Any
-) -> Store | None:
+def _store(folder: str | os.PathLike[str] | None, model: Model, t_end: float, reference: Any) -> Store | None:
     if folder is None:
         return None
     given = None if reference is None else str(getattr(reference, "manifest", {}).get("started", reference))
@@ -229,5 +233,3 @@ def _resolved(model: Model | str, t_end: float | None) -> tuple[Model, float, fl
         raise OptionError("t_end is missing: give the end of the simulated time [s]", code="t_end")
     check_number("t_end", end, positive=True, unit="s")
     return model, float(end), settings.get("step")
-
-

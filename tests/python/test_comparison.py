@@ -1,0 +1,396 @@
+"""Comparisons: figures are those of separate runs, orders those of theory, errors those of closed forms."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+from linkwork.comparison import Comparison, workers
+from linkwork.comparison.measures import Differences, Sampled, Scales
+from linkwork.comparison.reference import solved_reference
+from reference_data import Floats, Series
+
+STEPS = [1e-2, 5e-3, 2.5e-3]
+
+
+@cache
+def slider_crank() -> Comparison:
+    """The selection that is made where no method is named."""
+    return lw.compare("spatial_slider_crank", 2.0, steps=STEPS, progress=False)
+
+
+def quick(model: lw.Model | str = "pendulum", t_end: float = 0.2, **arguments: Any) -> Comparison:
+    return lw.compare(model, t_end, **{"steps": [2e-2, 1e-2], "progress": False, **arguments})
+
+
+# --- orders ---
+
+
+def test_orders_are_those_of_theory() -> None:
+    """Sampled stabilization and projection keep the order of RK4, gains that follow the step take it."""
+    orders = slider_crank().orders("pose_error")
+    assert orders["standard, none, rk4"] == pytest.approx(4.0, abs=0.1)
+    assert orders["standard, sampled_baumgarte, rk4"] == pytest.approx(4.0, abs=0.1)
+    assert orders["standard, projection, rk4"] == pytest.approx(4.0, abs=0.1)
+    assert orders["standard, baumgarte 1/h 1.41/h, rk4"] == pytest.approx(2.0, abs=0.1)
+    assert orders["standard, projection, phem56"] == pytest.approx(5.0, abs=0.4)
+
+
+def test_velocities_and_reactions_of_gains_that_follow_the_step_are_of_order_one() -> None:
+    for error in ("velocity_error", "reaction_error"):
+        order = slider_crank().orders(error)["standard, baumgarte 1/h 1.41/h, rk4"]
+        assert order == pytest.approx(1.0, abs=0.1), error
+
+
+def test_reactions_of_the_penalty_method_have_a_floor() -> None:
+    """M v_dot = g - a D^T (D v_dot - gamma): a finite penalty leaves an acceleration that no step takes away."""
+    floors = {it.label: it.stagnation("reaction_error") for it in slider_crank().studies}
+    assert {label for label, floor in floors.items() if floor} == {
+        "penalty, sampled_baumgarte, rk4",
+        "penalty, sampled_baumgarte, dopri5",
+    }
+    cells = [it for it in slider_crank() if it.label.startswith("penalty")]
+    violations = np.array([it.acceleration_violation for it in cells])
+    assert violations == pytest.approx(violations.mean(), rel=0.01)
+
+
+def test_observed_order_is_the_slope_between_two_steps() -> None:
+    rows = [row for row in slider_crank().rows() if row["label"] == "standard, none, rk4"]
+    assert rows[0]["pose_order"] is None
+    slope = np.log(rows[1]["pose_error"] / rows[2]["pose_error"]) / np.log(2)
+    assert rows[2]["pose_order"] == pytest.approx(slope)
+
+
+# --- figures ---
+
+
+def test_figures_are_those_of_a_separate_run() -> None:
+    comparison = slider_crank()
+    cell = next(it for it in comparison if it.label == "standard, none, rk4" and it.step == 5e-3)
+    result = lw.simulate(
+        mechanisms.spatial_slider_crank(), 2.0, 5e-3, "rk4", stabilization="none", record_every=2, progress=False
+    )  # fmt: skip
+    assert cell.position_violation == result.violation[:, 0].max()
+    assert cell.velocity_violation == result.violation[:, 1].max()
+    assert cell.energy_error == np.abs(result.energy_error).max()
+    assert cell.evaluations == result.statistics["evaluations"]
+    reference, scales = comparison.reference.motion, comparison.reference.scales
+    apart = np.linalg.norm(result.position - reference.q[:, :, :3], axis=-1).max(axis=1)
+    turned = np.array([
+        max(angle_between(p, exact) for p, exact in zip(*pair, strict=True))
+        for pair in zip(result.orientation, reference.q[:, :, 3:], strict=True)
+    ])  # fmt: skip
+    assert cell.pose_error == pytest.approx(np.maximum(apart / scales.length, turned).max(), rel=1e-9)
+    force = np.linalg.norm(result.reactions().force - reference.force, axis=-1).max()
+    torque = np.linalg.norm(result.reactions().torque - reference.torque, axis=-1).max()
+    expected = max(force, torque / scales.length) / scales.force
+    assert cell.reaction_error == pytest.approx(expected, rel=1e-9)
+
+
+def angle_between(p: Floats, exact: Floats) -> float:
+    """From the trace of the relative rotation matrix."""
+    relative = lw.rotation.matrix(p).T @ lw.rotation.matrix(exact)
+    return float(np.arccos(np.clip((np.trace(relative) - 1) / 2, -1, 1)))
+
+
+def test_small_angles_between_rotations_are_not_rounded_away() -> None:
+    p = lw.rotation.about((1, 2, 3), 2.0)
+    axis, angle = np.array([0.0, 0.6, 0.8]), 1e-12
+    turned = lw.rotation.from_matrix(lw.rotation.matrix(p) @ lw.rotation.matrix(lw.rotation.about(axis, 0.0)))
+    half = angle / 2 * axis
+    turned = turned + np.concatenate([[-half @ p[1:]], p[0] * half + np.cross(p[1:], half)])
+    assert between(p, turned).rotation[1] == pytest.approx(angle, rel=1e-3)
+    assert between(p, -p).rotation[1] == 0.0
+
+
+def between(p: Floats, exact: Floats) -> Differences:
+    """Two motions of one body at rest."""
+
+    def motion(orientation: Floats) -> Sampled:
+        q = np.tile(np.concatenate([np.zeros(3), orientation]), (2, 1, 1))
+        return Sampled(np.array([0.0, 1.0]), q, np.zeros((2, 1, 6)), np.zeros((2, 0, 3)), np.zeros((2, 0, 3)))
+
+    return Differences.between(motion(p), motion(exact))
+
+
+def test_adaptive_cells_are_more_accurate_with_smaller_tolerances() -> None:
+    cells = quick(t_end=1.0, steps=None, tolerances=[1e-5, 1e-7, 1e-9], integrators=["dopri5"]).outcomes
+    errors = [it.state_error for it in cells]
+    assert errors == sorted(errors, reverse=True) and errors[-1] < 1e-7
+
+
+def test_only_unique_reactions_are_compared() -> None:
+    comparison = quick("four_bar", integrators=["rk4"])
+    assert comparison.reference.unique_joints == [] and all(it.reaction_error is None for it in comparison)
+    assert "no joint" in comparison.recommend(of="reaction_error")
+    assert all(it.status == "finished" and it.state_error < 1e-4 for it in comparison)
+
+
+# --- the reference ---
+
+
+def rod_pendulum() -> tuple[lw.Model, Floats, Floats, Floats]:
+    """(model, times, q, v) of the closed form theta = 2 asin(k sn)."""
+    reference = Series("rod_pendulum")
+    theta, rate = reference("theta"), reference("thetadot")
+    q, v = np.zeros((len(theta), 1, 7)), np.zeros((len(theta), 1, 6))
+    q[:, 0] = posed(0.5 * np.sin(theta), -0.5 * np.cos(theta), theta - np.pi / 2)
+    v[:, 0] = moving(0.5 * rate * np.cos(theta), 0.5 * rate * np.sin(theta), rate)
+    return mechanisms.rod_pendulum(), reference("t"), q, v
+
+
+def heavy_top() -> tuple[lw.Model, Floats, Floats, Floats]:
+    reference = Series("heavy_top")
+    q = reference("x", "y", "z", "q0", "q1", "q2", "q3")[:, None]
+    return mechanisms.heavy_top(), reference("t"), q, reference("vx", "vy", "vz", "Wx", "Wy", "Wz")[:, None]
+
+
+def four_bar() -> tuple[lw.Model, Floats, Floats, Floats]:
+    """Posts turn clockwise by phi from upright, the beam moves in parallel."""
+    reference = Series("A02_fourbar_N1_10s")
+    phi, rate = reference("phi"), reference("phidot")
+    x, y, vx, vy = np.sin(phi), np.cos(phi), rate * np.cos(phi), -rate * np.sin(phi)
+    posts = [posed(base + x / 2, y / 2, np.pi / 2 - phi) for base in (0.0, 1.0)]
+    q = np.stack([*posts, posed(0.5 + x, y, 0 * phi)], axis=1)
+    v = np.stack([*[moving(vx / 2, vy / 2, -rate)] * 2, moving(vx, vy, 0 * rate)], axis=1)
+    return mechanisms.four_bar(), reference("t"), q, v
+
+
+def posed(x: Floats, y: Floats, angle: Floats) -> Floats:
+    zero = 0 * angle
+    return np.stack([x, y, zero, np.cos(angle / 2), zero, zero, np.sin(angle / 2)], axis=1)
+
+
+def moving(vx: Floats, vy: Floats, rate: Floats) -> Floats:
+    zero = 0 * rate
+    return np.stack([vx, vy, zero, zero, zero, rate], axis=1)
+
+
+@pytest.mark.parametrize("closed_form", [rod_pendulum, heavy_top, four_bar])
+def test_error_of_the_reference_is_estimated_within_a_factor_of_ten(closed_form: Any) -> None:
+    model, t, q, v = closed_form()
+    reference = solved_reference(model, float(t[-1]), t)
+    exact = Sampled(reference.motion.t, q, v, reference.motion.force, reference.motion.torque)
+    differences = Differences.between(exact, reference.motion)
+    for what, error in (("pose_error", differences.pose), ("velocity_error", differences.velocities)):
+        true = float(error(reference.scales).max())
+        assert 0.1 < reference.error[what] / true < 10, (what, true)
+
+
+def test_a_known_solution_can_be_the_reference(tmp_path: Path) -> None:
+    exact = lw.simulate(mechanisms.pendulum(), 0.2, 1e-3, "dop853", record_every=10, progress=False)
+    exact.save(tmp_path / "exact.h5")
+    given = quick(reference=tmp_path / "exact.h5", integrators=["rk4"])
+    found = quick(integrators=["rk4"])
+    assert [it.pose_error for it in given] == pytest.approx([it.pose_error for it in found], rel=1e-3)
+    assert given.reference.error is None
+
+
+def test_a_reference_of_other_times_is_compared_where_the_times_meet() -> None:
+    """Frames at multiples of 7 ms, a step of 10 ms: 0, 0.07, 0.14 and the end."""
+    exact = lw.simulate(mechanisms.pendulum(), 0.2, 7e-3, record_every=1, progress=False)
+    (cell,) = quick(reference=exact, integrators=["rk4"], steps=[1e-2]).outcomes
+    assert cell.status == "finished" and cell.curves is not None
+    assert cell.curves.t == pytest.approx([0, 0.07, 0.14, 0.2])
+
+
+@pytest.mark.parametrize(("arguments", "message"), [
+    ({"model": "pendulun"}, "the nearest is 'pendulum'"),
+    ({"steps": None, "model": mechanisms.pendulum(), "t_end": None}, "t_end is missing"),
+    ({"steps": [0.0]}, "steps 0.0"),
+    ({"steps": []}, "steps and tolerances are missing"),
+    ({"integrators": []}, "integrators: is empty"),
+    ({"stabilizations": ["baumgarte:five"]}, "'five' is no number"),
+    ({"integrators": ["rk4:3"]}, "takes no numbers"),
+    ({"processes": 0}, "processes 0"),
+    ({"reference": lw.simulate(mechanisms.chain(3), 0.2, 1e-2, progress=False)}, "has 3 bodies, the model 1"),
+    ({"reference": lw.simulate(mechanisms.pendulum(), 0.1, 1e-2, progress=False)}, "ends at 0.1 s"),
+])  # fmt: skip
+def test_what_cannot_be_compared_is_refused(arguments: dict[str, Any], message: str) -> None:
+    with pytest.raises(lw.OptionError, match=message):
+        quick(**arguments)
+
+
+# --- cells that do not finish ---
+
+
+def test_cells_that_do_not_finish_say_why_and_stop_nothing() -> None:
+    comparison = quick("spatial_slider_crank", t_end=1.0, steps=[0.2, 1e-2],
+                       stabilizations=["none", "baumgarte:500:500"], integrators=["euler", "rk4", "rk44"])  # fmt: skip
+    by_status: dict[str, list[Any]] = {}
+    for it in comparison:
+        by_status.setdefault(it.status, []).append(it)
+    assert set(by_status) == {"finished", "refused", "diverged"}
+    reasons = {it.label: it.reason for it in by_status["refused"]}
+    assert "'rk44' does not exist; the nearest is 'rk4'" in reasons["none, rk44"]
+    assert "unstable" in reasons["baumgarte 500 500, rk4"]
+    assert all(
+        it.reason and it.t_reached is not None and it.state_error is None for it in by_status["diverged"]
+    )
+
+
+def explosive(system: lw.System, t: float, y: Floats, h: float) -> Floats:
+    raise ZeroDivisionError("no way")
+
+
+def suicidal(system: lw.System, t: float, y: Floats, h: float) -> Floats:
+    os.kill(os.getpid(), signal.SIGKILL)
+    return y
+
+
+def endless(system: lw.System, t: float, y: Floats, h: float) -> Floats:
+    time.sleep(60)
+    return y
+
+
+def test_an_integrator_that_fails_kills_or_never_ends_costs_its_own_cell_alone() -> None:
+    comparison = quick(integrators=[explosive, suicidal, endless, "rk4"], steps=[1e-2], time_limit=1.0)
+    found = {it.label: (it.status, it.reason) for it in comparison}
+    assert found["explosive"] == ("failed", "ZeroDivisionError: no way")
+    assert found["suicidal"] == ("lost", "its process was ended by SIGKILL")
+    assert found["endless"] == ("lost", "not done after 1 s")
+    assert found["rk4"] == ("finished", "")
+
+
+def test_a_model_with_functions_of_python_is_compared() -> None:
+    model = mechanisms.pendulum()
+    model.force("bob", force=(lambda t: np.sin(3 * t), 0, 0))
+    assert [it.status for it in quick(model, integrators=["rk4"])] == ["finished"] * 2
+
+
+# --- going on after an interruption ---
+
+
+def test_finished_cells_are_not_run_again(tmp_path: Path) -> None:
+    first = quick(resume=tmp_path / "c", integrators=["rk4"])
+    kept = (tmp_path / "c" / "cells.jsonl").read_text()
+    second = quick(resume=tmp_path / "c", integrators=["rk4", "heun"])
+    assert second.outcomes[:2] == first.outcomes
+    assert (tmp_path / "c" / "cells.jsonl").read_text().startswith(kept)
+
+
+def test_a_line_that_was_cut_off_is_run_again(tmp_path: Path) -> None:
+    first = quick(resume=tmp_path / "c", integrators=["rk4"])
+    file = tmp_path / "c" / "cells.jsonl"
+    file.write_text(file.read_text()[:-40])
+    second = quick(resume=tmp_path / "c", integrators=["rk4"])
+    assert [it.pose_error for it in second] == [it.pose_error for it in first]
+    assert [json.loads(line)["key"] for line in file.read_text().splitlines() if line.endswith("}")]
+
+
+def test_a_folder_of_another_comparison_is_refused(tmp_path: Path) -> None:
+    quick(resume=tmp_path / "c", integrators=["rk4"])
+    with pytest.raises(lw.FileError, match="holds a comparison with t_end 0.2, not 0.3"):
+        quick(resume=tmp_path / "c", integrators=["rk4"], t_end=0.3)
+
+
+def test_a_killed_comparison_keeps_its_finished_cells_and_leaves_no_process(tmp_path: Path) -> None:
+    program = f"""
+import linkwork as lw
+lw.compare("spatial_slider_crank", 10.0, steps=[1e-3 / 2**k for k in range(8)], integrators=["rk4"],
+           resume={str(tmp_path / "c")!r}, processes=2, progress=False)
+"""
+    process = subprocess.Popen([sys.executable, "-c", program])
+    cells = tmp_path / "c" / "cells.jsonl"
+    for _ in range(200):
+        time.sleep(0.05)
+        if cells.exists() and cells.read_text().count("\n") >= 2:
+            break
+    group = [int(pid) for pid in children(process.pid)]
+    process.kill()
+    process.wait()
+    assert group
+    lines = [json.loads(line) for line in cells.read_text().splitlines()]
+    assert len(lines) >= 2 and all("found" in line for line in lines)
+    deadline = time.monotonic() + 20
+    while any(Path(f"/proc/{pid}").exists() for pid in group) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    assert not [pid for pid in group if Path(f"/proc/{pid}").exists()]
+
+
+def children(pid: int) -> list[str]:
+    return Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+
+
+def test_workers_answer_in_any_order_and_all_items() -> None:
+    answers = dict(workers.in_processes(square, list(range(20)), processes=3))
+    assert answers == {place: place**2 for place in range(20)}
+
+
+def square(number: int) -> int:
+    return number**2
+
+
+# --- what is shown ---
+
+
+def test_recommendation_is_the_cheapest_cell_that_meets_the_error() -> None:
+    comparison = slider_crank()
+    meeting = [it for it in comparison if it.state_error is not None and it.state_error <= 1e-4]
+    best = min(meeting, key=lambda it: it.evaluations)
+    sentence = comparison.recommend(1e-4, by="evaluations")
+    assert best.label in sentence and f"{best.step:g} s" in sentence and f"{best.evaluations:,}" in sentence
+    assert comparison.recommend(1e-15).startswith("No cell meets a state error of 1e-15: the smallest is")
+    with pytest.raises(lw.OptionError, match="the nearest is 'state_error'"):
+        comparison.recommend(of="sate_error")
+
+
+def test_table_csv_and_json_agree() -> None:
+    comparison = slider_crank()
+    rows = list(csv.DictReader(io.StringIO(comparison.to_csv())))
+    document = json.loads(
+        comparison.to_json(), parse_constant=lambda word: pytest.fail(f"{word} is not JSON")
+    )
+    assert len(rows) == len(document["cells"]) == len(comparison) == 33
+    for row, cell, outcome in zip(rows, document["cells"], comparison, strict=True):
+        assert float(row["pose_error"]) == cell["pose_error"] == outcome.pose_error
+        assert len(cell["curves"]["t"]) == 201
+    text = str(comparison)
+    assert all(it.label in text for it in comparison)
+
+
+def test_table_is_a_frame_where_pandas_is_installed() -> None:
+    pandas = pytest.importorskip("pandas")
+    frame = slider_crank().to_frame()
+    assert isinstance(frame, pandas.DataFrame) and len(frame) == 33
+    assert frame["pose_error"].min() == min(it.pose_error for it in slider_crank())
+
+
+def test_page_needs_nothing_from_anywhere(tmp_path: Path) -> None:
+    page = slider_crank().to_html(tmp_path / "c.html")
+    assert (tmp_path / "c.html").read_text() == page
+    assert page.count("<svg") == 5 and "<script" not in page and "src=" not in page and "@import" not in page
+    links = set(part.split('"')[0] for part in page.split('href="')[1:])
+    assert all(link.startswith("#") for link in links)
+    identifiers = [part.split('"')[0] for part in page.split(' id="')[1:]]
+    assert len(identifiers) == len(set(identifiers))
+    assert {link[1:] for link in links} <= set(identifiers)
+
+
+@pytest.mark.parametrize("kind", ["work_precision", "order", "violation", "energy", "error"])
+def test_picture_shows_every_method(kind: str, tmp_path: Path) -> None:
+    figure = slider_crank().plot(kind, tmp_path / "picture.png")
+    assert (tmp_path / "picture.png").stat().st_size > 10_000
+    labels = figure.axes[0].get_legend_handles_labels()[1]
+    for label in slider_crank().orders():
+        assert any(shown.startswith(label) for shown in labels), label
+
+
+def test_scales_of_a_body_that_only_turns_are_those_of_its_arm() -> None:
+    q = np.tile([0.0, 0, 0, 1, 0, 0, 0], (3, 1, 1))
+    v = np.tile([0.0, 0, 0, 0, 0, 5.0], (3, 1, 1))
+    scales = Scales.of(Sampled(np.arange(3.0), q, v, np.zeros((3, 0, 3)), np.zeros((3, 0, 3))), 0.2)
+    assert (scales.length, scales.speed, scales.force) == (0.2, 1.0, 1.0)
