@@ -56,7 +56,7 @@ def test_velocities_and_reactions_of_gains_that_follow_the_step_are_of_order_one
 
 
 def test_reactions_of_the_penalty_method_have_a_floor() -> None:
-    """M v_dot = g - a D^T (D v_dot - gamma): a finite penalty leaves an acceleration that no step takes away."""
+    """M v_dot = g - a D^T (D v_dot - gamma): a finite penalty leaves what no step takes away."""
     floors = {it.label: it.stagnation("reaction_error") for it in slider_crank().studies}
     assert {label for label, floor in floors.items() if floor} == {
         "penalty, sampled_baumgarte, rk4",
@@ -80,9 +80,8 @@ def test_observed_order_is_the_slope_between_two_steps() -> None:
 def test_figures_are_those_of_a_separate_run() -> None:
     comparison = slider_crank()
     cell = next(it for it in comparison if it.label == "standard, none, rk4" and it.step == 5e-3)
-    result = lw.simulate(
-        mechanisms.spatial_slider_crank(), 2.0, 5e-3, "rk4", stabilization="none", record_every=2, progress=False
-    )  # fmt: skip
+    model = mechanisms.spatial_slider_crank()
+    result = lw.simulate(model, 2.0, 5e-3, "rk4", stabilization="none", record_every=2, progress=False)
     assert cell.position_violation == result.violation[:, 0].max()
     assert cell.velocity_violation == result.violation[:, 1].max()
     assert cell.energy_error == np.abs(result.energy_error).max()
@@ -228,8 +227,8 @@ def test_what_cannot_be_compared_is_refused(arguments: dict[str, Any], message: 
 
 
 def test_cells_that_do_not_finish_say_why_and_stop_nothing() -> None:
-    comparison = quick("spatial_slider_crank", t_end=1.0, steps=[0.2, 1e-2],
-                       stabilizations=["none", "baumgarte:500:500"], integrators=["euler", "rk4", "rk44"])  # fmt: skip
+    axes = {"stabilizations": ["none", "baumgarte:500:500"], "integrators": ["euler", "rk4", "rk44"]}
+    comparison = quick("spatial_slider_crank", t_end=1.0, steps=[0.2, 1e-2], **axes)
     by_status: dict[str, list[Any]] = {}
     for it in comparison:
         by_status.setdefault(it.status, []).append(it)
@@ -373,7 +372,7 @@ def test_page_needs_nothing_from_anywhere(tmp_path: Path) -> None:
     page = slider_crank().to_html(tmp_path / "c.html")
     assert (tmp_path / "c.html").read_text() == page
     assert page.count("<svg") == 5 and "<script" not in page and "src=" not in page and "@import" not in page
-    links = set(part.split('"')[0] for part in page.split('href="')[1:])
+    links = {part.split('"')[0] for part in page.split('href="')[1:]}
     assert all(link.startswith("#") for link in links)
     identifiers = [part.split('"')[0] for part in page.split(' id="')[1:]]
     assert len(identifiers) == len(set(identifiers))

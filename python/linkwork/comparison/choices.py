@@ -122,6 +122,15 @@ DEFAULT_CHOICES: tuple[Choice, ...] = (
     _of("standard", "phem56", "projection"),
 )  # fmt: skip
 
+#: The same where steps follow tolerances.
+DEFAULT_ADAPTIVE: tuple[Choice, ...] = (
+    *(_of("standard", name, "sampled_baumgarte") for name in ("bs32", "tsit5", "dopri5", "dop853")),
+    _of("standard", "dopri5", "none"),
+    _of("standard", "dopri5", "projection"),
+    _of("penalty", "dopri5", "sampled_baumgarte"),
+    _of("augmented_lagrangian", "dopri5", "sampled_baumgarte"),
+)
+
 
 def choices(
     formulations: Iterable[Entry] | None,
@@ -129,14 +138,18 @@ def choices(
     integrators: Iterable[Entry] | None,
     linear_solvers: Iterable[Entry] | None,
     common: Mapping[str, Any],
+    *,
+    adaptive: bool = False,
 ) -> list[Choice]:
     """All combinations of the axes; one that is None is left to `simulate`. All four None: DEFAULT_CHOICES.
 
-    `common`: options of every method. OptionError: an axis without entries, or an entry that is none.
+    `common`: options of every method; `adaptive`: steps follow tolerances, so DEFAULT_ADAPTIVE instead.
+    OptionError: an axis without entries, or an entry that is none.
     """
     axes = dict(zip(AXES, (formulations, stabilizations, integrators, linear_solvers), strict=True))
     if all(entries is None for entries in axes.values()):
-        found = [Choice({**choice.options, **common}) for choice in DEFAULT_CHOICES]
+        usual = DEFAULT_ADAPTIVE if adaptive else DEFAULT_CHOICES
+        found = [Choice({**choice.options, **common}) for choice in usual]
     else:
         entries = [_entries(axis, given) for axis, given in axes.items()]
         found = [Choice({**common, **{k: v for part in parts for k, v in part.items()}})

@@ -82,9 +82,10 @@ def compare(
     for name, number in (("processes", processes), ("time_limit", time_limit)):
         if number is not None:
             check_number(name, number, positive=True)
-    methods = choices(formulations, stabilizations, integrators, linear_solvers, options)
     rtols = list(tolerances or ())
     asked = [float(step) for step in steps] if steps is not None else None
+    adaptive = bool(rtols) and not asked
+    methods = choices(formulations, stabilizations, integrators, linear_solvers, options, adaptive=adaptive)
     if asked is None and not rtols and recommended is not None:
         asked = usual_steps(recommended)
     if asked is None and not rtols and reference is None:
@@ -98,7 +99,7 @@ def compare(
     store = _store(resume, model, t_end, reference)
     sampling = Sampling.of(t_end, asked or [], frame_bytes(model))
     known = {} if store is None else store.found()
-    studies = [Study(choice, min(asked)) for choice in methods] if asked else []
+    studies = [Study(choice, max(asked), min(asked)) for choice in methods] if asked else []
     count = processes or processor_count()
     log.info("comparison of %s: %d cells, %d of them known", model.name or "model", len(grid),
              sum(cell.key in known for cell in grid))  # fmt: skip

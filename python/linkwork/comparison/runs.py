@@ -190,29 +190,37 @@ class Runs:
         return self.cell(item) if isinstance(item, Cell) else self.study(item)
 
     def study(self, study: order.Study) -> order.OrderStudy:
-        """Errors at the step and at its halves; a run that fails ends it."""
-        step, seconds = study.step, 0.0
-        every = self.sampling.arguments(Cell(study.choice, step=step), self.times)["record_every"]
+        """Errors at steps that are halved; coarse ones may fail, later a failure is the end."""
+        base = self.sampling.arguments(Cell(study.choice, step=study.largest), self.times)["record_every"]
         found: dict[float, dict[str, float | None]] = {}
         own = self.reference.error or {}
         floors = {name: max(order.ROUNDING, order.ABOVE_REFERENCE * own.get(name, 0.0)) for name in ERRORS}
-        while len(found) <= order.HALVINGS and seconds < order.LONGEST_SECONDS:
+        for division in study.divisions:
+            # frames at multiples of the time between those of the largest step
+            every = base * 2**division if division >= 0 else base // math.gcd(base, 2**-division)
+            step = study.largest / 2.0**division
             try:
-                with warnings.catch_warnings():
-                    warnings.simplefilter("ignore")
-                    given = Cell(study.choice, step=step).options()
-                    result = simulate(self.model, order.WINDOW * self.t_end, record_every=every,
-                                      progress=False, **given)  # fmt: skip
-                    errors = self.reference.errors(Sampled.of(result))
+                result = self._quietly(step, int(every), study)
+                errors = self.reference.errors(Sampled.of(result))
             except Exception:  # whatever it was: the cells of the grid say so
-                break
-            seconds = float(result.statistics["seconds"])
+                if found:
+                    break
+                continue
             found[step] = _numbers(errors)
-            if all((errors[name] or 0.0) <= floors[name] for name in ("pose_error", "velocity_error")):
+            tiny = all(errors[name] <= floors[name] for name in ("pose_error", "velocity_error"))
+            if tiny or float(result.statistics["seconds"]) > order.LONGEST_SECONDS:
                 break
-            step, every = step / 2, every * 2
         by_error = {name: [errors[name] for errors in found.values()] for name in ERRORS}
-        return order.OrderStudy(study.choice.key, study.choice.label, list(found), by_error, floors)
+        nominal = getattr(study.choice.integrator, "order", None)
+        return order.OrderStudy(study.choice.key, study.choice.label, list(found), by_error, floors, nominal)
+
+    def _quietly(self, step: float, every: int, study: order.Study) -> Result:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            given = Cell(study.choice, step=step).options()
+            return simulate(
+                self.model, order.WINDOW * self.t_end, record_every=every, progress=False, **given
+            )
 
     def cell(self, cell: Cell) -> Outcome:
         """Run a cell; whatever it does is an outcome."""

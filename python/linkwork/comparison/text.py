@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
+
+from linkwork import _core
 
 if TYPE_CHECKING:
     from linkwork.comparison.table import Comparison
@@ -55,21 +58,46 @@ def notes(comparison: Comparison) -> list[str]:
     )
     scales = reference.scales
     unique = f"{len(reference.unique_joints)} of {reference.joint_count}"
+    reactions = f"of reactions to {scales.force:.3g} N, in the {unique} joints where they are unique"
+    if not reference.unique_joints:
+        reactions = "reactions are not compared: those of no joint follow from the motion"
     found = [
         f"Reference: {reference.description}; {own}.",
         f"Errors: largest over {_frames(comparison)}; of poses relative to {scales.length:.3g} m and 1 rad, "
-        f"of velocities to {scales.speed:.3g} m/s, of reactions to {scales.force:.3g} N, in the {unique} "
-        "joints where they are unique.",
+        f"of velocities to {scales.speed:.3g} m/s, {reactions}.",
         "Order, h -> 0: of poses, early in the motion, with steps smaller than those of the table.",
-        *(
-            f"{study.label}: the reaction error stays at {floor:.1e}, however small the step."
-            for study in comparison.studies
-            if (floor := study.stagnation("reaction_error")) is not None
-        ),
-        *dict.fromkeys(f"{it.label}: {it.status}: {it.reason}" for it in comparison.outcomes if it.reason),
+        *_floors(comparison),
+        *_reasons(comparison),
         *_remarks(comparison),
     ]
     return found if comparison.studies else [note for note in found if not note.startswith("Order,")]
+
+
+def _floors(comparison: Comparison) -> list[str]:
+    """Of penalties, which leave reactions wrong at any step; where others stagnate, it is rounding."""
+    penalties = {info.name for info in _core.formulations() if info.has_penalty and not info.iterative}
+    stagnant = {
+        it.label: it.stagnation("reaction_error")
+        for it in comparison.studies
+        if json.loads(it.method).get("formulation") in penalties
+    }
+    return [
+        f"{label}: the reaction error stays at {floor:.1e}, however small the step."
+        for label, floor in stagnant.items()
+        if floor is not None
+    ]
+
+
+def _reasons(comparison: Comparison) -> list[str]:
+    """Why cells did not finish; methods with one reason are counted together."""
+    by_reason: dict[tuple[str, str], list[str]] = {}
+    for it in comparison.outcomes:
+        if it.reason:
+            by_reason.setdefault((it.status, it.reason), []).append(it.label)
+    return [
+        f"{labels[0] if len(set(labels)) == 1 else f'{len(set(labels))} methods'}: {status}: {reason}"
+        for (status, reason), labels in by_reason.items()
+    ]
 
 
 def _remarks(comparison: Comparison) -> list[str]:
