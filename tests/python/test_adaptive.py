@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from linkwork import mechanisms
 from linkwork.integrators import METHODS, EmbeddedPair
+from linkwork.validation import Series
 from numpy.typing import NDArray
-from reference_data import Series
 from small_mechanisms import driven_pendulum, slider_crank, spherical_pendulum, two_body_loop
 
 Floats = NDArray[np.float64]

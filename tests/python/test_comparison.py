@@ -21,7 +21,8 @@ from linkwork import mechanisms
 from linkwork.comparison import Comparison, workers
 from linkwork.comparison.measures import Differences, Sampled, Scales
 from linkwork.comparison.reference import solved_reference
-from reference_data import Floats, Series
+from linkwork.validation import Series
+from linkwork.validation.series import Floats
 
 STEPS = [1e-2, 5e-3, 2.5e-3]
 

@@ -8,9 +8,9 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core, mechanisms
+from linkwork.validation import Series
 from numpy.typing import NDArray
 from random_mechanisms import JOINTS
-from reference_data import Series
 from scipy.integrate import solve_ivp
 
 #: (system, linear solver) of the standard formulation.

@@ -29,6 +29,7 @@ def linkwork(context: click.Context) -> None:
     linkwork run four_bar --plot run.png   simulate a mechanism
     linkwork run chain --help              the options of one mechanism
     linkwork compare four_bar --t-end 2    a mechanism by many methods, with the error of each
+    linkwork validate                      published problems, and our error against each
 
     --debug, anywhere, shows the Python traceback of an error.
     """
@@ -94,6 +95,26 @@ def compare() -> None:
 
 
 linkwork.add_command(bench)
+
+
+@linkwork.command()
+@click.argument("problems", nargs=-1, metavar="[PROBLEM]...")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+@click.pass_context
+def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -> None:
+    """Solve the reference problems and print the error of each.
+
+    \b
+    linkwork validate
+    linkwork validate andrews heavy_top --json
+
+    Published benchmarks and closed forms, computed without linkwork; the exit code is 1 where an error is
+    larger than required.
+    """
+    from linkwork.cli.validating import validate_and_show
+
+    if not validate_and_show(problems, as_json):
+        context.exit(1)
 
 
 @linkwork.command("list")

@@ -1,21 +1,24 @@
-"""Reference solutions in tests/python/data: independent computations, each with its definition."""
+"""The solutions in data/: independent computations, each with its definition, method and trusted digits."""
 
 from __future__ import annotations
 
 import json
-from pathlib import Path
+from importlib.resources import files
 
 import numpy as np
 from numpy.typing import NDArray
+
+__all__ = ["Series"]
 
 Floats = NDArray[np.float64]
 
 
 class Series:
-    """Columns by name; rows in time."""
+    """Columns by name; rows in time. `definition` says what was computed, and how."""
 
     def __init__(self, name: str) -> None:
-        self.definition = json.loads((Path(__file__).parent / "data" / f"{name}.json").read_text())
+        text = (files("linkwork.validation") / "data" / f"{name}.json").read_text(encoding="utf-8")
+        self.definition = json.loads(text)
         self._data = np.array(self.definition["data"])
 
     def __call__(self, *columns: str) -> Floats:

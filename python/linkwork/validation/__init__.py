@@ -1,0 +1,17 @@
+"""Reference problems, published or in closed form and computed without linkwork, and our error against each.
+
+    from linkwork import validation
+
+    for verdict in validation.validate():
+        print(verdict.problem, verdict.passed, [figure.error for figure in verdict.figures])
+
+`linkwork validate` prints them as a table.
+"""
+
+from __future__ import annotations
+
+from linkwork.validation.problem import Figure, Problem, Verdict, validate
+from linkwork.validation.problems import PROBLEMS
+from linkwork.validation.series import Series
+
+__all__ = ["PROBLEMS", "Figure", "Problem", "Series", "Verdict", "validate"]
