@@ -12,6 +12,7 @@ SI units; positions inertial, omega body-fixed, Euler parameters scalar first. N
 
 from __future__ import annotations
 
+import logging
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -78,6 +79,8 @@ __all__ = [
     "rotation",
     "simulate",
 ]
+
+logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until the user wants to hear
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {

@@ -112,12 +112,15 @@ def record(
     has passed a singular pose.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
+    violation: float | None = None
     try:
         for frames in pieces:
             spent += time.perf_counter() - before
             to.note(_occurrences(run, labels))
             to.write(frames)
-            report(run.t, run.steps_done)
+            if len(frames["t"]):
+                violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
+            report(run.t, run.steps_done, violation)
             if warns:
                 warned = _warn_of_singular_poses(run.statistics(), warned)
             before = time.perf_counter()

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
@@ -24,6 +25,8 @@ from linkwork.result import Result, Snapshot
 from linkwork.system import System
 
 __all__ = ["PythonStep", "simulate"]
+
+log = logging.getLogger(__name__)
 
 
 def simulate(
@@ -61,7 +64,8 @@ def simulate(
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
                   `state` of an error. The work and multistep methods begin anew
     output        an HDF5 file that is written while the run goes on; the result then reads from it
-    progress      None: a line on a terminal after two seconds; False: nothing; or a function of ProgressInfo
+    progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
+                  of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
     assemble      initial poses and velocities that violate the joints by up to 1/1000 of the size and speed
                   of the mechanism are corrected as by linkwork.assemble, larger violations are refused.
                   False: the run starts from them as they are, with a warning
@@ -113,13 +117,22 @@ def simulate(
     recorder = recording.recorder(output, header)
 
     setup_seconds = time.perf_counter() - started
+    log.info("%s: 0 to %g s by %s", system.model.describe(), t_end, _listed(chosen))
     with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total) as report:
         pieces = recording.pieces(run, interrupts, method, system)
         labels, warns = [label for label, _ in watched], system.options["on_singular"] == "warn"
         driver_seconds = recording.record(run, pieces, recorder, report, labels, warns=warns)
     seconds = time.perf_counter() - started
+    log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
     return recorder.result({**run.statistics(), **times_spent})
+
+
+def _listed(chosen: Mapping[str, Any]) -> str:
+    """The method in words, for the log."""
+    names = ("formulation", "stabilization", "integrator", "linear_solver")
+    sizes = [f"{name} {chosen[name]:g}" for name in ("step", "rtol") if chosen.get(name)]
+    return ", ".join([*(str(chosen[name]) for name in names), *sizes])
 
 
 def _method(integrator: Any) -> Integrator | PythonStep:

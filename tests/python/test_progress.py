@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import logging
 import os
 import pty
 import re
@@ -9,7 +11,9 @@ import subprocess
 import sys
 import time
 
+import linkwork as lw
 import pytest
+from linkwork import progress
 from linkwork.progress import ProgressInfo, describe, reporting
 
 TAKES_SECONDS = """
@@ -81,6 +85,62 @@ def test_line_on_a_terminal_appears_after_two_seconds() -> None:
     written = on_a_terminal("None", 3.0)
     assert "of 10 s" in written and "steps/s" in written and "left" in written
     assert "t = 1 of" not in written
+
+
+def test_line_has_step_and_violation_once_they_are_known() -> None:
+    info = ProgressInfo(2.5, 10.0, 5000, 20000, 4.0, step=5e-4, violation=3.21e-12)
+    assert describe(info).endswith("12 s left, step 0.0005 s, violation 3.2e-12")
+
+
+def test_run_reports_its_step_and_its_violation() -> None:
+    seen: list[ProgressInfo] = []
+    model = lw.mechanisms.spatial_slider_crank()
+    result = lw.simulate(model, 40.0, 1e-3, stabilization="none", record_every=100, progress=seen.append)
+    assert seen[-1].violation == result.violation[-1, 0] > 0
+    assert seen[-1].step == pytest.approx(1e-3)
+
+
+NOTEBOOK = """
+import sys, types
+shown = []
+class Shell:
+    kernel = "a kernel"
+def display(data, raw, display_id, update):
+    shown.append((data["text/plain"], display_id, update))
+ipython, module = types.ModuleType("IPython"), types.ModuleType("IPython.display")
+ipython.get_ipython, module.display = Shell, display
+sys.modules.update({{"IPython": ipython, "IPython.display": module}})
+"""
+
+
+def test_line_in_a_notebook_is_one_output_that_is_replaced_and_emptied() -> None:
+    program = NOTEBOOK + TAKES_SECONDS + "print(shown)"
+    words = [sys.executable, "-c", program.format(progress="None", seconds=3.5)]
+    done = subprocess.run(words, capture_output=True, text=True, check=True, stdin=subprocess.DEVNULL)
+    shown = ast.literal_eval(done.stdout.splitlines()[-1])
+    assert done.stderr == ""
+    assert len(shown) >= 3 and len({name for _, name, _ in shown}) == 1
+    assert [update for *_, update in shown] == [False] + [True] * (len(shown) - 1)
+    assert "of 10 s" in shown[0][0] and shown[-1][0] == ""
+
+
+def test_log_has_a_line_now_and_then_even_where_nothing_is_shown(
+    caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(progress._Log, "seconds", 0.0)
+    monkeypatch.setattr(progress, "SILENT_SECONDS", 0.0)
+    with caplog.at_level(logging.INFO, "linkwork"), reporting(False, 10.0, 100) as report:
+        report(5.0, 50)
+    assert [record.name for record in caplog.records] == ["linkwork.progress"]
+    assert caplog.messages[0].startswith("50 %, t = 5 of 10 s")
+
+
+def test_log_tells_how_a_run_began_and_ended(caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level(logging.INFO, "linkwork"):
+        lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3)
+    began, ended = caplog.messages
+    assert "pendulum: 1 bodies" in began and "standard, sampled_baumgarte, rk4" in began
+    assert "done, 10 steps" in ended
 
 
 @pytest.mark.parametrize("progress, seconds", [("None", 0.5), ("False", 2.5)])
