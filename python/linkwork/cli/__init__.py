@@ -14,14 +14,19 @@ from typing import Any
 
 import click
 
+from linkwork.cli import shells
 from linkwork.cli.commands import linkwork
 from linkwork.errors import LinkworkError
 
 __all__ = ["main"]
 
+log = logging.getLogger(__name__)
+
 
 def main(arguments: Sequence[str] | None = None) -> None:
     """Run one command and exit; `--debug` anywhere on the line lets exceptions through."""
+    if shells.VARIABLE in os.environ:
+        sys.exit(shells.complete(linkwork))
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words
     warnings.showwarning = _show_warning
@@ -57,6 +62,7 @@ def run(words: list[str], debug: bool) -> int:
 
 
 def _complain(message: str, code: int) -> int:
+    log.error("%s", " ".join(message.split()))
     print("error:", " ".join(message.split()), file=sys.stderr)
     return code
 
@@ -68,4 +74,5 @@ def _sentence(message: str) -> str:
 
 
 def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    log.warning("%s", " ".join(str(message).split()))
     print("warning:", " ".join(str(message).split()), file=sys.stderr)

@@ -23,12 +23,13 @@ class Group(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         name = words[0]
         known = self.list_commands(context)
-        if name not in known and not name.startswith("-"):
+        completing = context.resilient_parsing  # the line is not whole yet
+        if name not in known and not name.startswith("-") and not completing:
             raise click.UsageError(f"no {self.what} '{name}'{nearest(name, known)}")
         return super().resolve_command(context, words)
 
     def parse_args(self, context: click.Context, words: list[str]) -> list[str]:
-        if not words and not self.invoke_without_command:
+        if not words and not self.invoke_without_command and not context.resilient_parsing:
             raise click.UsageError(
                 f"{context.info_name} needs a {self.what}: {', '.join(self.list_commands(context))}"
             )

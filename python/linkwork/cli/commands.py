@@ -20,8 +20,9 @@ Action = Callable[..., None]
 
 @click.group(context_settings=SETTINGS, cls=base.Group, invoke_without_command=True)
 @click.version_option(package_name="linkwork", message="%(prog)s %(version)s")
+@click.option("--log", metavar="FILE", help="Append what happens to this file; before the command.")
 @click.pass_context
-def linkwork(context: click.Context) -> None:
+def linkwork(context: click.Context, log: str | None) -> None:
     """Simulate spatial mechanisms and compare the methods that solve their equations.
 
     \b
@@ -31,8 +32,13 @@ def linkwork(context: click.Context) -> None:
     linkwork compare four_bar --t-end 2    a mechanism by many methods, with the error of each
     linkwork validate                      published problems, and our error against each
 
-    --debug, anywhere, shows the Python traceback of an error.
+    --debug, anywhere, shows the Python traceback of an error. `linkwork completion --help` tells how the
+    shell completes commands and mechanisms.
     """
+    if log is not None:
+        from linkwork.cli.logs import write_to
+
+        write_to(log)
     if context.invoked_subcommand is None:
         click.echo(context.get_help())
 
@@ -70,6 +76,9 @@ class MechanismGroup(base.Group):
 def run() -> None:
     """Simulate a mechanism.
 
+    \b
+    linkwork run four_bar --t-end 2 --output run.h5 --plot run.png
+
     `linkwork run NAME --help` shows its parameters and the options of the run.
     """
 
@@ -77,6 +86,9 @@ def run() -> None:
 @linkwork.group(cls=MechanismGroup, what="mechanism")
 def check() -> None:
     """Examine a mechanism before it is simulated.
+
+    \b
+    linkwork check bricard
 
     Degrees of freedom, rank of the constraints, redundant joints, initial residuals, inertias.
     """
@@ -120,7 +132,11 @@ def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -
 @linkwork.command("list")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def list_mechanisms(as_json: bool) -> None:
-    """List the mechanisms and their parameters."""
+    """List the mechanisms and their parameters.
+
+    \b
+    linkwork list --json
+    """
     from linkwork.cli.listing import show_mechanisms
 
     show_mechanisms(as_json)
@@ -134,12 +150,30 @@ def list_mechanisms(as_json: bool) -> None:
 def demo(output_dir: str, as_json: bool) -> None:
     """Simulate one mechanism by every method, side by side.
 
+    \b
+    linkwork demo --output-dir demo
+
     A spatial slider-crank by the four methods of Flores (2015), chapter 12, in one table: violation, energy,
     reactions, effort. Writes linkwork-demo.h5 and linkwork-demo.png.
     """
     from linkwork.cli.demonstration import show
 
     show(output_dir, as_json)
+
+
+@linkwork.command()
+@click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
+def completion(shell: str) -> None:
+    """Print what makes a shell complete commands, mechanisms and options at the tab key.
+
+    \b
+    linkwork completion bash >> ~/.bashrc
+    linkwork completion zsh >> ~/.zshrc
+    linkwork completion fish > ~/.config/fish/completions/linkwork.fish
+    """
+    from linkwork.cli.shells import script
+
+    click.echo(script(linkwork, shell))
 
 
 def _short(mechanism: Mechanism) -> str:

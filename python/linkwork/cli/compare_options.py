@@ -6,6 +6,8 @@ from typing import Any
 
 import click
 
+from linkwork.cli import shells
+
 
 class Words(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
     """Words between commas."""
@@ -51,7 +53,8 @@ NAMES = tuple(name for name, _, _ in _OPTIONS)
 def options() -> list[click.Option]:
     """The axes of the grid, and where the results go."""
     return [
-        *(click.Option(["--" + name.replace("_", "-"), name], type=kind, help=text)
+        *(click.Option(["--" + name.replace("_", "-"), name], type=kind, help=text,
+                       shell_complete=shells.names_of(name.removesuffix("s")))
           for name, kind, text in _OPTIONS),
         click.Option(["--error"], type=float, default=1e-3, show_default=True,
                      help="State error for which a method is recommended; 1 is the size of the motion."),

@@ -27,7 +27,7 @@ def run_command(name: str, mechanism: Mechanism) -> click.Command:
         *run_options.outputs(),
         JSON,
     ]
-    return _command(name, mechanism, options, run)
+    return _command(name, mechanism, options, run, "linkwork run {name} --t-end 0.5 --plot {name}.png")
 
 
 def check_command(name: str, mechanism: Mechanism) -> click.Command:
@@ -36,7 +36,8 @@ def check_command(name: str, mechanism: Mechanism) -> click.Command:
 
         check_and_show(name, mechanism, _taken(values, mechanism), as_json)
 
-    return _command(name, mechanism, [*_parameter_options(mechanism), JSON], check)
+    options = [*_parameter_options(mechanism), JSON]
+    return _command(name, mechanism, options, check, "linkwork check {name} --json")
 
 
 def compare_command(name: str, mechanism: Mechanism) -> click.Command:
@@ -47,15 +48,17 @@ def compare_command(name: str, mechanism: Mechanism) -> click.Command:
         rest = {what: value for what, value in values.items() if what not in parameters}
         compare_and_show(name, mechanism, parameters=parameters, **rest)
 
+    options = [*_parameter_options(mechanism), *compare_options.options(), JSON]
     return _command(
-        name, mechanism, [*_parameter_options(mechanism), *compare_options.options(), JSON], compare
+        name, mechanism, options, compare, "linkwork compare {name} --t-end 0.5 --html {name}.html"
     )
 
 
 def _command(
-    name: str, mechanism: Mechanism, options: Sequence[click.Parameter], callback: Any
+    name: str, mechanism: Mechanism, options: Sequence[click.Parameter], callback: Any, example: str
 ) -> click.Command:
-    return base.Command(name, params=list(options), callback=callback, help=mechanism.description)
+    help_text = f"{mechanism.description}\n\n\b\n{example.format(name=name)}"
+    return base.Command(name, params=list(options), callback=callback, help=help_text)
 
 
 def _parameter_options(mechanism: Mechanism) -> list[click.Option]:

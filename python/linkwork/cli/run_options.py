@@ -7,6 +7,8 @@ from typing import Any
 
 import click
 
+from linkwork.cli import shells
+
 
 class _Limits(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
     """A number, or numbers by name."""
@@ -64,6 +66,7 @@ def options(settings: Mapping[str, Any]) -> list[click.Option]:
         click.Option(
             ["--" + name.replace("_", "-"), name],
             type=kind,
+            shell_complete=shells.names_of(name),
             help=text + (f"  [default: {settings[name]}]" if name in settings else ""),
         )
         for name, kind, text in _OPTIONS

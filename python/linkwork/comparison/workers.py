@@ -7,6 +7,7 @@ Python); elsewhere it must be picklable.
 from __future__ import annotations
 
 import contextlib
+import logging
 import multiprocessing
 import os
 import signal
@@ -126,6 +127,7 @@ def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]
 def _work(connection: Connection, others: Sequence[Connection], task: Any, items: Sequence[Any]) -> None:
     """The other process: it ends when nobody is left to ask it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
+    logging.getLogger("linkwork").setLevel(logging.WARNING)  # who asks tells of each item
     for other in others:  # inherited; while they are open, nobody would notice that the one who asks is gone
         other.close()
     while True:
