@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -319,6 +320,33 @@ lw.compare("spatial_slider_crank", 10.0, steps=[1e-3 / 2**k for k in range(8)], 
     while any(Path(f"/proc/{pid}").exists() for pid in group) and time.monotonic() < deadline:
         time.sleep(0.1)
     assert not [pid for pid in group if Path(f"/proc/{pid}").exists()]
+
+
+def test_a_file_that_grows_too_large_ends_with_one_line_and_the_cells_so_far(tmp_path: Path) -> None:
+    """The reference fits, and some cells of 25 kB each."""
+    words = ["compare", "pendulum", "--t-end", "1", "--steps", "1e-2,5e-3,2.5e-3", "--resume", tmp_path / "c"]
+    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10**5, 10**5))  # noqa: E731
+    program = [sys.executable, "-c", "from linkwork.cli import main; main()", *map(str, words)]
+    done = subprocess.run(program, preexec_fn=limit, capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
+    assert done.stderr.startswith(f"error: folder '{tmp_path / 'c'}': cannot be written: file too large")
+    *whole, _ = (tmp_path / "c" / "cells.jsonl").read_text().splitlines()
+    kept = [json.loads(line)["found"] for line in whole]
+    assert kept and all(len(it["curves"]["t"]) == 101 for it in kept)
+    assert len(quick(t_end=1.0, steps=STEPS, resume=tmp_path / "c")) == 33
+
+
+def test_a_page_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> None:
+    comparison = quick(integrators=["rk4"])
+    (tmp_path / "table.csv").write_text("old")
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
+    try:
+        with pytest.raises(lw.FileError, match=r"table.csv': cannot be written: file too large"):
+            comparison.to_csv(tmp_path / "table.csv")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert os.listdir(tmp_path) == ["table.csv"] and (tmp_path / "table.csv").read_text() == "old"
 
 
 def children(pid: int) -> list[str]:

@@ -247,6 +247,34 @@ def test_full_disk_ends_with_one_line_and_a_readable_file(tmp_path: Path) -> Non
     assert "run.h5': no room: " in error and f"free; the {count} frames so far are kept" in error
 
 
+RUN_ON_A_SMALL_DISK = """
+    import subprocess, sys
+    from linkwork import Result
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", sys.argv[1]], check=True)
+    words = ["run", "chain", "--bodies", "20", "--rtol", "1e-6", "--t-end", "1e4", "--record-every", "1"]
+    command = [sys.executable, "-c", "from linkwork.cli import main; main()", *words, "--output"]
+    done = subprocess.run([*command, sys.argv[1] + "/run.h5"], capture_output=True, text=True)
+    result = Result.load(sys.argv[1] + "/run.h5")
+    print(done.returncode, repr(done.stdout), done.stderr.count("\\n"), len(result), done.stderr, sep="|")
+"""
+
+
+@pytest.mark.skipif(
+    os.geteuid() != 0 or shutil.which("unshare") is None, reason="mounting a small disk needs root"
+)
+def test_command_ends_with_one_line_where_the_disk_is_full(tmp_path: Path) -> None:
+    if subprocess.run(
+        ["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", tmp_path], capture_output=True
+    ).returncode:
+        pytest.skip("mounting is not allowed here")
+    run = start(RUN_ON_A_SMALL_DISK, tmp_path, before=["unshare", "-m"])
+    output, errors = run.communicate(timeout=120)
+    assert run.returncode == 0, errors
+    code, out, lines, count, error = output.strip().split("|")
+    assert (code, out, lines) == ("1", "''", "1")
+    assert int(count) > 100 and f"the {count} frames so far are kept" in error
+
+
 def test_run_that_cannot_fit_is_refused_before_it_starts(tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"run.h5': no room: .* needed, .* free"):
         ResultWriter(tmp_path / "run.h5", synthetic.header(expected_frames=10**14))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
 import json
@@ -254,10 +255,18 @@ def _plain(value: Any) -> Any:
 
 
 def _written(text: str, path: str | os.PathLike[str] | None) -> str:
-    if path is not None:
-        try:
-            Path(path).write_text(text, encoding="utf-8")
-        except OSError as error:
-            reason = os.strerror(error.errno).lower() if error.errno else str(error)
-            raise FileError(f"output '{path}': cannot be written: {reason}", code="not_writable") from error
+    """To a file beside, then renamed, so that `path` is never half written."""
+    if path is None:
+        return text
+    path = Path(path)
+    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        beside.write_text(text, encoding="utf-8")
+        os.replace(beside, path)
+    except OSError as error:
+        reason = os.strerror(error.errno).lower() if error.errno else str(error)
+        raise FileError(f"output '{path}': cannot be written: {reason}", code="not_writable") from error
+    finally:
+        with contextlib.suppress(OSError):
+            beside.unlink(missing_ok=True)
     return text

@@ -1,7 +1,7 @@
 """Tasks in parallel processes: what one of them cannot do does no harm to the others.
 
-Where the system can fork, the processes inherit the task, so it may hold anything (a model with functions of
-Python); elsewhere it must be picklable.
+The processes are forked, so a task may hold anything, such as a model with functions of Python. Where the
+system cannot fork, the tasks are done here, one after the other, without limits of time.
 """
 
 from __future__ import annotations
@@ -63,6 +63,11 @@ def in_processes(
 
     An exception of `task` ends everything; closing the iterator ends all processes.
     """
+    if not hasattr(os, "fork") or not sys.platform.startswith("linux"):
+        for place, item in enumerate(items):
+            beat([place])
+            yield place, task(item)
+        return
     todo = list(range(len(items)))[::-1]
     crew: list[_Worker] = []
     count = min(processes or processor_count(), len(items))
@@ -111,9 +116,9 @@ def _answers(crew: list[_Worker], seconds: float | None) -> Iterator[tuple[int, 
 
 
 def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]) -> _Worker:
-    context: Any = multiprocessing.get_context("fork" if _can_fork() else "spawn")
+    context: Any = multiprocessing.get_context("fork")
     ours, theirs = context.Pipe()
-    others = [ours, *(worker.connection for worker in crew)] if _can_fork() else []
+    others = [ours, *(worker.connection for worker in crew)]
     process = context.Process(target=_work, args=(theirs, others, task, items), daemon=True)
     with warnings.catch_warnings():
         warnings.simplefilter(
@@ -156,7 +161,3 @@ def _cause_of_death(process: BaseProcess) -> str:
     if code is not None and code < 0:
         return f"its process was ended by {signal.Signals(-code).name}"
     return f"its process ended with code {code}"
-
-
-def _can_fork() -> bool:
-    return sys.platform.startswith("linux")
