@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -19,7 +20,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import mechanisms
-from linkwork.comparison import Comparison, workers
+from linkwork.comparison import Comparison, text, workers
 from linkwork.comparison.measures import Differences, Sampled, Scales
 from linkwork.comparison.reference import solved_reference
 from linkwork.validation import Series
@@ -138,6 +139,22 @@ def test_only_unique_reactions_are_compared() -> None:
     assert comparison.reference.unique_joints == [] and all(it.reaction_error is None for it in comparison)
     assert "no joint" in comparison.recommend(of="reaction_error")
     assert all(it.status == "finished" and it.state_error < 1e-4 for it in comparison)
+
+
+def test_linear_solvers_agree_and_are_told_apart() -> None:
+    comparison = quick("spatial_slider_crank", steps=[5e-3], linear_solvers=["block", "umfpack", "dense"])
+    assert [it.options["linear_solver"] for it in comparison] == ["block", "umfpack", "dense"]
+    errors = [it.pose_error for it in comparison]
+    assert errors == pytest.approx([errors[0]] * 3, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", mechanisms.MECHANISMS)
+def test_every_mechanism_can_be_compared(name: str) -> None:
+    step = mechanisms.MECHANISMS[name].settings["step"]
+    comparison = quick(name, 40 * step, steps=[2 * step, step], integrators=["rk4", "phem56"])
+    assert {it.status for it in comparison} == {"finished"}
+    assert max(it.state_error for it in comparison if it.state_error is not None) < 1e-2
+    assert comparison.reference.error is not None and comparison.reference.error["state_error"] < 1e-9
 
 
 # --- the reference ---
@@ -388,6 +405,13 @@ def test_table_csv_and_json_agree() -> None:
         assert len(cell["curves"]["t"]) == 201
     text = str(comparison)
     assert all(it.label in text for it in comparison)
+
+
+def test_table_fits_a_terminal_and_shows_the_errors_on_any() -> None:
+    wide, narrow = text.table(slider_crank()), text.table(slider_crank(), 80)
+    assert max(map(len, narrow.splitlines())) <= 80 < max(map(len, wide.splitlines()))
+    for line in narrow.splitlines()[-3:]:
+        assert re.search(r" 0\.\d+ .* \d\.\de-\d\d ", line)
 
 
 def test_table_is_a_frame_where_pandas_is_installed() -> None:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
+import sys
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -65,6 +68,7 @@ def compare_and_show(
 def _print(comparison: Comparison, error: float) -> None:
     from linkwork.comparison import text
 
-    print(text.table(comparison))
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() or "COLUMNS" in os.environ else None
+    print(text.table(comparison, width))
     print("\n" + "\n".join(text.notes(comparison)))
     print("\n" + comparison.recommend(error))

@@ -65,21 +65,22 @@ def page(comparison: Comparison) -> str:
 
 def table(comparison: Comparison) -> str:
     """The table alone, as a notebook shows it."""
-    columns = text.header()
-    last = len(columns) - 1
-    head = "".join(f"<th{_text(k in (0, last))}>{escape(word)}</th>" for k, word in enumerate(columns))
+    columns = text.COLUMNS
+    head = "".join(f"<th{_kind(column)}>{escape(column.heading)}</th>" for column in columns)
     body = []
-    for outcome, row in zip(comparison.outcomes, text.rows(comparison), strict=True):
+    for outcome, row in zip(comparison.outcomes, text.cells(comparison), strict=True):
         kinds = [*(["first"] if row[0] else []), *(["bad"] if outcome.verdict != "finished" else [])]
         reason = escape(outcome.reason or "; ".join(outcome.remarks), quote=True)
-        cells = "".join(f"<td{_text(k in (0, last))}>{escape(word)}</td>" for k, word in enumerate(row))
-        body.append(f'<tr class="{" ".join(kinds)}" title="{reason}">{cells}</tr>')
+        said = "".join(
+            f"<td{_kind(column)}>{escape(word)}</td>" for column, word in zip(columns, row, strict=True)
+        )
+        body.append(f'<tr class="{" ".join(kinds)}" title="{reason}">{said}</tr>')
     inside = f"<thead><tr>{head}</tr></thead><tbody>{''.join(body)}</tbody>"
     return f'<div class="scroll"><table>{inside}</table></div>'
 
 
-def _text(is_text: bool) -> str:
-    return ' class="text"' if is_text else ""
+def _kind(column: text.Column) -> str:
+    return ' class="text"' if column.text else ""
 
 
 def _svg(comparison: Comparison, kind: str) -> str:

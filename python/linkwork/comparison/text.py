@@ -3,51 +3,65 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from linkwork import _core
 
 if TYPE_CHECKING:
+    from linkwork.comparison.runs import Outcome
     from linkwork.comparison.table import Comparison
 
-#: Heading, and how a row says it.
-COLUMNS: tuple[tuple[str, str, str], ...] = (
-    ("pose\nerror", "pose_error", "{:.1e}"),
-    ("\norder", "pose_order", "{:.1f}"),
-    ("velocity\nerror", "velocity_error", "{:.1e}"),
-    ("\norder", "velocity_order", "{:.1f}"),
-    ("reaction\nerror", "reaction_error", "{:.1e}"),
-    ("violation\nposition", "position_violation", "{:.0e}"),
-    ("of\nvelocity", "velocity_violation", "{:.0e}"),
-    ("constraints\nacceleration", "acceleration_violation", "{:.0e}"),
-    ("energy\nerror [J]", "energy_error", "{:.1e}"),
-    ("evalua-\ntions", "evaluations", "{:,}"),
-    ("time\n[s]", "seconds", "{:.3f}"),
+
+@dataclass(frozen=True)
+class Column:
+    """Of the table; on a narrow terminal the least important ones are left out, those of rank 0 never."""
+
+    heading: str
+    said: Callable[[Outcome, Mapping[str, Any]], str]
+    rank: int = 0
+    text: bool = False
+
+
+def _figure(name: str, form: str) -> Callable[[Outcome, Mapping[str, Any]], str]:
+    return lambda outcome, row: "-" if row[name] is None else form.format(row[name])
+
+
+COLUMNS: tuple[Column, ...] = (
+    Column("method", lambda outcome, row: outcome.label, text=True),
+    Column("order,\nh -> 0", _figure("asymptotic_order", "{:.1f}"), 1),
+    Column("step [s]\nor rtol", lambda outcome, row: _size(outcome)),
+    Column("pose\nerror", _figure("pose_error", "{:.1e}")),
+    Column("\norder", _figure("pose_order", "{:.1f}"), 5),
+    Column("velocity\nerror", _figure("velocity_error", "{:.1e}"), 3),
+    Column("\norder", _figure("velocity_order", "{:.1f}"), 9),
+    Column("reaction\nerror", _figure("reaction_error", "{:.1e}"), 2),
+    Column("violation\nposition", _figure("position_violation", "{:.0e}"), 4),
+    Column("of\nvelocity", _figure("velocity_violation", "{:.0e}"), 7),
+    Column("constraints\nacceleration", _figure("acceleration_violation", "{:.0e}"), 8),
+    Column("energy\nerror [J]", _figure("energy_error", "{:.1e}"), 6),
+    Column("evalua-\ntions", _figure("evaluations", "{:,}"), 10),
+    Column("time\n[s]", _figure("seconds", "{:.3f}")),
+    Column("status", lambda outcome, row: outcome.verdict, 1, text=True),
 )
 
-
-def header() -> tuple[str, ...]:
-    return (
-        "method",
-        "order,\nh -> 0",
-        "step [s]\nor rtol",
-        *(heading for heading, _, _ in COLUMNS),
-        "status",
-    )
+#: Said once for all cells of a method.
+ONCE = COLUMNS[:2]
 
 
-def rows(comparison: Comparison) -> list[tuple[str, ...]]:
-    """The label of a method stands at its first cell alone."""
-    out: list[tuple[str, ...]] = []
-    shown, orders = "", comparison.orders()
+def cells(comparison: Comparison, columns: Sequence[Column] = COLUMNS) -> list[tuple[str, ...]]:
+    """What the columns say of each cell; the method and its order stand at its first one alone."""
+    out, shown = [], ""
     for outcome, row in zip(comparison.outcomes, comparison.rows(), strict=True):
-        label = "" if outcome.method == shown else outcome.label
+        repeated = outcome.method == shown
         shown = outcome.method
-        size = f"{outcome.step:g}" if outcome.step is not None else f"rtol {outcome.rtol:g}"
-        cells = [_said(row[key], form) for _, key, form in COLUMNS]
-        limit = _said(orders[label], "{:.1f}") if label else ""
-        out.append((label, limit, size, *cells, outcome.verdict))
+        out.append(tuple("" if repeated and it in ONCE else it.said(outcome, row) for it in columns))
     return out
+
+
+def _size(outcome: Outcome) -> str:
+    return f"{outcome.step:g}" if outcome.step is not None else f"rtol {outcome.rtol:g}"
 
 
 def notes(comparison: Comparison) -> list[str]:
@@ -111,21 +125,29 @@ def whole(comparison: Comparison) -> str:
     return "\n".join([table(comparison), "", *notes(comparison), comparison.recommend()])
 
 
-def table(comparison: Comparison) -> str:
-    """The table alone; lines are as long as they need to be."""
+def table(comparison: Comparison, width: int | None = None) -> str:
+    """The table alone, with as many columns as fit into `width` characters; None: all."""
+    columns = list(COLUMNS)
+    found = _rendered(comparison, columns)
+    while width is not None and max(map(len, found.splitlines())) > width and any(it.rank for it in columns):
+        columns.remove(max(columns, key=lambda it: it.rank))
+        found = _rendered(comparison, columns)
+    return found
+
+
+def _rendered(comparison: Comparison, columns: Sequence[Column]) -> str:
     from rich import box
     from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
     table = Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, collapse_padding=True)
-    columns = header()
-    for place, column in enumerate(columns):
-        justify: Any = "left" if place in (0, len(columns) - 1) else "right"
-        table.add_column(Text(column), justify=justify, vertical="bottom", no_wrap=True)
-    for row in rows(comparison):
+    for column in columns:
+        table.add_column(Text(column.heading), justify="left" if column.text else "right", vertical="bottom",
+                         no_wrap=True)  # fmt: skip
+    for row in cells(comparison, columns):
         table.add_row(*map(Text, row))
-    console = Console(width=300, highlight=False, color_system=None)
+    console = Console(width=400, highlight=False, color_system=None)
     with console.capture() as capture:
         console.print(table)
     return "\n".join(line.rstrip() for line in capture.get().splitlines())
@@ -137,7 +159,3 @@ def _frames(comparison: Comparison) -> str:
         return "no frame"
     least, most = min(counts), max(counts)
     return f"{most} frames" if least == most else f"{least} to {most} frames"
-
-
-def _said(value: Any, form: str) -> str:
-    return "-" if value is None else form.format(value)
