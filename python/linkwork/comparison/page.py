@@ -31,7 +31,7 @@ h1 { font-size: 1.5rem; margin-bottom: 0; } h2 { font-size: 1.1rem; margin-top: 
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 13px; font-variant-numeric: tabular-nums; }
 th, td { padding: .18rem .55rem; text-align: right; white-space: nowrap; }
-th { vertical-align: bottom; font-weight: 600; border-bottom: 1px solid var(--faint); white-space: pre-line; }
+th { vertical-align: bottom; font-weight: 600; border-bottom: 1px solid var(--faint); white-space: pre; }
 td.text, th.text { text-align: left; }
 tr.first td { border-top: 1px solid var(--line); }
 tr.bad td { color: #b3261e; } @media (prefers-color-scheme: dark) { tr.bad td { color: #ff8a80; } }

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from linkwork.comparison.runs import Outcome
+from linkwork.comparison.runs import WRONG, Outcome
 from linkwork.errors import OptionError, nearest
 from linkwork.plotting import COLORS, check_format
 
@@ -57,7 +57,7 @@ def _order(ax: Axes, comparison: Comparison) -> None:
         points = [(it.step, it.pose_error) for it in cells if it.pose_error and it.step]
         if study is not None:
             found = zip(study.steps, study.errors["pose_error"], strict=True)
-            points = [(step, error) for step, error in found if error]
+            points = [(step, error) for step, error in found if error and error < WRONG]
         ax.loglog([step for step, _ in points], [error for _, error in points], **style)
     _slopes(ax)
     ax.set(
@@ -147,7 +147,7 @@ def _dress(ax: Axes, comparison: Comparison) -> None:
     ax.grid(True, which="major", color="0.92", lw=0.6)
     ax.set_axisbelow(True)
     ax.spines[["top", "right"]].set_visible(False)
-    ax.tick_params(labelsize=8)
+    ax.tick_params(which="both", labelsize=8)
     name = comparison.manifest.get("model") or "model"
     ax.set_title(f"{name}, 0 to {comparison.t_end:g} s", fontsize=10, loc="left")
     if ax.get_legend_handles_labels()[1]:
