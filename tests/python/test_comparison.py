@@ -20,6 +20,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import mechanisms
+from linkwork.cli import run
 from linkwork.comparison import Comparison, text, workers
 from linkwork.comparison.measures import Differences, Sampled, Scales
 from linkwork.comparison.reference import solved_reference
@@ -322,16 +323,12 @@ lw.compare("spatial_slider_crank", 10.0, steps=[1e-3 / 2**k for k in range(8)], 
            resume={str(tmp_path / "c")!r}, processes=2, progress=False)
 """
     process = subprocess.Popen([sys.executable, "-c", program])
-    cells = tmp_path / "c" / "cells.jsonl"
-    for _ in range(200):
-        time.sleep(0.05)
-        if cells.exists() and cells.read_text().count("\n") >= 2:
-            break
-    group = [int(pid) for pid in children(process.pid)]
+    wait_for_cells(tmp_path / "c", 2)
+    group = children(process.pid)
     process.kill()
     process.wait()
     assert group
-    lines = [json.loads(line) for line in cells.read_text().splitlines()]
+    lines = [json.loads(line) for line in (tmp_path / "c" / "cells.jsonl").read_text().splitlines()]
     assert len(lines) >= 2 and all("found" in line for line in lines)
     deadline = time.monotonic() + 20
     while any(Path(f"/proc/{pid}").exists() for pid in group) and time.monotonic() < deadline:
@@ -343,8 +340,7 @@ def test_a_file_that_grows_too_large_ends_with_one_line_and_the_cells_so_far(tmp
     """The reference fits, and some cells of 25 kB each."""
     words = ["compare", "pendulum", "--t-end", "1", "--steps", "1e-2,5e-3,2.5e-3", "--resume", tmp_path / "c"]
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10**5, 10**5))  # noqa: E731
-    program = [sys.executable, "-c", "from linkwork.cli import main; main()", *map(str, words)]
-    done = subprocess.run(program, preexec_fn=limit, capture_output=True, text=True)
+    done = subprocess.run([*PROGRAM, *map(str, words)], preexec_fn=limit, capture_output=True, text=True)
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
     assert done.stderr.startswith(f"error: folder '{tmp_path / 'c'}': cannot be written: file too large")
     *whole, _ = (tmp_path / "c" / "cells.jsonl").read_text().splitlines()
@@ -364,6 +360,15 @@ def test_a_page_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> Non
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert os.listdir(tmp_path) == ["table.csv"] and (tmp_path / "table.csv").read_text() == "old"
+
+
+def wait_for_cells(folder: Path, count: int) -> None:
+    """Until so many are kept."""
+    for _ in range(400):
+        time.sleep(0.05)
+        if (folder / "cells.jsonl").exists() and (folder / "cells.jsonl").read_text().count("\n") >= count:
+            return
+    pytest.fail(f"no {count} cells after 20 s")
 
 
 def children(pid: int) -> list[str]:
@@ -446,3 +451,55 @@ def test_scales_of_a_body_that_only_turns_are_those_of_its_arm() -> None:
     v = np.tile([0.0, 0, 0, 0, 0, 5.0], (3, 1, 1))
     scales = Scales.of(Sampled(np.arange(3.0), q, v, np.zeros((3, 0, 3)), np.zeros((3, 0, 3))), 0.2)
     assert (scales.length, scales.speed, scales.force) == (0.2, 1.0, 1.0)
+
+
+# --- the command ---
+
+PROGRAM = [sys.executable, "-c", "from linkwork.cli import main; main()"]
+
+
+def test_command_writes_what_it_names_and_says_what_compare_says(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    files = {option: tmp_path / f"c.{option}" for option in ("html", "csv")} | {"plot": tmp_path / "c.png"}
+    words = [word for option, file in files.items() for word in (f"--{option}", str(file))]
+    line = ["compare", "chain", "--bodies", "3", "--t-end", "0.2", "--steps", "2e-2,1e-2"]
+    assert run([*line, "--integrators", "rk4,heun", "--json", *words], debug=False) == 0
+    said = json.loads(capsys.readouterr().out)
+    expected = quick(mechanisms.chain(3), integrators=["rk4", "heun"])
+    assert [it["pose_error"] for it in said["cells"]] == [it.pose_error for it in expected]
+    assert said["recommendation"].startswith("The cheapest of")
+    assert all(file.stat().st_size > 500 for file in files.values())
+
+
+@pytest.mark.parametrize(("words", "code", "message"), [
+    (["--steps", "1e-2,tiny"], 2, "'1e-2,tiny' is not a list of numbers"),
+    (["--steps", ","], 2, "names nothing"),
+    (["--integrator", "rk4"], 2, "no option --integrator; the nearest is '--integrators'"),
+    (["--processes", "0"], 2, "0 is not in the range"),
+    (["--reference", "missing.h5"], 1, "'missing.h5': no such file"),
+    (["--html", "/nowhere/c.html"], 1, "'/nowhere/c.html': cannot be written: no directory"),
+    (["--stabilizations", "baumgarte:1:2:3"], 1, "takes baumgarte_alpha and baumgarte_beta"),
+])  # fmt: skip
+def test_mistake_is_answered_in_one_line(
+    words: list[str], code: int, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["compare", "pendulum", "--t-end", "0.1", *words], debug=False) == code
+    out, err = capsys.readouterr()
+    assert out == "" and err.startswith("error: ") and err.count("\n") == 1 and message in err
+
+
+def test_interrupted_command_says_what_it_kept_and_leaves_no_process(tmp_path: Path) -> None:
+    steps = ",".join(f"{1e-3 / 2**k:g}" for k in range(9))
+    words = ["compare", "spatial_slider_crank", "--integrators", "rk4", "--steps", steps, "--processes", "2"]
+    command = subprocess.Popen(
+        [*PROGRAM, *words, "--resume", str(tmp_path / "c")], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        text=True,
+    )  # fmt: skip
+    wait_for_cells(tmp_path / "c", 1)
+    group = children(command.pid)
+    command.send_signal(signal.SIGINT)
+    out, err = command.communicate(timeout=20)
+    assert (command.returncode, out) == (130, "")
+    assert err == f"error: interrupted; '{tmp_path / 'c'}' has the runs so far\n"
+    assert group and not [pid for pid in group if Path(f"/proc/{pid}").exists()]
