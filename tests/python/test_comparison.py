@@ -230,6 +230,8 @@ def test_a_reference_of_other_times_is_compared_where_the_times_meet() -> None:
     ({"model": "pendulun"}, "the nearest is 'pendulum'"),
     ({"steps": None, "model": mechanisms.pendulum(), "t_end": None}, "t_end is missing"),
     ({"steps": [0.0]}, "steps 0.0"),
+    ({"steps": ["tiny"]}, "steps 'tiny'"),
+    ({"steps": None, "step": 1e-3}, "option 'step' does not exist; the nearest is 'steps'"),
     ({"steps": []}, "steps and tolerances are missing"),
     ({"integrators": []}, "integrators: is empty"),
     ({"stabilizations": ["baumgarte:five"]}, "'five' is no number"),
@@ -244,6 +246,15 @@ def test_what_cannot_be_compared_is_refused(arguments: dict[str, Any], message: 
 
 
 # --- cells that do not finish ---
+
+
+def test_a_model_that_cannot_be_simulated_is_an_error_of_the_model() -> None:
+    model = lw.Model()
+    bob = model.body("bob", mass=1.0, inertia=(1, 1, 1), velocity=(1, 0, 0))
+    model.spherical(model.ground, bob, at=(0, 0, 0), name="pivot")
+    with pytest.raises(lw.ModelError, match="initial velocities do not satisfy 1 joints") as caught:
+        quick(model)
+    assert caught.value.joints == ["pivot"]
 
 
 def test_cells_that_do_not_finish_say_why_and_stop_nothing() -> None:

@@ -12,7 +12,6 @@ from typing import Any
 from linkwork import integrators
 from linkwork.errors import OptionError
 from linkwork.integrators import EmbeddedPair
-from linkwork.options import check_number
 
 __all__ = ["DEFAULT_CHOICES", "Cell", "Choice", "Entry", "cells", "choices"]
 
@@ -162,10 +161,6 @@ def cells(found: Sequence[Choice], steps: Sequence[float], tolerances: Sequence[
 
     Where both are given, tolerances are for methods with an error estimate alone.
     """
-    for step in steps:
-        check_number("steps", step, positive=True, unit="s")
-    for rtol in tolerances:
-        check_number("tolerances", rtol, positive=True)
     out = []
     for choice in found:
         out += [Cell(choice, step=float(step)) for step in sorted(set(steps), reverse=True)]

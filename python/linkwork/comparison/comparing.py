@@ -20,7 +20,7 @@ from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, nearest
 from linkwork.manifest import platform_facts
 from linkwork.model import Model
-from linkwork.options import check_number
+from linkwork.options import Options, check_number
 from linkwork.progress import ShowOption, counting
 from linkwork.recording import frame_bytes
 from linkwork.result import Result
@@ -32,6 +32,10 @@ log = logging.getLogger(__name__)
 #: Without steps: twice, once and half the step that a method of order 4 needs for an error of about this.
 USUAL_ERROR = 1e-4
 
+#: What `compare` takes by name.
+_NAMES = ("formulations", "stabilizations", "integrators", "linear_solvers", "steps", "tolerances",
+          *Options.__annotations__)  # fmt: skip
+
 
 def compare(
     model: Model | str,
@@ -41,8 +45,8 @@ def compare(
     stabilizations: Iterable[Entry] | None = None,
     integrators: Iterable[Entry] | None = None,
     linear_solvers: Iterable[Entry] | None = None,
-    steps: Iterable[float] | None = None,
-    tolerances: Iterable[float] | None = None,
+    steps: Iterable[float] | float | None = None,
+    tolerances: Iterable[float] | float | None = None,
     reference: Result | str | os.PathLike[str] | None = None,
     processes: int | None = None,
     time_limit: float | None = None,
@@ -82,8 +86,10 @@ def compare(
     for name, number in (("processes", processes), ("time_limit", time_limit)):
         if number is not None:
             check_number(name, number, positive=True)
-    rtols = list(tolerances or ())
-    asked = [float(step) for step in steps] if steps is not None else None
+    for name in options:
+        if name not in Options.__annotations__:
+            raise OptionError(f"option '{name}' does not exist{nearest(name, _NAMES)}", code="option")
+    rtols, asked = _numbers("tolerances", tolerances) or [], _numbers("steps", steps)
     adaptive = bool(rtols) and not asked
     methods = choices(formulations, stabilizations, integrators, linear_solvers, options, adaptive=adaptive)
     if asked is None and not rtols and recommended is not None:
@@ -111,6 +117,16 @@ def compare(
     manifest = {"model": model.name, "model_hash": model.hash(), "processes": count, **platform_facts()}
     outcomes = [it for it in found if isinstance(it, Outcome)]
     return Comparison(outcomes, exact, t_end, manifest, [it for it in found if isinstance(it, OrderStudy)])
+
+
+def _numbers(name: str, given: Any) -> list[float] | None:
+    """One number or several. OptionError: something else, or none that is positive."""
+    if given is None:
+        return None
+    several = list(given) if isinstance(given, Iterable) and not isinstance(given, str) else [given]
+    for number in several:
+        check_number(name, number, positive=True)
+    return [float(number) for number in several]
 
 
 def usual_steps(recommended: float) -> list[float]:
