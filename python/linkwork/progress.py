@@ -117,7 +117,7 @@ def describe(info: ProgressInfo) -> str:
     """The numbers of the line: simulated time, rate, remaining time, step, violation."""
     left = "" if info.remaining is None else f", {_duration(info.remaining)} left"
     step = "" if info.step is None else f", step {info.step:.3g} s"
-    violation = "" if info.violation is None else f", violation {info.violation:.1e}"
+    violation = "" if info.violation is None else f", violation {info.violation:.0e}"
     return f"t = {info.t:.4g} of {info.t_end:g} s, {_quantity(info.rate)} steps/s{left}{step}{violation}"
 
 

@@ -89,7 +89,7 @@ def test_line_on_a_terminal_appears_after_two_seconds() -> None:
 
 def test_line_has_step_and_violation_once_they_are_known() -> None:
     info = ProgressInfo(2.5, 10.0, 5000, 20000, 4.0, step=5e-4, violation=3.21e-12)
-    assert describe(info).endswith("12 s left, step 0.0005 s, violation 3.2e-12")
+    assert describe(info).endswith("12 s left, step 0.0005 s, violation 3e-12")
 
 
 def test_run_reports_its_step_and_its_violation() -> None:
