@@ -155,6 +155,46 @@ py::array_t<double> poses(const Model& model, const Integers& bodies) {
   return out;
 }
 
+/// (t, q (n, 7), v (n, 6)) -> (n, 6).
+class PythonForce final : public UserForce {
+ public:
+  explicit PythonForce(py::function function) : function_(std::make_shared<py::function>(std::move(function))) {}
+  PythonForce(const PythonForce&) = delete;
+  PythonForce& operator=(const PythonForce&) = delete;
+  ~PythonForce() override {
+    const py::gil_scoped_acquire gil;
+    function_.reset();
+  }
+
+  void add(double t, int bodies, const double* q, const double* v, double* g) const override {
+    const py::gil_scoped_acquire gil;
+    const auto count = static_cast<py::ssize_t>(bodies);
+    const py::array_t<double> positions({count, py::ssize_t{position_size}}, q);
+    const py::array_t<double> velocities({count, py::ssize_t{velocity_size}}, v);
+    const Doubles result((*function_)(t, positions, velocities));
+    check_shape(result, {count, py::ssize_t{velocity_size}}, "what a user force returns");
+    for (py::ssize_t k = 0; k < velocity_size * count; ++k) g[k] += result.data()[k];
+  }
+
+ private:
+  std::shared_ptr<py::function> function_;
+};
+
+/// void f(double t, int64_t n, const double* q, const double* v, double* g, void* data): runs without Python.
+class CompiledForce final : public UserForce {
+ public:
+  using Function = void (*)(double, std::int64_t, const double*, const double*, double*, void*);
+  CompiledForce(std::uintptr_t function, std::uintptr_t data)
+      : function_(reinterpret_cast<Function>(function)), data_(reinterpret_cast<void*>(data)) {}
+  void add(double t, int bodies, const double* q, const double* v, double* g) const override {
+    function_(t, bodies, q, v, g, data_);
+  }
+
+ private:
+  Function function_;
+  void* data_;
+};
+
 void bind_time_functions(py::module_& module) {
   py::class_<TimeFunction, std::shared_ptr<TimeFunction>>(module, "TimeFunction",
                                                           "A quantity as a function of time [s], with two derivatives.")
@@ -242,6 +282,18 @@ void bind_model(py::module_& module) {
       .def(
           "add_signal", [](Model& model, std::shared_ptr<TimeFunction> f) { return model.add_signal(std::move(f)); },
           py::arg("function"))
+      .def(
+          "add_user_force",
+          [](Model& model, const std::string& name, py::function function) {
+            model.add_user_force(name, std::make_shared<PythonForce>(std::move(function)));
+          },
+          py::arg("name"), py::arg("function"), "A function of (t, q (n, 7), v (n, 6)) that returns forces (n, 6).")
+      .def(
+          "add_compiled_force",
+          [](Model& model, const std::string& name, std::uintptr_t function, std::uintptr_t data) {
+            model.add_user_force(name, std::make_shared<CompiledForce>(function, data));
+          },
+          py::arg("name"), py::arg("address"), py::arg("data"), "The address of a C function; see linkwork.Model.")
       .def_property_readonly("gravity", [](const Model& model) { return VectorXd(model.gravity()); })
       .def_property_readonly("body_count", [](const Model& model) { return model.bodies().size(); })
       .def_property_readonly("joint_count", [](const Model& model) { return model.joints().size(); })

@@ -344,6 +344,15 @@ class Model:
         """
         Adds bodies under a prefix (str) or names (list); returns the first index.
         """
+    def add_compiled_force(
+        self,
+        name: str,
+        address: typing.SupportsInt | typing.SupportsIndex,
+        data: typing.SupportsInt | typing.SupportsIndex,
+    ) -> None:
+        """
+        The address of a C function; see linkwork.Model.
+        """
     def add_forces(
         self,
         kind: str,
@@ -371,6 +380,10 @@ class Model:
         Adds joints; returns the first index.
         """
     def add_signal(self, function: TimeFunction) -> int: ...
+    def add_user_force(self, name: str, function: collections.abc.Callable) -> None:
+        """
+        A function of (t, q (n, 7), v (n, 6)) that returns forces (n, 6).
+        """
     def body_name(self, body: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def describe_row(self, row: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def find_body(self, name: str) -> int:

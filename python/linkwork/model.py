@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
 import hashlib
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -43,6 +44,7 @@ class Model(JointMethods, ForceMethods):
         self._counts: Counter[str] = Counter()
         self._signals: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[TimeFunction] = []
+        self._user_forces: list[tuple[str, Any]] = []
 
     @property
     def ground(self) -> Body:
@@ -249,6 +251,50 @@ class Model(JointMethods, ForceMethods):
         own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
         return self._add_force("rotational_spring_damper", a, b, frames, name, {**place, **own})
 
+    def user_force(
+        self,
+        function: Callable[..., ArrayLike],
+        bodies: BodyLike | BodiesLike | None = None,
+        *,
+        name: str | None = None,
+    ) -> None:
+        """Let a Python function apply forces: one call an evaluation, for all its bodies at once.
+
+        bodies    without them all n of the model
+        function  of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
+                  and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
+                  Within a step the Euler parameters may be off unit length by little
+
+        All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
+        threads out: see `compiled_force`.
+
+        ModelError: not a function, no such body; at run time: a wrong shape.
+        """
+        name = self._named(name, "user force", len(self._user_forces))
+        if not callable(function):
+            raise ModelError(f"user force '{name}': {function!r} is not a function", code="not_callable")
+        whole = function
+        if bodies is not None:
+            single = isinstance(bodies, Body | str)
+            whole = _on_bodies(function, self.indices(bodies), single, name)
+        self._core.add_user_force(name, whole)
+        self._user_forces.append((name, function))
+
+    def compiled_force(self, function: Any, *, data: int = 0, name: str | None = None) -> None:
+        """Let a compiled function apply forces; it runs without Python.
+
+        function  void f(double t, int64_t n, const double *q, const double *v, double *g, void *data), which
+                  adds to g (n, 6) what it applies to all n bodies, q (n, 7), v (n, 6), as for `user_force`:
+                  an address, a function of ctypes, or a numba.cfunc of float64, int64, three pointers to
+                  float64 and one to void
+        data      the address that it gets; what is there must live as long as the model
+
+        ModelError: nothing that has an address.
+        """
+        name = self._named(name, "compiled force", len(self._user_forces))
+        self._core.add_compiled_force(name, _address(function, name), data)
+        self._user_forces.append((name, function))
+
     def bushing(
         self,
         a: BodyLike,
@@ -347,7 +393,7 @@ class Model(JointMethods, ForceMethods):
         out._core = self._core.with_initial_state(q.ravel(), v.ravel())
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
-        out._characteristics = self._characteristics.copy()
+        out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
         return out
 
     def compiled(self) -> _core.Model:
@@ -363,6 +409,8 @@ class Model(JointMethods, ForceMethods):
             digest.update(np.ascontiguousarray(array).data)
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
+        for name, own in self._user_forces:
+            digest.update(f"{name} {getattr(own, '__qualname__', '')}".encode())
         return digest.hexdigest()
 
     def describe(self) -> str:
@@ -424,6 +472,41 @@ class Model(JointMethods, ForceMethods):
         ):
             count += 1
         return f"{kind} {count + 1}"
+
+
+def _on_bodies(
+    function: Callable[..., ArrayLike], bodies: NDArray[np.int32], single: bool, name: str
+) -> Callable[..., Floats]:
+    """A force on some bodies as one on all."""
+    if len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
+        raise ModelError(f"user force '{name}': its bodies must differ, without the ground", code="bodies")
+    chosen: Any = int(bodies[0]) if single else bodies
+
+    def whole(t: float, q: Floats, v: Floats) -> Floats:
+        out = np.zeros_like(v)
+        given = np.asarray(function(t, q[chosen], v[chosen]), dtype=float)
+        if given.shape != out[chosen].shape:
+            wanted = f"returned shape {given.shape}, not {out[chosen].shape}"
+            raise ModelError(f"user force '{name}': {wanted}", code="shape")
+        out[chosen] = given
+        return out
+
+    return whole
+
+
+def _address(function: Any, name: str) -> int:
+    """Of a C function: a number, a numba.cfunc, or a function of ctypes."""
+    if isinstance(function, int) and function > 0:
+        return function
+    if isinstance(getattr(function, "address", None), int):
+        return int(function.address)
+    try:
+        address = ctypes.cast(function, ctypes.c_void_p).value
+    except (TypeError, ctypes.ArgumentError):
+        address = None
+    if address and not isinstance(function, str | bytes):
+        return address
+    raise ModelError(f"compiled force '{name}': {function!r} has no address", code="no_address")
 
 
 def _names(kind: str, number: int) -> tuple[str, str]:

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import ctypes
+import shutil
+import subprocess
+from pathlib import Path
+
 import linkwork as lw
 import numpy as np
 import pytest
@@ -204,3 +209,95 @@ def test_a_ball_thrown_onto_the_ground_ends_rolling() -> None:
 def test_restitution_that_no_law_has_is_refused(law: str, restitution: float) -> None:
     with pytest.raises(lw.OptionError):
         lw.contact_hysteresis(law, restitution)
+
+
+# --- forces of the user's own -------------------------------------------------------------------------------
+
+
+def planets() -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.bodies(
+        "planet", mass=1.0, inertia=(0.1, 0.1, 0.1), position=[(1, 0, 0), (0, 4, 0)],
+        velocity=[(0, 1, 0), (-0.5, 0, 0)],
+    )  # fmt: skip
+    return model
+
+
+def attraction(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """To the origin, with 1 / r^2: circles of period 2 pi r^1.5."""
+    r = q[..., :3]
+    out = np.zeros_like(v)
+    out[..., :3] = -r / np.linalg.norm(r, axis=-1, keepdims=True) ** 3
+    return out
+
+
+def test_a_vectorized_force_moves_planets_in_circles() -> None:
+    model = planets()
+    model.user_force(attraction)
+    result = run(model, 16 * np.pi, 1e-2)
+    assert np.abs(result.q[-1, :, :3] - [(1, 0, 0), (0, 4, 0)]).max() < 1e-5
+    assert np.abs(np.linalg.norm(result.q[:, :, :3], axis=2) - [1, 4]).max() < 1e-6
+    assert np.abs(result.energy_error).max() < 1e-7  # its work is the change of kinetic energy
+
+
+def test_a_force_on_some_bodies_or_one_is_the_same() -> None:
+    expected = planets()
+    expected.user_force(attraction)
+    some, each = planets(), planets()
+    some.user_force(attraction, [some.find("planet[1]"), some.find("planet[0]")])
+    each.user_force(attraction, "planet[0]")
+    each.user_force(attraction, "planet[1]", name="on the other")
+    for model in (some, each):
+        assert np.array_equal(run(model, 1.0, 1e-2).q, run(expected, 1.0, 1e-2).q)
+
+
+SOURCE = """
+#include <math.h>
+#include <stdint.h>
+void attraction(double t, int64_t n, const double* q, const double* v, double* g, void* data) {
+  for (int64_t k = 0; k < n; ++k, q += 7, g += 6) {
+    const double r = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+    for (int c = 0; c < 3; ++c) g[c] -= *(const double*)data * q[c] / (r * r * r);
+  }
+}
+"""
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
+def test_a_compiled_force_is_the_same_without_python(tmp_path: Path) -> None:
+    (tmp_path / "force.c").write_text(SOURCE)
+    library = tmp_path / "force.so"
+    subprocess.run(["gcc", "-shared", "-fPIC", "-O2", "-o", library, tmp_path / "force.c", "-lm"], check=True)
+    strength = ctypes.c_double(1.0)
+    model, expected = planets(), planets()
+    model.compiled_force(ctypes.CDLL(str(library)).attraction, data=ctypes.addressof(strength))
+    expected.user_force(attraction)
+    assert np.abs(run(model, 2.0, 1e-2).q - run(expected, 2.0, 1e-2).q).max() < 1e-12
+
+
+def test_a_force_that_goes_wrong_is_named() -> None:
+    model = planets()
+    with pytest.raises(lw.ModelError, match="not a function"):
+        model.user_force(3.0)  # type: ignore[arg-type]
+    with pytest.raises(lw.ModelError, match="no address"):
+        model.compiled_force("attraction")
+    model.user_force(lambda t, q, v: v[:3], "planet[0]", name="short")
+    with pytest.raises(lw.ModelError, match=r"'short'.*\(3,\)"):
+        run(model, 1.0)
+
+    torn = planets()
+    torn.user_force(lambda t, q, v: np.full_like(v, np.nan if t > 0.5 else 0.0), name="torn")
+    with pytest.raises(lw.NotFiniteError, match="force 'torn'") as caught:
+        run(torn, 1.0, 1e-2)
+    assert caught.value.state is not None
+
+
+def test_an_error_in_a_users_function_reaches_the_user() -> None:
+    model = planets()
+
+    def broken(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        raise ZeroDivisionError("in my own function")
+
+    model.user_force(broken)
+    with pytest.raises(ZeroDivisionError, match="my own"):
+        run(model, 1.0)

@@ -141,6 +141,16 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, Eval
       body_forces(instructions_)(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
   out.power = 0.0;
   if (!model_.forces().empty()) evaluate_elements(q, v, out);
+  if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
+}
+
+void System::evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  for (const auto& force : model_.user_forces()) {
+    out.user.setZero(v_size());
+    force->add(t, body_count(), q.data(), v.data(), out.user.data());
+    out.g.head(v_size()) += out.user;
+    out.power += out.user.dot(v);
+  }
 }
 
 void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {

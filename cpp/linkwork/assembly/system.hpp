@@ -34,6 +34,7 @@ struct Evaluation {
   std::vector<double> D;       ///< blocks of D, see ConstraintBlock
   std::vector<double> memory;  ///< what force elements remember
   VectorXd Phi, Phi_t, Phi_dot, gamma;
+  VectorXd user;           ///< scratch of the user's own forces
   VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
   double potential = 0.0;  ///< of gravity and springs [J]
   double power = 0.0;      ///< of the forces without a potential [W]
@@ -108,6 +109,7 @@ class System {
   void compile_forces();
   void evaluate_signals(double t, Evaluation& out) const;
   BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
+  void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
 
   Model model_;

@@ -344,6 +344,17 @@ Model alone(const Model& model, const Element& force, std::vector<int>& bodies) 
   return out;
 }
 
+/// The first of the user's own forces that is not finite, or -1.
+int user_force_not_finite(const System& system, double t, const VectorXd& y) {
+  const auto& forces = system.model().user_forces();
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    VectorXd g = VectorXd::Zero(system.v_size());
+    forces[k]->add(t, system.body_count(), y.data(), y.data() + system.q_size(), g.data());
+    if (!g.allFinite()) return static_cast<int>(k);
+  }
+  return -1;
+}
+
 /// The first force element that gives something not finite, or -1.
 int force_not_finite(const System& system, double t, const VectorXd& y) {
   for (std::size_t k = 0; k < system.model().forces().size(); ++k) {
@@ -385,8 +396,11 @@ void throw_not_finite(const System& system, const VectorXd& y, double t, int sta
                                "; see what drives it, or use a smaller step",
                            details);
     }
-    if (const int force = force_not_finite(system, t, y); force >= 0) {
-      details.forces = {model.force_names().name(force)};
+    int force = force_not_finite(system, t, y);
+    if (force >= 0) details.forces = {model.force_names().name(force)};
+    else if (force = user_force_not_finite(system, t, y); force >= 0)
+      details.forces = {model.user_force_name(static_cast<std::size_t>(force))};
+    if (force >= 0) {
       throw NotFiniteError("not_finite",
                            "force '" + details.forces.front() + "' became infinite or undefined" + when +
                                "; see its parameters and its functions of time, or use a smaller step",

@@ -217,6 +217,11 @@ int Model::add_signal(TimeFunctionPtr function) {
   return static_cast<int>(signals_.size()) - 1;
 }
 
+void Model::add_user_force(const std::string& name, std::shared_ptr<const UserForce> force) {
+  user_forces_.push_back(std::move(force));
+  user_force_names_.push_back(name);
+}
+
 int Model::joint_of_row(int row) const {
   return static_cast<int>(std::upper_bound(joint_rows_->begin(), joint_rows_->end(), row) - joint_rows_->begin()) - 1;
 }

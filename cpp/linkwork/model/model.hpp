@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,15 @@ struct Element {
   std::size_t first_parameter = 0;  ///< place in the model's list of parameters
 };
 
+/// A force of the user's own on any bodies, such as a field or a control.
+class UserForce {
+ public:
+  virtual ~UserForce() = default;
+  /// Adds to g (6 per body: force inertial, torque about the center of mass in body axes) at q (7 per body; Euler
+  /// parameters may be off unit length within a step) and v (6 per body).
+  virtual void add(double t, int bodies, const double* q, const double* v, double* g) const = 0;
+};
+
 /// The constant description of a mechanism, cheap to copy. Everything is checked when it is added: bad input is a
 /// ModelError that names the object and the value, and leaves the model as it was.
 class Model {
@@ -45,6 +55,7 @@ class Model {
   int add_force(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
                 const std::vector<Parameter>& parameters);
   int add_signal(TimeFunctionPtr function);
+  void add_user_force(const std::string& name, std::shared_ptr<const UserForce> force);
 
   /// Many at once under one prefix; linear in time and memory. `parameters` holds the kind's number for each element.
   int add_bodies(const std::string& prefix, const std::vector<Body>& bodies);
@@ -60,6 +71,9 @@ class Model {
   const std::vector<Parameter>& joint_parameters() const { return *joint_parameters_; }
   const std::vector<Parameter>& force_parameters() const { return *force_parameters_; }
   const std::vector<TimeFunctionPtr>& signals() const { return signals_; }
+  const std::vector<std::shared_ptr<const UserForce>>& user_forces() const { return user_forces_; }
+  const std::string& user_force_name(std::size_t k) const { return user_force_names_[k]; }
+  bool has_forces() const { return !forces_->empty() || !user_forces_.empty(); }
   const std::vector<int>& joint_rows() const { return *joint_rows_; }  ///< first row of each joint, and the total
   int row_count() const { return joint_rows_->back(); }
 
@@ -89,6 +103,8 @@ class Model {
   Shared<std::vector<Element>> joints_, forces_;
   Shared<std::vector<Parameter>> joint_parameters_, force_parameters_;
   std::vector<TimeFunctionPtr> signals_;
+  std::vector<std::shared_ptr<const UserForce>> user_forces_;
+  std::vector<std::string> user_force_names_;
   Shared<std::vector<int>> joint_rows_{std::size_t{1}, 0};
   Shared<NameTable> body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"};
 };
