@@ -216,6 +216,14 @@ void bind_time_functions(py::module_& module) {
       .def_static(
           "constant", [](double c) { return polynomial({c}); }, py::arg("value"))
       .def_static("polynomial", &polynomial, py::arg("coefficients"), "sum c_k t^k, ascending powers.")
+      .def_static("cycloidal", &cycloidal, py::arg("rise"), py::arg("start"), py::arg("duration"),
+                  "rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration between 0 and 1; constant beyond.")
+      .def_static(
+          "sum",
+          [](const std::vector<std::shared_ptr<TimeFunction>>& terms) {
+            return sum(std::vector<TimeFunctionPtr>(terms.begin(), terms.end()));
+          },
+          py::arg("terms"))
       .def_static("harmonic", &harmonic, py::arg("amplitude"), py::arg("frequency"), py::arg("phase") = 0.0,
                   py::arg("offset") = 0.0, "offset + amplitude sin(frequency t + phase); frequency in rad/s.")
       .def_static("piecewise_polynomial", &piecewise_polynomial, py::arg("breaks"), py::arg("coefficients"),

@@ -667,6 +667,15 @@ class TimeFunction:
     @staticmethod
     def constant(value: typing.SupportsFloat | typing.SupportsIndex) -> TimeFunction: ...
     @staticmethod
+    def cycloidal(
+        rise: typing.SupportsFloat | typing.SupportsIndex,
+        start: typing.SupportsFloat | typing.SupportsIndex,
+        duration: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> TimeFunction:
+        """
+        rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration between 0 and 1; constant beyond.
+        """
+    @staticmethod
     def harmonic(
         amplitude: typing.SupportsFloat | typing.SupportsIndex,
         frequency: typing.SupportsFloat | typing.SupportsIndex,
@@ -691,6 +700,8 @@ class TimeFunction:
         """
         sum c_k t^k, ascending powers.
         """
+    @staticmethod
+    def sum(terms: collections.abc.Sequence[TimeFunction]) -> TimeFunction: ...
     def evaluate(self, t: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float]:
         """
         (value, rate, acceleration) at t.

@@ -13,6 +13,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,7 +22,16 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core
 from linkwork.errors import ModelError
 
-__all__ = ["TimeFunction", "as_time_function", "constant", "harmonic", "polynomial", "table"]
+__all__ = [
+    "TimeFunction",
+    "as_time_function",
+    "constant",
+    "cycloidal",
+    "expression",
+    "harmonic",
+    "polynomial",
+    "table",
+]
 
 Floats = NDArray[np.float64]
 
@@ -41,6 +51,13 @@ class TimeFunction(ABC):
     def has_derivatives(self) -> bool:
         """False where the derivatives are not known: then the function cannot drive a constraint."""
         return True
+
+    def integral(self) -> TimeFunction:
+        """The function with this derivative, zero at t = 0. ModelError: it is not known."""
+        raise ModelError(
+            f"{type(self).__name__.lower()}: its integral is not known: give the position instead",
+            code="time_function",
+        )
 
     @abstractmethod
     def compiled(self) -> _core.TimeFunction:
@@ -65,6 +82,9 @@ class Polynomial(TimeFunction):
     def compiled(self) -> _core.TimeFunction:
         return _core.TimeFunction.polynomial(list(self.coefficients))
 
+    def integral(self) -> TimeFunction:
+        return Polynomial((0.0, *(c / (k + 1) for k, c in enumerate(self.coefficients))))
+
 
 @dataclass(frozen=True)
 class Harmonic(TimeFunction):
@@ -77,6 +97,50 @@ class Harmonic(TimeFunction):
 
     def compiled(self) -> _core.TimeFunction:
         return _core.TimeFunction.harmonic(self.amplitude, self.frequency, self.phase, self.offset)
+
+    def integral(self) -> TimeFunction:
+        if self.frequency == 0:
+            return Polynomial((0.0, self.offset + self.amplitude * math.sin(self.phase)))
+        size = self.amplitude / self.frequency
+        swing = Harmonic(size, self.frequency, self.phase - math.pi / 2, size * math.cos(self.phase))
+        return swing if self.offset == 0 else Sum((swing, Polynomial((0.0, self.offset))))
+
+
+@dataclass(frozen=True)
+class Cycloidal(TimeFunction):
+    """rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration from 0 to 1; constant beyond."""
+
+    rise: float
+    start: float
+    duration: float
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.cycloidal(self.rise, self.start, self.duration)
+
+
+@dataclass(frozen=True)
+class Sum(TimeFunction):
+    """The sum of functions."""
+
+    terms: tuple[TimeFunction, ...]
+
+    @property
+    def span(self) -> tuple[float, float]:
+        spans = [term.span for term in self.terms]
+        return max(first for first, _ in spans), min(last for _, last in spans)
+
+    @property
+    def has_derivatives(self) -> bool:
+        return all(term.has_derivatives for term in self.terms)
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.sum([term.compiled() for term in self.terms])
+
+    def fingerprint(self) -> bytes:
+        return b"+".join(term.fingerprint() for term in self.terms)
+
+    def integral(self) -> TimeFunction:
+        return Sum(tuple(term.integral() for term in self.terms))
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,6 +161,17 @@ class Table(TimeFunction):
 
     def fingerprint(self) -> bytes:
         return self.breaks.tobytes() + self.coefficients.tobytes()
+
+    def integral(self) -> TimeFunction:
+        """Zero at the first sample where the table does not hold t = 0."""
+        powers = np.arange(1, self.coefficients.shape[1] + 1)
+        rising = np.concatenate([np.zeros((len(self.coefficients), 1)), self.coefficients / powers], axis=1)
+        ends = np.sum(rising * np.diff(self.breaks)[:, None] ** np.arange(rising.shape[1]), axis=1)
+        rising[:, 0] = np.concatenate([[0.0], np.cumsum(ends)[:-1]])
+        out = Table(self.breaks, rising)
+        if self.span[0] <= 0 <= self.span[1]:
+            rising[:, 0] -= out.evaluate(0.0)[0]
+        return Table(self.breaks, rising)
 
 
 @dataclass(frozen=True)
@@ -146,6 +221,46 @@ def harmonic(amplitude: float, frequency: float, phase: float = 0.0, offset: flo
     return Harmonic(**{name: _finite(value, f"harmonic: {name}") for name, value in values.items()})
 
 
+def cycloidal(rise: float, duration: float, start: float = 0.0) -> TimeFunction:
+    """The cycloidal motion of cams: up by `rise` from `start` [s] on within `duration` [s], else at rest.
+
+    f = rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration. ModelError: a duration not positive.
+    """
+    values = {"rise": rise, "start": start, "duration": duration}
+    checked = {name: _finite(value, f"cycloidal: {name}") for name, value in values.items()}
+    if checked["duration"] <= 0:
+        raise ModelError(f"cycloidal: duration {duration} s must be positive", code="time_function")
+    return Cycloidal(**checked)
+
+
+def expression(text: str) -> TimeFunction:
+    """A formula in t, such as "0.3 * sin(2*pi*t)**2", with its exact derivatives.
+
+    Numbers, t, pi, e, + - * / **, and sin, cos, tan, exp, log, sqrt, tanh. It runs in Python: what
+    `polynomial`, `harmonic`, `cycloidal` and `table` can say is much faster by them.
+    ModelError: anything else, or no finite value at t = 0.
+    """
+    from linkwork.expressions import Formula
+
+    formula = Formula(text)
+    for order in range(3):
+        _finite(formula.derivative(0.0, order), f"expression '{text}': derivative {order} at t = 0")
+    return Expression(text)
+
+
+@dataclass(frozen=True)
+class Expression(TimeFunction):
+    """A formula in t."""
+
+    text: str
+
+    def compiled(self) -> _core.TimeFunction:
+        from linkwork.expressions import Formula
+
+        formula = Formula(self.text)
+        return _core.TimeFunction.callback(*(partial(formula.derivative, order=k) for k in range(3)))
+
+
 def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
     """The cubic spline through samples `values` (k,) at increasing times `t` (k,) [s].
 
@@ -170,8 +285,33 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
     if isinstance(x, tuple) and len(x) in (1, 3) and all(map(callable, x)):
         for function, name in zip(x, ("value", "first derivative", "second derivative"), strict=False):
             _finite(function(0.0), f"{what}: {name} at t = 0")
+        if len(x) == 3:
+            _check_derivatives(*x, what)
         return Callback(*x)
     return _finite(x, what)
+
+
+#: Where derivatives are compared with differences [s], and by what they may differ, relative.
+_CHECKED_AT, _DIFFERENCE, _AGREE = (0.0, 0.173, 1.31), 1e-4, 1e-3
+
+
+def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
+    """ModelError: `df` or `ddf` is not the derivative of what comes before it, at some times."""
+    for name, function, derivative in (("first", f, df), ("second", df, ddf)):
+        for t in _CHECKED_AT:
+            try:
+                samples = [float(function(t + k * _DIFFERENCE)) for k in (0, 1, 2)]
+                given = float(derivative(t))
+            except Exception:
+                continue  # not defined there: the run will tell
+            slope = (-3 * samples[0] + 4 * samples[1] - samples[2]) / (2 * _DIFFERENCE)
+            size = max(abs(slope), abs(given), 1e-3 * max(map(abs, samples)), 1e-6)
+            if abs(slope - given) > _AGREE * size:
+                found = f"is {given:g}, but differences give {slope:g}"
+                raise ModelError(
+                    f"{what}: the {name} derivative at t = {t:g} s {found}",
+                    code="derivatives",
+                )
 
 
 def _finite(x: Any, what: str) -> float:

@@ -11,13 +11,14 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core
+from linkwork import _core, functions
 from linkwork.bodies import Bodies
 from linkwork.element_methods import ForceMethods, JointMethods
 from linkwork.elements import Elements, Role, kind_info, placed, with_parameters
 from linkwork.errors import ModelError, OptionError, nearest
-from linkwork.functions import TimeFunction, TimeFunctionLike
+from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
+from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.placement import Attachment, Frames, Place, Subject
 
 __all__ = ["Model"]
@@ -146,6 +147,54 @@ class Model(JointMethods, ForceMethods):
         """What every generated joint method does."""
         self._place("joint", kind, a, b, frames, name, False, arguments)
         return self._joint(self.joint_count - 1)
+
+    def drive(
+        self,
+        joint: Joint | str,
+        *,
+        position: TimeFunctionLike = None,
+        velocity: TimeFunctionLike = None,
+        acceleration: TimeFunctionLike = None,
+        coordinate: str | None = None,
+        name: str | None = None,
+    ) -> Joint:
+        """Prescribe a free coordinate of a joint over time, by its position, velocity or acceleration.
+
+        position      the coordinate as `Result.coordinate` gives it [rad or m]
+        velocity      its rate; the position is its integral from the initial pose on
+        acceleration  likewise, from the initial pose and velocity on
+        coordinate    "angle" or "displacement"; not needed where the joint has only one
+
+        The driver is a joint of its own, `angle_driver` or `displacement_driver`: its reaction drives.
+        ModelError: no such joint or coordinate; no motion or several; one without derivatives or integral.
+        """
+        text = joint.name if isinstance(joint, Joint) else joint
+        index = self._core.find_joint(text) if isinstance(text, str) else -1
+        if index < 0:
+            raise ModelError(f"drive: no joint named {text!r}", code="unknown_name")
+        which = coordinate_of(self._core.joint_kind(index), text, coordinate)
+        if which not in ("angle", "displacement"):
+            raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
+        given = {"position": position, "velocity": velocity, "acceleration": acceleration}
+        motions = [(what, motion) for what, motion in given.items() if motion is not None]
+        if len(motions) != 1:
+            raise ModelError(f"drive '{text}': give one of position, velocity, acceleration", code="drive")
+        arrays = self._core.joint_arrays()
+        place = Attachment(arrays["origin"][[index]], arrays["frame"][[index]], np.zeros(1))
+        bodies = arrays["bodies"][[index]]
+        kind = f"{which}_driver"
+        subject = Subject(kind, self._named(name, kind, self._counts[kind]), False, 1)
+        function = _motion(*motions[0], self._initial_coordinate(which, bodies[0], place), subject.who(0))
+        self._add(with_parameters(kind_info("joint", kind), subject, bodies, place, {which: function}))
+        return self._joint(self.joint_count - 1)
+
+    def _initial_coordinate(
+        self, which: str, bodies: NDArray[np.int32], place: Attachment
+    ) -> JointCoordinate:
+        q, v = self._core.poses(bodies), np.zeros((2, 6))
+        v[bodies >= 0] = self._core.v0.reshape(-1, 6)[bodies[bodies >= 0]]
+        ends = [(q[[end]], v[[end]]) for end in (0, 1)]
+        return coordinates_of(which, np.zeros(1), ends, place.origin[0], place.frame[0])
 
     # --- forces ---------------------------------------------------------------------------------------------
 
@@ -472,6 +521,18 @@ class Model(JointMethods, ForceMethods):
         ):
             count += 1
         return f"{kind} {count + 1}"
+
+
+def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
+    """A coordinate over time from its position, velocity or acceleration."""
+    function = as_time_function(given, f"{who}: {what}")
+    function = function if isinstance(function, TimeFunction) else functions.constant(function)
+    value, rate = float(start.value[0]), float(start.rate[0])
+    if what == "position":
+        return function
+    if what == "velocity":
+        return Sum((functions.polynomial(value), function.integral()))
+    return Sum((functions.polynomial(value, rate), function.integral().integral()))
 
 
 def _on_bodies(

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from linkwork import rotation
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.header import Floats, Header, record_reactions
+from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -272,6 +273,26 @@ class Result:
             return Reaction(force, torque)
         axes = self.joint_axes(joint)
         return Reaction(np.einsum("kij,ki->kj", axes, force), np.einsum("kij,ki->kj", axes, torque))
+
+    def coordinate(self, name: str | int, which: str | None = None) -> JointCoordinate:
+        """A joint's free coordinate and its rate (k,): an angle [rad] over full turns, or a shift [m].
+
+        which  "angle" of revolute, cylindrical, screw; "displacement" of translational, cylindrical, screw;
+               "angle_a" and "angle_b", about its two axes, of universal; not needed where there is one
+
+        It is zero where the joint's frames agree; b against a. ModelError: no such joint, or no such
+        coordinate of it.
+        """
+        joint, header = self._place("joint", name), self._header
+        kind = header.joint_kinds[joint]
+        which = coordinate_of(kind, header.joint_names[joint], which)
+        ends = []
+        for body in header.joint_bodies[joint].tolist():
+            if body < 0:
+                ends.append((np.tile([0.0, 0, 0, 1, 0, 0, 0], (len(self), 1)), np.zeros((len(self), 6))))
+            else:
+                ends.append((self._field("q", np.s_[:, body]), self._field("v", np.s_[:, body])))
+        return coordinates_of(which, self.t, ends, header.joint_origin[joint], header.joint_frame[joint])
 
     def joint_axes(self, name: str | int) -> Floats:
         """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""

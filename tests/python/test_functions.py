@@ -133,3 +133,76 @@ def test_the_work_of_a_driven_length_is_the_change_of_energy(drive: str) -> None
     result = lw.simulate(model, t_end=1.0, step=1e-3)
     assert np.abs(result.energy_error).max() < 1e-8
     assert np.abs(result.work).max() > 0.1
+
+
+# --- drives: cycloidal, expressions, integrals --------------------------------------------------------------
+
+
+def differences(f: functions.TimeFunction, t: float, h: float = 1e-4) -> tuple[float, float]:
+    low, middle, high = (f.evaluate(t + k * h)[0] for k in (-1, 0, 1))
+    return (high - low) / (2 * h), (high - 2 * middle + low) / h**2
+
+
+@pytest.mark.parametrize(
+    "f",
+    (
+        functions.cycloidal(0.4, 1.5, start=0.1),
+        functions.expression("0.3*sin(2*pi*t)**2 - t/(1 + t**2) + 2**t"),
+        functions.expression("sqrt(1 + t) * exp(-t) + log(2 + t) * tanh(t) - tan(t/3) + cos(t)**-1.5"),
+        functions.polynomial(1, 2, 3).integral(),
+        functions.harmonic(2, 3, 0.4, 0.7).integral(),
+        functions.table(T, np.sin(3 * T)).integral(),
+    ),
+    ids=lambda f: type(f).__name__,
+)
+def test_derivatives_are_those_of_differences(f: functions.TimeFunction) -> None:
+    for t in (0.2, 0.7, 1.1):
+        rate, acceleration = differences(f, t)
+        assert f.evaluate(t)[1] == pytest.approx(rate, rel=1e-6, abs=1e-7)
+        assert f.evaluate(t)[2] == pytest.approx(acceleration, rel=1e-4, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    "f",
+    (
+        functions.polynomial(1, 2, 3),
+        functions.harmonic(2, 3, 0.4, 0.7),
+        functions.harmonic(2, 0, 0.4, 0.7),
+        functions.table(T, np.sin(3 * T)),
+    ),
+    ids=lambda f: type(f).__name__,
+)
+def test_an_integral_starts_at_zero_with_the_function_as_its_rate(f: functions.TimeFunction) -> None:
+    whole = f.integral()
+    assert whole.evaluate(0.0)[0] == pytest.approx(0.0, abs=1e-15)
+    for t in (0.0, 0.31, 0.9, 1.9):
+        value, rate, _ = f.evaluate(t)
+        assert whole.evaluate(t)[1:] == pytest.approx((value, rate), rel=1e-13, abs=1e-13)
+
+
+def test_a_cycloidal_motion_rests_before_and_after() -> None:
+    f = functions.cycloidal(0.4, 1.5, start=0.1)
+    assert f.evaluate(0.1) == (0.0, 0.0, 0.0)
+    assert f.evaluate(-3.0) == (0.0, 0.0, 0.0)
+    assert f.evaluate(1.6) == pytest.approx((0.4, 0.0, 0.0), abs=1e-14)
+    assert f.evaluate(0.85)[1] == pytest.approx(2 * 0.4 / 1.5)  # twice the mean speed in the middle
+
+
+@pytest.mark.parametrize(
+    "text",
+    ("", "2 *", "x + 1", "sin(t", "sin(t, 2)", "__import__('os')", "t.real", "[t]", "t if t else 1",
+     "lambda: t", "'t'", "1/t", "log(t)", "t" * 3000, "(" * 300 + "t" + ")" * 300, "1e400*t", "True",
+     "t := 3", "sine(t)"),
+)  # fmt: skip
+def test_text_that_is_no_formula_is_refused(text: str) -> None:
+    with pytest.raises(lw.ModelError):
+        functions.expression(text)
+
+
+def test_wrong_derivatives_are_refused() -> None:
+    right = (math.sin, math.cos, lambda t: -math.sin(t))
+    assert as_time_function(right, "drive").evaluate(0.3)[1] == math.cos(0.3)
+    with pytest.raises(lw.ModelError, match="second derivative"):
+        as_time_function((math.sin, math.cos, math.sin), "drive")
+    with pytest.raises(lw.ModelError, match="first derivative"):
+        as_time_function((math.sin, math.sin, math.cos), "drive")

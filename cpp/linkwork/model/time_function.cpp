@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "linkwork/math/error.hpp"
@@ -91,6 +92,47 @@ class PiecewisePolynomial final : public TimeFunction {
   std::size_t count_ = 0;
 };
 
+class Cycloidal final : public TimeFunction {
+ public:
+  Cycloidal(double rise, double start, double duration) : rise_(rise), start_(start), duration_(duration) {
+    if (!(duration > 0.0)) throw ModelError("time_function", "cycloidal: duration must be positive");
+  }
+
+  Signal<double> evaluate(double t) const override {
+    constexpr double turn = 2.0 * std::numbers::pi;
+    const double s = (t - start_) / duration_;
+    if (s <= 0.0) return {0.0, 0.0, 0.0};
+    if (s >= 1.0) return {rise_, 0.0, 0.0};
+    return {rise_ * (s - std::sin(turn * s) / turn), rise_ / duration_ * (1.0 - std::cos(turn * s)),
+            rise_ / (duration_ * duration_) * turn * std::sin(turn * s)};
+  }
+
+ private:
+  double rise_, start_, duration_;
+};
+
+class Sum final : public TimeFunction {
+ public:
+  explicit Sum(std::vector<TimeFunctionPtr> terms) : terms_(std::move(terms)) {}
+
+  Signal<double> evaluate(double t) const override {
+    Signal<double> out{0.0, 0.0, 0.0};
+    for (const TimeFunctionPtr& term : terms_) {
+      const Signal<double> part = term->evaluate(t);
+      out.value += part.value;
+      out.rate += part.rate;
+      out.acceleration += part.acceleration;
+    }
+    return out;
+  }
+  bool has_derivatives() const override {
+    return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->has_derivatives(); });
+  }
+
+ private:
+  std::vector<TimeFunctionPtr> terms_;
+};
+
 class Callback final : public TimeFunction {
  public:
   using Function = std::function<double(double)>;
@@ -120,6 +162,12 @@ TimeFunctionPtr harmonic(double amplitude, double frequency, double phase, doubl
 TimeFunctionPtr piecewise_polynomial(std::vector<double> breaks, std::vector<double> coefficients) {
   return std::make_shared<PiecewisePolynomial>(std::move(breaks), std::move(coefficients));
 }
+
+TimeFunctionPtr cycloidal(double rise, double start, double duration) {
+  return std::make_shared<Cycloidal>(rise, start, duration);
+}
+
+TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) { return std::make_shared<Sum>(std::move(terms)); }
 
 TimeFunctionPtr characteristic(TimeFunctionPtr function) {
   return std::make_shared<Characteristic>(std::move(function));

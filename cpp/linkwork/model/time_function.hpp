@@ -31,6 +31,12 @@ TimeFunctionPtr harmonic(double amplitude, double frequency, double phase, doubl
 /// powers. Outside of [t_0, t_n] an evaluation throws an OptionError.
 TimeFunctionPtr piecewise_polynomial(std::vector<double> breaks, std::vector<double> coefficients);
 
+/// Rises by `rise` from `start` on within `duration`, smoothly up to the second derivative: rise (s - sin(2 pi s) / 2
+/// pi), s = (t - start) / duration; constant before and after.
+TimeFunctionPtr cycloidal(double rise, double start, double duration);
+
+TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms);
+
 /// The same function, of a coordinate or a velocity of a force element instead of time. Outside of a table an
 /// evaluation throws an OptionError.
 TimeFunctionPtr characteristic(TimeFunctionPtr function);

@@ -1,0 +1,107 @@
+"""Free coordinates of joints, and drives that prescribe them."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+
+
+def rotor(kind: str = "revolute", **state: object) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("rotor", mass=2.0, inertia=(0.3, 0.3, 0.4), **state)
+    place = {"pitch": 0.5} if kind == "screw" else {}
+    getattr(model, kind)(model.ground, body, at=(0, 0, 0), axis=(0, 0, 1), name="joint", **place)
+    return model
+
+
+def run(model: lw.Model, t_end: float = 2.0, **options: object) -> lw.Result:
+    return lw.simulate(model, t_end, 1e-3, progress=False, **options)
+
+
+def test_an_angle_goes_on_over_full_turns_however_few_frames_there_are() -> None:
+    """Between two frames the rotor turns 3.2 times."""
+    result = run(rotor(omega=(0, 0, -20.0)), record_every=1000)
+    angle = result.coordinate("joint")
+    assert angle.value == pytest.approx(-20.0 * result.t, abs=1e-8)
+    assert angle.rate == pytest.approx(np.full(len(result), -20.0), abs=1e-9)
+
+
+def test_a_cylindrical_joint_has_two_coordinates() -> None:
+    result = run(rotor("cylindrical", omega=(0, 0, 3.0), velocity=(0, 0, 0.2)))
+    assert result.coordinate("joint", "angle").value == pytest.approx(3.0 * result.t, abs=1e-9)
+    assert result.coordinate("joint", "displacement").value == pytest.approx(0.2 * result.t, abs=1e-9)
+    with pytest.raises(lw.ModelError, match="angle and displacement, say which"):
+        result.coordinate("joint")
+
+
+def test_angles_of_a_cardan_joint_compose_its_rotation() -> None:
+    model = lw.Model()
+    body = model.body(
+        "body", mass=1.0, inertia=(0.1, 0.2, 0.25), position=(0.1, 0.2, -0.5), omega=(0.3, 0.2, 0)
+    )
+    model.universal(model.ground, body, at=(0, 0, 0), axes=((0, 1, 0), (1, 0, 0)), name="cross")
+    model = lw.assemble(model).model
+    result = run(model)
+    a, b = (result.coordinate("cross", which) for which in ("angle_a", "angle_b"))
+    composed = lw.rotation.matrix(lw.rotation.about((0, 1, 0), a.value)) @ lw.rotation.matrix(
+        lw.rotation.about((1, 0, 0), b.value)
+    )
+    start = lw.rotation.matrix(result.q[0, 0, 3:])
+    assert np.abs(composed - lw.rotation.matrix(result.q[:, 0, 3:]) @ start.T).max() < 1e-8
+    for coordinate in (a, b):
+        assert np.gradient(coordinate.value, result.t)[5:-5] == pytest.approx(coordinate.rate[5:-5], abs=1e-3)
+
+
+def test_a_coordinate_is_the_same_in_a_file(tmp_path: object) -> None:
+    result = run(rotor("screw", omega=(0, 0, 3.0), velocity=(0, 0, 1.5 / (2 * np.pi))))
+    result.save(f"{tmp_path}/run.h5")
+    for which in ("angle", "displacement"):
+        loaded = lw.Result.load(f"{tmp_path}/run.h5").coordinate("joint", which)
+        assert np.array_equal(loaded.value, result.coordinate("joint", which).value)
+
+
+@pytest.mark.parametrize(
+    ("motion", "expected"),
+    (
+        ({"position": lw.functions.harmonic(0.5, 3.0)}, lambda t: 0.5 * np.sin(3 * t)),
+        ({"velocity": 2.0}, lambda t: 2.0 * t),
+        ({"velocity": lw.functions.harmonic(0.6, 2.0, 0.3, 1.0)},
+         lambda t: 0.3 * (np.cos(0.3) - np.cos(2 * t + 0.3)) + t),
+        ({"acceleration": lw.functions.polynomial(1.0, 3.0)}, lambda t: t**2 / 2 + t**3 / 2),
+        ({"position": lw.functions.expression("0.2*(1 - cos(4*t))")}, lambda t: 0.2 * (1 - np.cos(4 * t))),
+        ({"position": lw.functions.cycloidal(1.0, 2.0)}, lambda t: t / 2 - np.sin(np.pi * t) / (2 * np.pi)),
+    ),
+)  # fmt: skip
+def test_a_driven_hinge_follows(motion: dict[str, object], expected: object) -> None:
+    model = rotor()
+    driver = model.drive("joint", name="motor", **motion)
+    assert driver.kind == "angle_driver"
+    result = run(lw.assemble(model).model)
+    assert result.coordinate("joint").value == pytest.approx(expected(result.t), abs=1e-8)  # type: ignore[operator]
+    acceleration = np.gradient(result.coordinate("joint").rate, result.t)
+    torque = result.reaction("motor").torque[:, 2]
+    assert torque[5:-5] == pytest.approx(0.4 * acceleration[5:-5], abs=1e-3)
+
+
+def test_an_acceleration_continues_the_initial_motion() -> None:
+    model = rotor("translational", velocity=(0, 0, 0.7))
+    model.drive("joint", acceleration=-0.5)
+    result = run(model)
+    assert result.q[:, 0, 2] == pytest.approx(0.7 * result.t - 0.25 * result.t**2, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("joint", "motion", "words"),
+    (
+        ("hinge", {"position": 1.0}, "no joint named 'hinge'"),
+        ("joint", {}, "one of position"),
+        ("joint", {"position": 1.0, "velocity": 1.0}, "one of position"),
+        ("joint", {"velocity": np.sin}, "integral"),
+        ("joint", {"position": np.sin}, "derivatives"),
+        ("joint", {"position": 1.0, "coordinate": "displacement"}, "it has angle, not 'displacement'"),
+    ),
+)
+def test_drives_that_cannot_be_are_refused(joint: str, motion: dict[str, object], words: str) -> None:
+    with pytest.raises(lw.ModelError, match=words):
+        rotor().drive(joint, **motion)
