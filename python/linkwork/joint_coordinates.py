@@ -70,7 +70,7 @@ def _shift(t: Floats, i: Side, j: Side) -> JointCoordinate:
     return JointCoordinate(value, rate)
 
 
-# Of a Cardan joint, with x = z_a x z_b: about z_a turns z_b, which was -y_a; about z_b turns y_b, which was z_a.
+# Of a Cardan joint, x = z_a x z_b: about z_a turns z_b, which was -y_a; about z_b turns y_b, which was z_a.
 def _turn_a(t: Floats, i: Side, j: Side) -> JointCoordinate:
     y, y_dot = i.axis(1)
     return _angle(t, _dot(i.axis(0), j.axis(2)), _dot((-y, -y_dot), j.axis(2)))
