@@ -305,6 +305,12 @@ class Result:
 
     # --- samples, for what must stay quick on large results ---
 
+    def recorded(self, name: str, part: Any = np.s_[:]) -> Floats:
+        """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them."""
+        if name in ("reaction_force", "reaction_torque"):
+            self._need_reactions()
+        return self._field(name, part)
+
     def sampled_positions(self, every: int) -> Floats:
         """Centers of mass (., n, 3) of every so manyth frame [m]."""
         return self._field("q", np.s_[::every, :, :3])

@@ -70,9 +70,10 @@ class Shape:
         if kind not in KINDS:
             raise ModelError(f"shape: kind {kind!r} is not one of {', '.join(KINDS)}", code="shape")
         try:
-            return KINDS[kind](**arguments)
+            shape: Shape = KINDS[kind](**arguments)
         except TypeError as error:
             raise ModelError(f"{kind}: {error}".replace("__init__() ", ""), code="shape") from error
+        return shape
 
 
 class Box(Shape):
@@ -191,7 +192,7 @@ class Mesh(Shape):
                 f"mesh '{path}': needs trimesh: pip install 'linkwork[mesh]'", code="missing_package"
             ) from error
         try:
-            found: Any = trimesh.load(path, force="mesh", process=True)
+            found: Any = trimesh.load(Path(path), force="mesh", process=True)
             vertices, faces = np.asarray(found.vertices, float), np.asarray(found.faces)
         except FileNotFoundError as error:
             raise FileError(f"mesh '{path}': no such file", code="not_found") from error
