@@ -27,7 +27,7 @@ Layer = Literal["body", "joint", "ground"]
 
 #: Muted, and distinguishable with any color vision; bodies take them in turn.
 BODY_COLORS = ("#4c78a8", "#e08a3c", "#5a9e6f", "#b279a2", "#c9a227", "#6fb1c7", "#9c6b4e", "#8a8fa3")
-JOINT_COLOR, GROUND_COLOR = "#2f3640", "#8b929c"
+JOINT_COLOR, GROUND_COLOR = "#3a424d", "#8b929c"
 
 #: Placements of joints that hold directions only: they sit nowhere.
 UNPLACED = ("direction", "two_directions", "orientation")
@@ -110,8 +110,10 @@ def default_shapes(points: Sequence[Floats], mass: float, inertia: Floats, thick
     if len(corners) > 3:
         return [Sphere(1.8 * thickness), *(_rod(np.zeros(3), arm, thickness) for arm in arms)]
     solid = _uniform_solid(mass, inertia, 3 * thickness)
-    if not arms:
+    if not corners:
         return [solid]
+    if not arms:
+        return [_at_most(solid, 12 * thickness)]
     return _hanging(arms[0], solid, thickness)
 
 
@@ -131,7 +133,17 @@ def _hanging(joint: Floats, solid: Shape, thickness: float) -> list[Shape]:
     along, length = _longest(solid)
     if length > 0.5 * arm and abs(along @ joint) > 0.99 * arm:
         return [_rod(joint, -joint * length / (2 * arm), thickness)]
-    return [_rod(joint, np.zeros(3), thickness), solid]
+    return [_rod(joint, np.zeros(3), thickness), _at_most(solid, 1.2 * arm)]
+
+
+def _at_most(solid: Shape, length: float) -> Shape:
+    """The same, smaller where it is longer than that: inertias of bodies on joints are often but guesses."""
+    size = {name: np.asarray(value) for name, value in solid.dimensions().items()}
+    longest = max(float(np.max(value)) * (2 if name == "radius" else 1) for name, value in size.items())
+    if longest <= length:
+        return solid
+    smaller = {name: value * length / longest for name, value in size.items()}
+    return Shape.of(solid.description() | {name: value.tolist() for name, value in smaller.items()})
 
 
 def _longest(solid: Shape) -> tuple[Floats, float]:
@@ -194,14 +206,14 @@ def _points_of_bodies(header: Header, holds: Sequence[Holds]) -> dict[int, list[
 
 
 def _thickness(header: Header, points: dict[int, list[Floats]]) -> float:
-    """Radius of rods: 1/40 of a usual distance between the joints of a body or from one to its center."""
+    """Radius of rods: 1/36 of a usual distance between the joints of a body or from one to its center."""
     spans = [2 * np.linalg.norm(several, axis=1).max() for several in points.values()]
     usual = float(np.median(spans)) if spans else 0.0
     if usual <= 0:
         heavy = header.mass > 0
         radii = np.sqrt(np.trace(header.inertia[heavy], axis1=1, axis2=2) / header.mass[heavy])
         usual = 4 * float(np.median(radii)) if len(radii) else 0.0
-    return usual / 45 or 0.02
+    return usual / 36 or 0.02
 
 
 # --- joints ------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork import rotation
 from linkwork.errors import OptionError
 from linkwork.header import Floats
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
@@ -66,7 +67,7 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     _add_frames(pack, result, choice)
     manifest = result.manifest
     q = _thinned(result, "q", choice.every)
-    low, high = _extent(q[..., :3], result)
+    low, high = _extent(result, drawn)
     return {
         "label": label,
         "model": manifest.get("model") or "model",
@@ -157,28 +158,39 @@ def _most(values: Floats, count: int) -> NDArray[np.intp]:
     return np.sort(np.argsort(-values, kind="stable")[:count])
 
 
-def _extent(positions: Floats, result: Result) -> tuple[Floats, Floats]:
-    """A box (low, high) around all that is seen [m]."""
-    reach = _reach(result)
-    if not positions.shape[1]:
+def _extent(result: Result, drawn: list[Solid]) -> tuple[Floats, Floats]:
+    """A box (low, high) around all that is seen, from a sample of frames [m]."""
+    n = result.header.body_count
+    low, high = np.full((n + 1, 3), np.inf), np.full((n + 1, 3), -np.inf)  # by body, the ground last
+    for it in drawn:
+        for corner in _corners(it.shape):
+            low[it.body], high[it.body] = np.minimum(low[it.body], corner), np.maximum(high[it.body], corner)
+    missing = ~np.isfinite(low)
+    low, high = np.where(missing, 0.0, low), np.where(missing, 0.0, high)
+    every = max(1, len(result) // 40)
+    r, A = result.sampled_positions(every), rotation.matrix(result.recorded("q", np.s_[::every, :, 3:]))
+    ground = low[-1:], high[-1:]
+    anything = bool(drawn) and any(it.body < 0 for it in drawn)
+    found = list(ground) if anything else []
+    for corner in range(8):
+        s = np.where([(corner >> axis) & 1 for axis in range(3)], high[:n], low[:n])
+        found.append((r + np.einsum("kiab,ib->kia", A, s)).reshape(-1, 3))
+    points = np.concatenate(found)
+    if not len(points):
         return -np.ones(3), np.ones(3)
-    low, high = (positions - reach[None, :, None]).min((0, 1)), (positions + reach[None, :, None]).max((0, 1))
-    ground = result.header.joint_origin[result.header.joint_bodies == -1]
-    if len(ground):
-        low, high = np.minimum(low, ground.min(0)), np.maximum(high, ground.max(0))
-    return low, high
+    return points.min(axis=0), points.max(axis=0)
 
 
-def _reach(result: Result) -> Floats:
-    """How far each body's joints are from its center of mass (n,) [m]; its radius of gyration at least."""
-    header = result.header
-    trace = np.trace(header.inertia, axis1=1, axis2=2)
-    reach = np.sqrt(np.divide(trace, header.mass, out=np.zeros_like(trace), where=header.mass > 0))
-    for side in (0, 1):
-        bodies = header.joint_bodies[:, side]
-        distance = np.linalg.norm(header.joint_origin[:, side], axis=-1)
-        np.maximum.at(reach, bodies[bodies >= 0], distance[bodies >= 0])
-    return reach
+def _corners(shape: Shape) -> Floats:
+    """Two corners of a box around a shape, in body axes (2, 3)."""
+    if isinstance(shape, Rod):
+        return np.stack([shape.start, shape.end])
+    axes = rotation.matrix(shape.orientation)
+    if isinstance(shape, Mesh):
+        points = shape.position + shape.vertices @ axes.T
+        return np.stack([points.min(axis=0), points.max(axis=0)])
+    half = np.abs(axes) @ (np.array(_place(shape)[7:]) / 2)
+    return np.stack([shape.position - half, shape.position + half])
 
 
 # --- what is drawn -----------------------------------------------------------------------------------------

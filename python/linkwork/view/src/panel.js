@@ -123,7 +123,7 @@ export class Panel {
         scales: { x: { time: false }, y: log && anything ? { distr: 3 } : { range: padded } },
         axes: [
           { ...axis, size: 24, gap: 2 },
-          { ...axis, size: 58, gap: 3, values: (_, ticks) => ticks.map((x) => (x === null ? "" : figure(x, log))) },
+          { ...axis, size: 58, gap: 3, ...(log && anything ? { splits: decades } : {}), values: (_, ticks) => ticks.map((x) => (x === null ? "" : figure(x, log))) },
         ],
         series: [{}, ...this.lines.map((it) => ({
           label: it.name, stroke: it.color, width: it.number ? 1.4 : 1.6, dash: it.number ? [5, 4] : undefined,
@@ -184,6 +184,13 @@ function padded(_, low, high) {
   const middle = Math.abs(low + high) / 2;
   const half = Math.max((high - low) / 2, 1e-6 * middle, 1e-300);
   return [(low + high) / 2 - 1.08 * half, (low + high) / 2 + 1.08 * half];
+}
+
+/** Powers of ten, not more than six. */
+function decades(plot, axis, low, high) {
+  const [first, last] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
+  const every = Math.max(1, Math.ceil((last - first) / 5));
+  return Array.from({ length: Math.floor((last - first) / every) + 1 }, (_, k) => 10 ** (first + k * every));
 }
 
 /** A number in few characters. */

@@ -94,9 +94,8 @@ export class World {
       const side = Math.abs(up.x) < 0.5 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
       side.addScaledVector(up, -side.dot(up)).normalize();
       direction.copy(side).multiplyScalar(0.75).addScaledVector(side.clone().cross(up), 1);
-      direction.addScaledVector(up, 0);
     }
-    direction.normalize().addScaledVector(up, 0.38).normalize();
+    direction.normalize().addScaledVector(up, 0.34).normalize();
     const center = this.low.clone().add(this.high).multiplyScalar(0.5);
     // the distance at which the eight corners of the box are inside the picture
     const half = Math.tan((this.camera.fov * Math.PI) / 360);
@@ -110,7 +109,7 @@ export class World {
       distance = Math.max(distance, wide - c.dot(view));
     }
     this.controls.target.copy(center);
-    this.camera.position.copy(center).addScaledVector(direction, 1.12 * distance);
+    this.camera.position.copy(center).addScaledVector(direction, 1.06 * distance);
     this.camera.near = distance / 500;
     this.camera.far = distance * 50;
     this.camera.updateProjectionMatrix();
