@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from linkwork.events import Occurrence
+    from linkwork.view import View
 
 Frame = Literal["inertial", "joint"]
 
@@ -389,6 +390,30 @@ class Result:
         from linkwork import plotting
 
         return plotting.plot(self, path)
+
+    def view(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        other: Result | None = None,
+        *,
+        labels: Sequence[str] = (),
+        limit: float = 16e6,
+    ) -> View:
+        """The motion as a page that opens in any browser, without a network; written to `path` when given.
+
+        other   a second run that is laid over this one, drawn as a ghost and by dashed lines
+        labels  names of the two runs
+        limit   of the recorded numbers in the page [bytes]; frames beyond are left out evenly, and it says so
+
+        In a notebook the page shows itself; `result.view().open()` shows it in the browser.
+        OptionError: there are no frames, or not two of them fit `limit`. FileError: `path` cannot be written.
+        """
+        from linkwork.view import view
+
+        page = view([self] if other is None else [self, other], labels, limit)
+        if path is not None:
+            page.save(path)
+        return page
 
     def summary(self) -> str:
         """A few lines of plain text: what ran, how well, what it took."""

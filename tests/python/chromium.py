@@ -45,7 +45,11 @@ class Page:
 
     def resize(self, width: int, height: int) -> None:
         self.call(
-            "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False
+            "Emulation.setDeviceMetricsOverride",
+            width=width,
+            height=height,
+            deviceScaleFactor=1,
+            mobile=False,
         )
 
     def evaluate(self, expression: str) -> Any:
@@ -110,7 +114,9 @@ def browser(profile: Path) -> Iterator[Page]:
 
     assert EXECUTABLE is not None
     process = subprocess.Popen(
-        [EXECUTABLE, f"--user-data-dir={profile}", *FLAGS], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        [EXECUTABLE, f"--user-data-dir={profile}", *FLAGS],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
     )
     try:
         address = _address(profile / "DevToolsActivePort", process)

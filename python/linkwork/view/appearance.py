@@ -113,7 +113,8 @@ def default_shapes(points: Sequence[Floats], mass: float, inertia: Floats, thick
     if not corners:
         return [solid]
     if not arms:
-        return [_at_most(solid, 12 * thickness)]
+        solid = Box([1.6 * solid.radius] * 3) if isinstance(solid, Sphere) else solid
+        return [_at_most(solid, 10 * thickness)]
     return _hanging(arms[0], solid, thickness)
 
 

@@ -144,13 +144,14 @@ def _joint_gaps(result: Result, choice: Choice) -> Floats:
 
 def _travel(result: Result) -> Floats:
     """Longest side of the box that each center of mass moves in (n,) [m], from a sample of frames."""
-    return np.ptp(result.sampled_positions(max(1, len(result) // 50)), axis=0).max(axis=-1, initial=0.0)
+    travel: Floats = np.ptp(result.sampled_positions(max(1, len(result) // 50)), axis=0)
+    return np.asarray(travel.max(axis=-1, initial=0.0))
 
 
 def _load(result: Result) -> Floats:
     """The largest force of each joint (J,) [N], from a sample of frames."""
     force = result.sampled_reactions(max(1, len(result) // 50)).force
-    return np.linalg.norm(force, axis=-1).max(axis=0, initial=0.0)
+    return np.asarray(np.linalg.norm(force, axis=-1).max(axis=0, initial=0.0))
 
 
 def _most(values: Floats, count: int) -> NDArray[np.intp]:

@@ -95,7 +95,8 @@ export class World {
       side.addScaledVector(up, -side.dot(up)).normalize();
       direction.copy(side).multiplyScalar(0.75).addScaledVector(side.clone().cross(up), 1);
     }
-    direction.normalize().addScaledVector(up, 0.34).normalize();
+    const lies = sides[flat] < 0.25 * Math.max(...sides) && !isFlat; // in a level plane: seen from above
+    direction.normalize().addScaledVector(up, lies ? 1.4 : 0.34).normalize();
     const center = this.low.clone().add(this.high).multiplyScalar(0.5);
     // the distance at which the eight corners of the box are inside the picture
     const half = Math.tan((this.camera.fov * Math.PI) / 360);
@@ -148,7 +149,9 @@ export class World {
     this.high = ends.reduce((high, end) => high.max(end[1]), ends[0][1].clone());
     this.size = this.high.clone().sub(this.low).length() || 1;
     const gravity = new Vector3(...this.runs[0].gravity);
-    this.camera.up.copy(gravity.length() > 0 ? gravity.normalize().negate() : new Vector3(0, 0, 1));
+    const sides = this.high.clone().sub(this.low);
+    const free = sides.z < 0.25 * Math.max(sides.x, sides.y) ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
+    this.camera.up.copy(gravity.length() > 0 ? gravity.normalize().negate() : free);
     this.#floor("#ccc", "#aaa");
   }
 
