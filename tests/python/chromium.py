@@ -103,7 +103,7 @@ class Page:
             self.complaints.append(str(event["exceptionDetails"]))
         elif method == "Runtime.consoleAPICalled" and event["type"] in ("error", "warning", "assert"):
             self.complaints.append(str(event["args"]))
-        elif method == "Log.entryAdded" and event["entry"]["level"] in ("error", "warning"):
+        elif method == "Log.entryAdded" and event["entry"]["source"] != "rendering":  # remarks of the driver
             self.complaints.append(str(event["entry"]))
 
 

@@ -68,8 +68,9 @@ class Page {
     const slider = this.part("slider");
     Object.assign(slider, { min: player.start, max: player.end, step: (player.end - player.start) / 5000 || 1 });
     slider.addEventListener("input", () => {
+      const time = Number(slider.value); // before the pause, which moves the slider to the present time
       player.pause();
-      player.seek(Number(slider.value));
+      player.seek(time);
     });
     this.part("play").addEventListener("click", () => player.toggle());
     const speed = this.part("speed");
