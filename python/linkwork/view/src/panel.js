@@ -43,6 +43,7 @@ export class Panel {
 
   choose(id, object) {
     this.id = id;
+    this.part("quantity").value = id;
     const { of, every } = this.quantity;
     const input = this.part("object");
     input.hidden = !of;

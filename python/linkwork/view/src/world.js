@@ -205,7 +205,7 @@ class Figure {
     const Kind = coarse ? MeshLambertMaterial : MeshStandardMaterial;
     const material = new Kind({ color });
     if (!coarse) Object.assign(material, { roughness: 0.62, metalness: 0.05 });
-    if (this.ghost) Object.assign(material, { transparent: true, opacity: 0.5, depthWrite: false });
+    if (this.ghost) Object.assign(material, { transparent: true, opacity: 0.5, depthWrite: false, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
     return material;
   }
 
@@ -327,6 +327,10 @@ class Figure {
       this.shafts.setColorAt(k, color);
       this.heads.setColorAt(k, color);
     });
+    for (const mesh of [this.shafts, this.heads]) {
+      Object.assign(mesh.material, { depthTest: false, transparent: true }); // in front of the joints they belong to
+      mesh.renderOrder = 3;
+    }
     this.arrows.add(this.shafts, this.heads);
     this.group.add(this.arrows);
     this.largest = { force: largest(this.run.force), torque: largest(this.run.torque) };
