@@ -111,7 +111,8 @@ def test_camera_projects_as_a_pinhole(tab: chromium.Page, three_balls: lw.Result
     opened(tab, three_balls.view(), tmp_path)
     numbers = tab.evaluate(
         "(() => { const w = linkwork.world, c = w.camera, e = w.renderer.domElement;"
-        " return [c.position.toArray(), w.controls.target.toArray(), c.up.toArray(), [c.fov, e.clientWidth, e.clientHeight]] })()"
+        " return [c.position.toArray(), w.controls.target.toArray(), c.up.toArray(),"
+        " [c.fov, e.clientWidth, e.clientHeight]] })()"
     )
     eye, target, up = (np.array(vector) for vector in numbers[:3])
     fov, width, height = numbers[3]

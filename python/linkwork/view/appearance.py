@@ -13,11 +13,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.elements import KINDS
 from linkwork.header import Floats, Header
+from linkwork.joint_motion import Holds, gaps, joint_kinds
 from linkwork.shapes import Box, Cylinder, Rod, Shape, Sphere
 
 if TYPE_CHECKING:
@@ -28,9 +27,6 @@ Layer = Literal["body", "joint", "ground"]
 #: Muted, and distinguishable with any color vision; bodies take them in turn.
 BODY_COLORS = ("#4c78a8", "#e08a3c", "#5a9e6f", "#b279a2", "#c9a227", "#6fb1c7", "#9c6b4e", "#8a8fa3")
 JOINT_COLOR, GROUND_COLOR = "#3a424d", "#8b929c"
-
-#: Placements of joints that hold directions only: they sit nowhere.
-UNPLACED = ("direction", "two_directions", "orientation")
 
 #: Frames looked at to see how far something slides; joints for which that is done.
 SAMPLED_FRAMES, SLIDES = 100, 500
@@ -45,35 +41,6 @@ class Solid:
     body: int
     shape: Shape
     color: str
-
-
-@dataclass(frozen=True)
-class Holds:
-    """What a kind of joint holds, read from the names of its equations."""
-
-    translations: tuple[bool, bool, bool]  #: along the joint's x, y, z
-    rotations: int
-    placed: bool  #: it sits at points of its bodies
-    sliding: bool  #: along its z axis
-
-    @classmethod
-    def of(cls, kind: str) -> Holds:
-        """An unknown kind, from a file of a later version, holds nothing that is known."""
-        info = KINDS["joint"].get(kind)
-        if info is None:
-            return cls((False, False, False), 0, True, False)
-        names = list(info.equations)
-        along = tuple(
-            any(f"translation {word}{axis}" in names for word in ("", "along joint ")) for axis in "xyz"
-        )
-        turns = sum(name.startswith("rotation") for name in names)
-        return cls(along, turns, info.placement not in UNPLACED, along == (True, True, False))  # type: ignore[arg-type]
-
-
-def joint_kinds(header: Header) -> list[Holds]:
-    """Of each joint."""
-    known = {kind: Holds.of(kind) for kind in set(header.joint_kinds)}
-    return [known[kind] for kind in header.joint_kinds]
 
 
 def solids(result: Result) -> list[Solid]:
@@ -285,18 +252,3 @@ def _slides(result: Result, joints: Sequence[int]) -> dict[int, tuple[float, flo
         int(j): (float(low), float(high))
         for j, low, high in zip(chosen, along.min(0), along.max(0), strict=True)
     }
-
-
-def gaps(result: Result, joints: NDArray[np.integer], every: int) -> tuple[Floats, Floats]:
-    """From each joint's first point to its second (k, j, 3), and its axes (k, j, 3, 3), inertial [m]."""
-    header = result.header
-    q = result.recorded("q", np.s_[::every])
-    ground = np.zeros((len(q), 1, 7))
-    ground[..., 3] = 1.0
-    q = np.concatenate([q, ground], axis=1)  # index -1 is then the ground
-    bodies, origin = header.joint_bodies[joints], header.joint_origin[joints]
-    turns = [rotation.matrix(q[:, bodies[:, side], 3:]) for side in (0, 1)]
-    points = [
-        q[:, bodies[:, side], :3] + np.einsum("kjab,jb->kja", turns[side], origin[:, side]) for side in (0, 1)
-    ]
-    return points[1] - points[0], turns[0] @ header.joint_frame[joints, 0]

@@ -33,8 +33,8 @@ class Pack:
         self._parts += [data, bytes(-len(data) % 8)]
         self._size += len(data) + -len(data) % 8
 
-    def add_quantized(self, name: str, values: Floats) -> None:
-        """Time series (k, ...) in 16 bits each, between the least and largest value of the channel.
+    def add_quantized(self, name: str, values: Floats) -> Floats:
+        """Time series (k, ...) in 16 bits each, between the least and largest value; the error of each (...).
 
         Stored channel by channel, each number as the difference to the one before: smooth motion deflates
         well. The error is at most 1/131070 of the channel's range. What is not finite becomes the least.
@@ -52,7 +52,7 @@ class Pack:
         self.add(name, np.diff(numbers, axis=1, prepend=np.uint16(0)), "u2")  # modulo 2^16
         self.add(f"{name}.low", low, "f8")
         self.add(f"{name}.step", step, "f8")
-        self.directory[name]["quantized"] = True
+        return np.reshape(step / 2, np.shape(values)[1:])
 
     def text(self) -> str:
         """The block, deflated, in base64."""

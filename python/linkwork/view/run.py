@@ -13,7 +13,8 @@ from linkwork import rotation
 from linkwork.errors import OptionError
 from linkwork.header import Floats
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.view.appearance import Solid, gaps, joint_kinds, solids
+from linkwork.joint_motion import gaps, joint_kinds
+from linkwork.view.appearance import Solid, solids
 from linkwork.view.encoding import Pack
 
 if TYPE_CHECKING:
@@ -64,17 +65,16 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     header = result.header
     choice, pack = Choice.of(result, limit), Pack()
     drawn = solids(result)
-    _add_frames(pack, result, choice)
+    precision = _add_frames(pack, result, choice)
     manifest = result.manifest
-    q = _thinned(result, "q", choice.every)
     low, high = _extent(result, drawn)
     return {
         "label": label,
         "model": manifest.get("model") or "model",
         "method": _method(manifest.get("options", {})),
         "finished": result.finished,
-        "frames": {"recorded": len(result), "shown": len(q), "every": choice.every},
-        "precision": float((high - low).max()) / 2**17,
+        "frames": {"recorded": len(result), "shown": pack.directory["t"]["shape"][0], "every": choice.every},
+        "precision": precision,
         "gravity": np.asarray(header.gravity, float).tolist(),
         "extent": [low.tolist(), high.tolist()],
         "bodies": {"names": list(header.body_names), "plotted": choice.bodies.tolist()},
@@ -103,12 +103,12 @@ def _thinned(result: Result, name: str, every: int) -> Floats:
     return np.concatenate([values, result.recorded(name, np.s_[-1:])])
 
 
-def _add_frames(pack: Pack, result: Result, choice: Choice) -> None:
-    """Times, poses, and the series: energies and violations in full, the rest quantized."""
+def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
+    """Times, poses, series; what is not an energy or violation quantized. The error of positions [m]."""
     every = choice.every
     t = _thinned(result, "t", every)
     pack.add("t", t, "f8")
-    pack.add_quantized("q", _continuous(_thinned(result, "q", every)))
+    error = pack.add_quantized("q", _continuous(_thinned(result, "q", every)))
     pack.add_quantized("v", _thinned(result, "v", every)[:, choice.bodies])
     for part in ("force", "torque"):
         pack.add_quantized(part, _thinned(result, f"reaction_{part}", every)[:, choice.joints])
@@ -119,6 +119,7 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> None:
     pack.add("violation", _thinned(result, "violation", every).T, "f4")
     gap = _joint_gaps(result, choice)
     pack.add_quantized("gap", np.log10(np.maximum(gap, 1e-17)))
+    return float(error[:, :3].max(initial=0.0))
 
 
 def _continuous(q: Floats) -> Floats:

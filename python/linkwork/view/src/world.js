@@ -3,7 +3,7 @@
 import {
   AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
   DynamicDrawUsage, GridHelper, Group, HemisphereLight, InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4,
-  MeshLambertMaterial, MeshStandardMaterial, PerspectiveCamera, Quaternion, Raycaster, Scene, SphereGeometry, Vector2,
+  MeshLambertMaterial, MeshStandardMaterial, PerspectiveCamera, Points, PointsMaterial, Quaternion, Raycaster, Scene, SphereGeometry, Vector2,
   Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -14,6 +14,7 @@ const UNIQUE = "#1f9d78";
 const SHARED = "#d99a00";
 const LINK = "#7a828c";
 const PATHS = 6; // bodies of which the way is drawn
+const DOTS = 200; // bodies from which on each has a dot
 const FRAMES = 2000; // bodies of which the axes are drawn
 const MANY = 1500; // instances from which on they have fewer triangles
 
@@ -195,6 +196,7 @@ class Figure {
       part.index.forEach((body, k) => this.bodyColor.set(body, part.colors.subarray(3 * k, 3 * k + 3)));
     }
     this.#paths();
+    this.#dots();
     this.#links();
     this.#axes();
     this.#arrows(coarse);
@@ -222,6 +224,7 @@ class Figure {
     this.links.visible = shown.joints && this.run.links.length > 0;
     this.arrows.visible = arrows !== "none";
     if (this.links.visible) this.#moveLinks();
+    if (this.dots) this.#moveDots();
     if (this.axes.visible) this.#moveAxes();
     if (this.arrows.visible) this.#moveArrows();
     this.#colorJoints();
@@ -259,6 +262,32 @@ class Figure {
       this.paths.add(new Line(geometry, new LineBasicMaterial({ color, transparent: true, opacity: 0.55 })));
     }
     this.group.add(this.paths);
+  }
+
+  /** Where there are many bodies, each is a dot at least: seen from afar they are thinner than a pixel. */
+  #dots() {
+    const count = this.run.bodyCount;
+    if (count < DOTS) return;
+    const colors = new Float32Array(3 * count);
+    const color = new Color(GHOST);
+    for (let i = 0; i < count; i++) {
+      if (!this.ghost && this.bodyColor.has(i)) setColor(color, this.bodyColor.get(i));
+      color.toArray(colors, 3 * i);
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage));
+    geometry.setAttribute("color", new BufferAttribute(colors, 3));
+    this.dots = new Points(geometry, new PointsMaterial({ size: 1.5, sizeAttenuation: false, vertexColors: true }));
+    this.dots.frustumCulled = false;
+    this.group.add(this.dots);
+  }
+
+  #moveDots() {
+    const { position } = this.dots.geometry.attributes;
+    for (let i = 0; i < this.run.bodyCount; i++) {
+      for (let c = 0; c < 3; c++) position.array[3 * i + c] = this.run.pose[7 * i + c];
+    }
+    position.needsUpdate = true;
   }
 
   /** Bars between the two points of joints that hold a distance. */
