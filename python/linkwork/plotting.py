@@ -131,34 +131,43 @@ def plot_violation(ax: Axes, result: Result) -> None:
     legend(ax)
 
 
-def plot_positions(ax: Axes, result: Result) -> None:
+def plot_positions(ax: Axes, result: Result, bodies: Sequence[int] | None = None) -> None:
     """Color tells the body, line style the coordinate; coordinates that hardly change are left out."""
     style(ax, "center of mass [m]")
-    chosen = largest_places(travel_of(result), BODIES)
+    chosen = bodies or largest_places(travel_of(result), BODIES)
     positions = {result.body_names[i]: result.body(i).position for i in chosen}
     most = max((np.ptp(p, axis=0).max() for p in positions.values() if len(p)), default=0.0)
     for color, (name, position) in zip(COLORS, positions.items(), strict=False):
         for axis, (coordinate, line) in enumerate(COORDINATES):
             if len(position) and np.ptp(position[:, axis]) >= 0.02 * most:
                 ax.plot(result.t, position[:, axis], color=color, ls=line, label=f"{name}  {coordinate}")
-    legend(ax, share(len(chosen), len(result.body_names), "bodies, those that move most"))
+    which = "" if bodies else share(len(chosen), len(result.body_names), "bodies, those that move most")
+    legend(ax, which)
 
 
-def plot_reactions(ax: Axes, result: Result, part: str, unit: str) -> None:
-    """Magnitudes of one part, "force" or "torque", of the joints' reactions."""
+def plot_reactions(
+    ax: Axes, result: Result, part: str, unit: str, joints: Sequence[int] | None = None
+) -> None:
+    """Magnitudes of one part, "force" or "torque", of the joints' reactions; dashed where not unique."""
     style(ax, f"reaction {part} [{unit}]")
     sample = result.sampled_reactions(max(1, len(result) // SAMPLED_FRAMES))
     largest = np.linalg.norm(getattr(sample, part), axis=-1).max(axis=0, initial=0.0)
     rounding = 1e-9 * max(np.abs(sample.force).max(initial=0.0), np.abs(sample.torque).max(initial=0.0))
-    chosen = [j for j in largest_places(largest, JOINTS) if largest[j] > rounding]
+    chosen = joints or [j for j in largest_places(largest, JOINTS) if largest[j] > rounding]
     for color, j in zip(COLORS, chosen, strict=False):
         magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
         doubt = "" if result.unique_reactions[j] else " (not unique)"
-        ax.plot(result.t, magnitude, color=color, label=f"{result.joint_names[j]}{doubt}")
+        line = "--" if doubt else "-"
+        ax.plot(result.t, magnitude, color=color, ls=line, label=f"{result.joint_names[j]}{doubt}")
     if not chosen:
         ax.set_yticks([])
         ax.text(0.5, 0.5, "none", transform=ax.transAxes, ha="center", color="0.5")
-    legend(ax, share(len(chosen), len(result.joint_names), f"joints, those with the largest {part}"))
+    which = (
+        ""
+        if joints
+        else share(len(chosen), len(result.joint_names), f"joints, those with the largest {part}")
+    )
+    legend(ax, which)
 
 
 def travel_of(result: Result) -> Floats:
@@ -221,11 +230,11 @@ def legend(ax: Axes, title: str = "") -> None:
     labels = ax.get_legend_handles_labels()[1]
     if labels:
         columns = max(1, min(4, 72 // (max(map(len, labels)) + 6)))
-        legend = ax.legend(
+        box = ax.legend(
             title=title or None, ncols=columns, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2,
             frameon=False, fontsize=8, title_fontsize=8, alignment="left", columnspacing=1.5,
         )  # fmt: skip
-        legend.set_in_layout(True)
+        box.set_in_layout(True)
 
 
 def _cycle(count: int) -> list[str]:

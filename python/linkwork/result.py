@@ -385,11 +385,32 @@ class Result:
         stored = stored_result.read(path)
         return cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
 
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
-        """Energy, violation, positions and reactions in one figure, written to `path` when given."""
-        from linkwork import plotting
+    def plot(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        kind: str = "overview",
+        *,
+        bodies: Sequence[str | int] = (),
+        joints: Sequence[str | int] = (),
+    ) -> Figure:
+        """A figure of the run, written to `path` when given.
 
-        return plotting.plot(self, path)
+        kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
+                "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
+                coordinates), "step" (sizes of steps)
+        bodies  by name or index; without, those that move most
+        joints  likewise; without, those with the largest reactions, or the first with a coordinate
+
+        Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind.
+        ModelError: no such body or joint. FileError: `path` cannot be written.
+        """
+        from linkwork import plot_kinds
+
+        return plot_kinds.plot(self, path, kind, bodies, joints)
+
+    def index(self, what: Literal["body", "joint"], name: str | int) -> int:
+        """Place of a body or a joint in the arrays, by name or index. ModelError: there is none such."""
+        return self._place(what, name)
 
     def view(
         self,

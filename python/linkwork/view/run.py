@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from linkwork import rotation
 from linkwork.errors import OptionError
 from linkwork.header import Floats
-from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.joint_motion import gaps, joint_kinds
+from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.view.appearance import Solid, solids
 from linkwork.view.encoding import Pack
 
