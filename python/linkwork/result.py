@@ -412,6 +412,26 @@ class Result:
         """Place of a body or a joint in the arrays, by name or index. ModelError: there is none such."""
         return self._place(what, name)
 
+    def movie(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        seconds: float | None = None,
+        frames_per_second: int = 25,
+        size: tuple[int, int] = (960, 640),
+    ) -> None:
+        """Write the motion as a movie, .mp4 or .gif; no display is needed.
+
+        seconds  that it lasts; without, as long as the motion, but between 2 and 20
+        size     width and height [pixels], even
+
+        .mp4 needs imageio-ffmpeg: pip install 'linkwork[movie]'. FileError: another format, or `path` cannot
+        be written. OptionError: there are no frames, or too much to paint.
+        """
+        from linkwork.view import movie
+
+        movie.movie(self, path, seconds=seconds, frames_per_second=frames_per_second, size=size)
+
     def view(
         self,
         path: str | os.PathLike[str] | None = None,
