@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from linkwork.events import Occurrence
-    from linkwork.view import View
+    from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
 
@@ -439,7 +439,7 @@ class Result:
         *,
         labels: Sequence[str] = (),
         limit: float = 16e6,
-    ) -> View:
+    ) -> Page:
         """The motion as a page that opens in any browser, without a network; written to `path` when given.
 
         other   a second run that is laid over this one, drawn as a ghost and by dashed lines
@@ -452,6 +452,18 @@ class Result:
         from linkwork.view import view
 
         page = view([self] if other is None else [self, other], labels, limit)
+        if path is not None:
+            page.save(path)
+        return page
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """A page on the run: model, method, diagnostics, plots, viewer; written to `path` when given.
+
+        FileError: `path` cannot be written. OptionError: there are no frames.
+        """
+        from linkwork.view.report import report
+
+        page = report(self)
         if path is not None:
             page.save(path)
         return page

@@ -12,7 +12,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.view import view
-from linkwork.view.page import View
+from linkwork.view.page import Page
 from PIL import Image
 
 pytestmark = [
@@ -50,7 +50,7 @@ def slider_crank() -> lw.Result:
     return lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=1.0, step=1e-3)
 
 
-def opened(tab: chromium.Page, page: View, folder: Path) -> None:
+def opened(tab: chromium.Page, page: Page, folder: Path) -> None:
     tab.requests.clear()
     tab.complaints.clear()
     page.save(folder / "page.html")

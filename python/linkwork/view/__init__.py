@@ -3,6 +3,6 @@
 Its JavaScript is in `src/`, built by `./dev view-bundle` into `bundle/`, which is what is shipped.
 """
 
-from linkwork.view.page import View, view
+from linkwork.view.page import Page, view
 
-__all__ = ["View", "view"]
+__all__ = ["Page", "view"]

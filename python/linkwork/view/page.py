@@ -37,8 +37,8 @@ _PAGE = """<!doctype html>
 """
 
 
-class View:
-    """A page that shows one run, or one above another. In a notebook it shows itself."""
+class Page:
+    """An HTML file that needs nothing else. In a notebook it shows itself."""
 
     def __init__(self, html: str) -> None:
         self.html = html
@@ -77,7 +77,7 @@ class View:
         )
 
 
-def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = LIMIT) -> View:
+def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = LIMIT) -> Page:
     """A page of one run, or of two laid over each other.
 
     labels  of the runs, where there are two
@@ -91,7 +91,7 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
         document(result, label, limit / len(results)) for result, label in zip(results, names, strict=True)
     ]
     model = documents[0][0]["model"]
-    return View(
+    return Page(
         _PAGE.format(
             title=html.escape(f"{model} - linkwork"),
             style=_bundled("viewer.css"),
