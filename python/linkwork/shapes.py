@@ -185,6 +185,8 @@ class Mesh(Shape):
             raise FileError(
                 f"mesh '{path}': is neither .stl nor .obj: convert it to one of them", code="format"
             )
+        if not Path(path).is_file():
+            raise FileError(f"mesh '{path}': no such file", code="not_found")
         try:
             import trimesh
         except ImportError as error:
@@ -194,8 +196,6 @@ class Mesh(Shape):
         try:
             found: Any = trimesh.load(Path(path), force="mesh", process=True)
             vertices, faces = np.asarray(found.vertices, float), np.asarray(found.faces)
-        except FileNotFoundError as error:
-            raise FileError(f"mesh '{path}': no such file", code="not_found") from error
         except Exception as error:  # whatever a reader of damaged files may raise
             raise FileError(f"mesh '{path}': cannot be read: {error}", code="not_readable") from error
         if not len(faces):
@@ -265,7 +265,7 @@ def _vector(kind: str, what: str, value: ArrayLike, size: int) -> Floats:
 
 def _positive(kind: str, what: str, value: Any) -> float:
     if not isinstance(value, int | float | np.number) or not 0 < value < np.inf:
-        raise ModelError(f"{kind}: {what} {value!r} is not a positive number", code="shape")
+        raise ModelError(f"{kind}: {what} {value} is not a positive number", code="shape")
     return float(value)
 
 

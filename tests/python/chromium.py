@@ -30,7 +30,7 @@ class Page:
 
     def __init__(self, socket: Any, session: str) -> None:
         self._socket, self._session, self._number = socket, session, 0
-        self.requests: list[str] = []
+        self.requests: list[str] = []  # beside data in the page itself
         self.complaints: list[str] = []
 
     def open(self, path: Path, width: int = 1280, height: int = 800, dark: bool = False) -> None:
@@ -98,7 +98,8 @@ class Page:
 
     def _note(self, method: str, event: dict[str, Any]) -> None:
         if method == "Network.requestWillBeSent":
-            self.requests.append(event["request"]["url"])
+            url = event["request"]["url"]
+            self.requests += [] if url.startswith("data:") else [url]
         elif method == "Runtime.exceptionThrown":
             self.complaints.append(str(event["exceptionDetails"]))
         elif method == "Runtime.consoleAPICalled" and event["type"] in ("error", "warning", "assert"):

@@ -47,7 +47,6 @@ def _result(subject: str, options: dict[str, float | None]) -> lw.Result:
             f"'{subject}' is no file and no mechanism{nearest(subject, lw.mechanisms.MECHANISMS)}"
         )
     if given:
-        raise click.UsageError(
-            f"{' and '.join(given)} are options of a run, but '{subject}' is a result file"
-        )
+        names = " and ".join(f"--{name.replace('_', '-')}" for name in given)
+        raise click.UsageError(f"{names} cannot be given: '{subject}' is a result file, its run is done")
     return lw.Result.load(subject)

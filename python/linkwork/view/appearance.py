@@ -28,6 +28,9 @@ Layer = Literal["body", "joint", "ground"]
 BODY_COLORS = ("#4c78a8", "#e08a3c", "#5a9e6f", "#b279a2", "#c9a227", "#6fb1c7", "#9c6b4e", "#8a8fa3")
 JOINT_COLOR, GROUND_COLOR = "#3a424d", "#8b929c"
 
+#: Moments of inertia that differ by less are taken for equal.
+EQUAL = 1e-3
+
 #: Frames looked at to see how far something slides; joints for which that is done.
 SAMPLED_FRAMES, SLIDES = 100, 500
 
@@ -136,10 +139,10 @@ def _uniform_solid(mass: float, inertia: Floats, least: float) -> Shape:
     moments, axes = np.linalg.eigh(inertia)
     if np.linalg.det(axes) < 0:
         axes = -axes
-    if moments[2] - moments[0] < 0.02 * moments[2]:
+    if moments[2] - moments[0] < EQUAL * moments[2]:
         return Sphere(max(least / 2, float(np.sqrt(2.5 * moments.mean() / mass))))
     odd = 0 if moments[2] - moments[1] < moments[1] - moments[0] else 2
-    if abs(moments[1] - moments[2 - odd]) < 0.02 * moments[2]:
+    if abs(moments[1] - moments[2 - odd]) < EQUAL * moments[2]:
         radius = np.sqrt(2 * max(moments[odd], 0.0) / mass)
         length = np.sqrt(max(12 * moments[1] / mass - 3 * radius**2, 0.0))
         return Cylinder(max(radius, least / 4), max(length, least / 2), axis=axes[:, odd])
