@@ -133,8 +133,13 @@ def test_commands_write_pages(
 ) -> None:
     four_bar.save(tmp_path / "run.h5")
     file, page = str(tmp_path / "run.h5"), str(tmp_path / "page.html")
-    for words in (["view", file, "--html", page], ["view", file, "--with", file, "--html", page],
-                  ["report", file, "-o", page], ["report", "pendulum", "--t-end", "0.1", "-o", page]):  # fmt: skip
+    commands = (
+        ["view", file, "--html", page],
+        ["view", file, "--with", file, "--html", page],
+        ["report", file, "-o", page],
+        ["report", "pendulum", "--t-end", "0.1", "-o", page],
+    )
+    for words in commands:
         Path(page).unlink(missing_ok=True)
         assert (run(words, debug=True), capsys.readouterr().err) == (0, ""), words
         assert Path(page).read_text().startswith("<!doctype html>")
