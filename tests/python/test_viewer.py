@@ -15,10 +15,7 @@ from linkwork.view import view
 from linkwork.view.page import Page
 from PIL import Image
 
-pytestmark = [
-    pytest.mark.skipif(chromium.EXECUTABLE is None, reason="no Chromium: apt-get install chromium"),
-    pytest.mark.xdist_group("chromium"),
-]
+pytestmark = pytest.mark.skipif(chromium.EXECUTABLE is None, reason="no Chromium: apt-get install chromium")
 
 WIDTH, HEIGHT = 1280, 800
 

@@ -60,6 +60,8 @@ def movie(
     pictures = Painter(result, size).pictures(times)
     write = _write_gif if file.suffix.lower() == ".gif" else _write_mp4
     try:
+        with open(file, "ab"):  # before the work, not after it
+            pass
         write(file, pictures, frames_per_second, size)
     except OSError as error:
         reason = os.strerror(error.errno).lower() if error.errno else str(error)
@@ -83,8 +85,6 @@ def _write_mp4(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[in
             f"movie '{file}': needs imageio-ffmpeg: pip install 'linkwork[movie]', or write a .gif",
             code="missing_package",
         ) from error
-    with open(file, "ab"):  # an error of ours where it cannot be written
-        pass
     writer = imageio_ffmpeg.write_frames(
         str(file), size, fps=rate, quality=8, macro_block_size=2, ffmpeg_log_level="error"
     )
