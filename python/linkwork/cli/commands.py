@@ -129,6 +129,8 @@ def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -
 
     if not validate_and_show(problems, as_json):
         context.exit(1)
+
+
 linkwork.add_command(view)
 linkwork.add_command(report)
 
