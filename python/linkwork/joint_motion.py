@@ -25,7 +25,8 @@ Coordinate = Literal["angle", "displacement"]
 class Holds:
     """What a kind of joint holds, read from the names of its equations."""
 
-    translations: tuple[bool, bool, bool]  #: along the joint's x, y, z
+    translations: tuple[bool, bool, bool]  #: of the points, along the joint's x, y, z, at zero
+    distance: bool  #: between the two points
     rotations: int
     placed: bool  #: it sits at points of its bodies
     turning: bool  #: about its z axis, and about no other
@@ -36,13 +37,16 @@ class Holds:
         """An unknown kind, from a file of a later version, holds nothing that is known."""
         info = KINDS["joint"].get(kind)
         if info is None:
-            return cls((False, False, False), 0, True, False, False)
+            return cls((False, False, False), False, 0, True, False, False)
         names = set(info.equations)
 
         x, y, z = (f"translation {a}" in names or f"translation along joint {a}" in names for a in "xyz")
+        if "displacement" in info.parameters:  # it prescribes the translation along z
+            z = False
         turns = [f"rotation about joint {a}" in names for a in "xyz"]
         return cls(
             (x, y, z),
+            "distance" in names,
             sum(name.startswith("rotation") for name in names),
             info.placement not in UNPLACED,
             turns == [True, True, False],

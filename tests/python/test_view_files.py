@@ -65,9 +65,9 @@ def test_poses_are_sent_without_jumps_of_sign() -> None:
     result = lw.simulate(model, t_end=1.0, step=1e-2)
     flipped = result.q.copy()
     flipped[::2, :, 3:] *= -1
-    from linkwork.view.run import _continuous
+    from linkwork.view.run import continuous
 
-    smooth = _continuous(flipped)[..., 3:]
+    smooth = continuous(flipped)[..., 3:]
     assert np.abs(np.diff(smooth, axis=0)).max() < 0.1
     np.testing.assert_allclose(np.abs(smooth), np.abs(result.orientation))
 

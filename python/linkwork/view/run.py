@@ -66,6 +66,7 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     choice, pack = Choice.of(result, limit), Pack()
     drawn = solids(result)
     precision = _add_frames(pack, result, choice)
+    _add_links(pack, result)
     manifest = result.manifest
     low, high = _extent(result, drawn)
     return {
@@ -83,9 +84,9 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
             "kinds": list(header.joint_kinds),
             "unique": np.asarray(header.reaction_unique, int).tolist(),
             "plotted": choice.joints.tolist(),
+            "held": [int(any(it.translations)) for it in joint_kinds(header)],
         },
         "solids": _add_solids(pack, drawn),
-        "links": _add_links(pack, result),
         "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
@@ -108,7 +109,7 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     every = choice.every
     t = _thinned(result, "t", every)
     pack.add("t", t, "f8")
-    error = pack.add_quantized("q", _continuous(_thinned(result, "q", every)))
+    error = pack.add_quantized("q", continuous(_thinned(result, "q", every)))
     pack.add_quantized("v", _thinned(result, "v", every)[:, choice.bodies])
     for part in ("force", "torque"):
         pack.add_quantized(part, _thinned(result, f"reaction_{part}", every)[:, choice.joints])
@@ -117,12 +118,12 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     scalars = (kinetic, potential, energy, work, energy - energy[:1] - work)
     pack.add("energy", np.stack(scalars), "f4")
     pack.add("violation", _thinned(result, "violation", every).T, "f4")
-    gap = _joint_gaps(result, choice)
+    gap = joint_gaps(result, choice)
     pack.add_quantized("gap", np.log10(np.maximum(gap, 1e-17)))
     return float(error[:, :3].max(initial=0.0))
 
 
-def _continuous(q: Floats) -> Floats:
+def continuous(q: Floats) -> Floats:
     """Euler parameters without jumps of sign: p and -p are the same pose."""
     r, p = q[..., :3], q[..., 3:]
     jumps = np.where(np.sum(p[1:] * p[:-1], axis=-1) < 0, -1.0, 1.0)
@@ -130,7 +131,7 @@ def _continuous(q: Floats) -> Floats:
     return np.concatenate([r, p * sign[..., None]], axis=-1)
 
 
-def _joint_gaps(result: Result, choice: Choice) -> Floats:
+def joint_gaps(result: Result, choice: Choice) -> Floats:
     """By how much the points of each joint are apart where its equations hold them together (k, j) [m]."""
     joints = choice.joints
     gap, axes = gaps(result, joints, choice.every)
@@ -238,24 +239,12 @@ def _place(shape: Shape) -> list[float]:
     return [*shape.position, *shape.orientation, *size]
 
 
-def _add_links(pack: Pack, result: Result) -> int:
-    """Lines between the two points of joints whose points are apart at the start, such as distances."""
+def _add_links(pack: Pack, result: Result) -> None:
+    """Where the points of joints are, and which joints are drawn as a bar between them."""
     header = result.header
-    holds = joint_kinds(header)
-    placed = np.array([it.placed and not it.sliding for it in holds], bool)
     pack.add("joints.bodies", header.joint_bodies, "i4")
     pack.add("joints.origin", header.joint_origin, "f4")
-    pack.add("joints.placed", placed, "u1")
-    if not len(result) or not placed.any():
-        linked = np.zeros(0, int)
-    else:
-        gap, _ = gaps(result, np.arange(header.joint_count), len(result))
-        held = np.array([it.translations for it in holds], bool)
-        apart = np.linalg.norm(gap[0], axis=-1)
-        usual = max(float(np.abs(header.joint_origin).max(initial=0.0)), 1e-9)
-        linked = np.flatnonzero(placed & ~held.any(axis=1) & (apart > 1e-3 * usual))
-    pack.add("links", linked, "i4")
-    return len(linked)
+    pack.add("links", np.flatnonzero([it.distance for it in joint_kinds(header)]), "i4")
 
 
 def _method(options: dict[str, Any]) -> str:

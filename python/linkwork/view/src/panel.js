@@ -106,6 +106,7 @@ export class Panel {
     this.data = columns.length > 1 ? uPlot.join(columns) : columns[0];
     const joint = of === "joint" ? runs[0].joints.names.indexOf(this.object) : -1;
     this.note = joint >= 0 && this.id !== "gap" && !runs[0].joints.unique[joint] ? "not unique: a share of least norm" : "";
+    if (joint >= 0 && this.id === "gap" && !runs[0].joints.held[joint]) this.note = "this joint does not hold its points together";
     this.#legend();
     this.plot?.destroy();
     const style = getComputedStyle(this.element);

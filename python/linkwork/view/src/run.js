@@ -154,6 +154,7 @@ export class Run {
     const index = names.indexOf(object);
     const place = own.every ? index : (own.of === "body" ? this.placeOfBody : this.placeOfJoint).get(index);
     if (index < 0 || place === undefined) return [];
+    if (own.id === "gap" && !this.joints.held[index]) return []; // its points are not held together
     const [source, width, first] = own.source;
     const channels = source.length / this.count;
     const lines = own.parts.map((part, c) => {

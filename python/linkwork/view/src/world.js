@@ -417,7 +417,7 @@ class Part {
     const width = run.joints.plotted.length;
     for (let k = 0; k < this.index.length; k++) {
       const place = run.placeOfJoint.get(this.index[k]);
-      if (place !== undefined) this.mesh.setColorAt(k, gapColor(run.gap[run.frame * width + place]));
+      if (place !== undefined && run.joints.held[this.index[k]]) this.mesh.setColorAt(k, gapColor(run.gap[run.frame * width + place]));
     }
     this.mesh.instanceColor.needsUpdate = true;
   }
