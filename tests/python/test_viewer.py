@@ -255,3 +255,19 @@ def test_names_are_text_and_never_markup(tab: chromium.Page, tmp_path: Path) -> 
     assert tab.evaluate("document.querySelector('h1').textContent") == name
     assert tab.evaluate("window.broken") is None
     assert tab.evaluate("linkwork.runs[0].bodies.names") == [name]
+
+
+def test_plots_share_the_height_and_follow_the_window(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    heights = "linkwork.panels.map((it) => it.element.getBoundingClientRect().height)"
+    for height in (800, 1000, 700, 480):
+        tab.resize(WIDTH, height)
+        tab.drawn()
+        found = tab.evaluate(heights)
+        assert len(found) == 3
+        assert np.ptp(found) < 1.5
+        assert min(found) >= 178
+        if height >= 700:
+            assert sum(found) < height
