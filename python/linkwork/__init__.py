@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from linkwork.model import Model
     from linkwork.progress import ProgressInfo
     from linkwork.result import BodyResult, Reaction, Result, SingularPose, Snapshot
+    from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
     from linkwork.simulation import simulate
     from linkwork.system import System
 
@@ -46,6 +47,8 @@ __all__ = [
     "Body",
     "BodyResult",
     "Comparison",
+    "Box",
+    "Cylinder",
     "Event",
     "FileError",
     "Force",
@@ -53,6 +56,7 @@ __all__ = [
     "JointResidual",
     "LinkworkError",
     "LinkworkWarning",
+    "Mesh",
     "Model",
     "ModelError",
     "NotConvergedError",
@@ -62,9 +66,12 @@ __all__ = [
     "ProgressInfo",
     "Reaction",
     "Result",
+    "Rod",
+    "Shape",
     "SingularPose",
     "SingularSystemError",
     "Snapshot",
+    "Sphere",
     "State",
     "StepSizeError",
     "System",
@@ -95,6 +102,7 @@ _PLACES = {
     "linkwork.model": ("Model",),
     "linkwork.progress": ("ProgressInfo",),
     "linkwork.result": ("BodyResult", "Reaction", "Result", "SingularPose", "Snapshot"),
+    "linkwork.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
     "linkwork.simulation": ("simulate",),
     "linkwork.system": ("System",),
 }  # fmt: skip

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from linkwork.model import Model
+    from linkwork.shapes import Shape
 
 __all__ = ["BodiesLike", "Body", "BodyLike", "Force", "Joint", "Range"]
 
@@ -22,6 +23,11 @@ class Body:
     name: str
     index: int
     model: Model = field(repr=False, compare=False)
+
+    def shape(self, *shapes: Shape) -> Body:
+        """Draw it by these shapes; they have no influence on the motion. ModelError: what is no shape."""
+        self.model.shape(self, *shapes)
+        return self
 
 
 @dataclass(frozen=True)

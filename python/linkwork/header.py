@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from linkwork.shapes import Shapes
+
 if TYPE_CHECKING:
     from linkwork import _core
 
@@ -38,6 +40,7 @@ class Header:
     reaction_unique: NDArray[np.bool_]  # (J,) False where constraints are redundant: shares of least norm
     redundant_rows: NDArray[np.int32]  # constraint rows that the others imply in every pose
     expected_frames: int | None = None
+    shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
     reactions: Reactions | None = field(default=None, compare=False)
 
     @classmethod
@@ -47,6 +50,7 @@ class Header:
         dynamics: _core.Dynamics,
         manifest: Mapping[str, Any],
         expected_frames: int | None = None,
+        shapes: Shapes | None = None,
     ) -> Header:
         """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
         joints, rank = model.joint_arrays(), dynamics.rank()
@@ -67,6 +71,7 @@ class Header:
             reaction_unique=np.array(rank.unique, dtype=bool),
             redundant_rows=np.array(rank.redundant_rows, dtype=np.int32),
             expected_frames=expected_frames,
+            shapes=shapes or Shapes(),
             reactions=dynamics.reactions,
         )
 

@@ -20,13 +20,14 @@ from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_func
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.placement import Attachment, Frames, Place, Subject
+from linkwork.shapes import Shape, Shapes, ShapesLike
 
 __all__ = ["Model"]
 
 Floats = NDArray[np.float64]
 
 #: A shape (size,) of an array; None stands for any length.
-Shape = tuple[int | None, ...]
+ArrayShape = tuple[int | None, ...]
 
 
 class Model(JointMethods, ForceMethods):
@@ -46,6 +47,7 @@ class Model(JointMethods, ForceMethods):
         self._signals: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[TimeFunction] = []
         self._user_forces: list[tuple[str, Any]] = []
+        self._shapes = Shapes()
 
     @property
     def ground(self) -> Body:
@@ -64,6 +66,7 @@ class Model(JointMethods, ForceMethods):
         orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
         velocity: ArrayLike = (0.0, 0.0, 0.0),
         omega: ArrayLike = (0.0, 0.0, 0.0),
+        shape: ShapesLike = (),
     ) -> Body:
         """Add a rigid body as it is at t = 0.
 
@@ -73,6 +76,7 @@ class Model(JointMethods, ForceMethods):
         orientation  unit Euler parameters (4,), scalar first, body axes to inertial: see linkwork.rotation
         velocity     of the center of mass (3,), inertial [m/s]
         omega        angular velocity (3,), body axes [rad/s]
+        shape        what it looks like: one or several of linkwork.shapes; without, as its joints suggest
 
         ModelError: a value that no body can have, or a name that is taken.
         """
@@ -83,7 +87,10 @@ class Model(JointMethods, ForceMethods):
         vectors = {"position": position, "velocity": velocity, "omega": omega}
         state = {what: _numbers(x, [(3,)], who, what)[None] for what, x in vectors.items()}
         state["orientation"] = _numbers(orientation, [(4,)], who, "orientation")[None]
-        return self._bodies.add([name], m[None], (np.diag(J) if J.ndim == 1 else J)[None], **state)[0]
+        shapes = self._shapes.checked(shape)
+        body = self._bodies.add([name], m[None], (np.diag(J) if J.ndim == 1 else J)[None], **state)[0]
+        self._shapes.set(range(body.index, body.index + 1), shapes)
+        return body
 
     def bodies(
         self,
@@ -95,10 +102,12 @@ class Model(JointMethods, ForceMethods):
         orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
         velocity: ArrayLike = (0.0, 0.0, 0.0),
         omega: ArrayLike = (0.0, 0.0, 0.0),
+        shape: ShapesLike = (),
     ) -> Range[Body]:
         """Add k bodies at once, named prefix[0], prefix[1], ...; linear in time and memory.
 
-        As `body`, with `position` (k, 3), and each other quantity the same for all or with a leading k.
+        As `body`, with `position` (k, 3), and each other quantity the same for all or with a leading k;
+        `shape` is the same for all.
         `inertia`: (3,) or (k, 3) principal moments, or (k, 3, 3); one tensor for all is (1, 3, 3).
         """
         who = f"bodies '{name_prefix}'"
@@ -111,7 +120,19 @@ class Model(JointMethods, ForceMethods):
         state = {what: _numbers(x, [(3,), (k, 3)], who, what) for what, x in vectors.items()}
         state |= {"orientation": _numbers(orientation, [(4,), (k, 4)], who, "orientation"), "position": r}
         full = {what: np.broadcast_to(x, (k, x.shape[-1])) for what, x in state.items()}
-        return self._bodies.add(name_prefix, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full)
+        shapes, first = self._shapes.checked(shape), self.body_count
+        bodies = self._bodies.add(
+            name_prefix, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full
+        )
+        self._shapes.set(range(first, first + k), shapes)
+        return bodies
+
+    def shape(self, bodies: BodiesLike, *shapes: Shape) -> None:
+        """Draw one or many bodies, or the ground, by these shapes; they have no influence on the motion.
+
+        ModelError: no such body, or what is no shape of linkwork.shapes.
+        """
+        self._shapes.set(self.indices(bodies), self._shapes.checked(shapes))
 
     # --- joints ---------------------------------------------------------------------------------------------
 
@@ -420,6 +441,11 @@ class Model(JointMethods, ForceMethods):
         """The functions of time in the model, each with what it drives."""
         return tuple(self._signals)
 
+    @property
+    def shapes(self) -> Shapes:
+        """The bodies that have shapes of their own."""
+        return self._shapes
+
     def find(self, name: str) -> Body:
         """The body with this name. ModelError: there is none; the message has the nearest."""
         return self._bodies.handle(self._bodies.index(name, Subject("model", self.name, False, 1)))
@@ -443,6 +469,7 @@ class Model(JointMethods, ForceMethods):
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
         out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
+        out._shapes = self._shapes.copy()
         return out
 
     def compiled(self) -> _core.Model:
@@ -575,7 +602,7 @@ def _names(kind: str, number: int) -> tuple[str, str]:
     return f"{kind} {number}", f"{kind} {number}[0]"
 
 
-def _numbers(value: Any, shapes: Sequence[Shape], who: str, what: str) -> Floats:
+def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:
     """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
     try:
         array = np.asarray(value, dtype=float)

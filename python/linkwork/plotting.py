@@ -36,25 +36,25 @@ def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
     Of many bodies the three that move the most are shown, of many joints the four with the largest forces or
     torques: the legends say so. FileError: `path` cannot be written.
     """
-    figure = _figure(10.5, 9.0)
+    figure = new_figure(10.5, 9.0)
     axes = figure.subplots(3, 2, sharex=True)
-    _plot_energies(axes[0, 0], result)
-    _plot_energy_error(axes[0, 1], result)
-    _plot_positions(axes[1, 0], result)
-    _plot_violation(axes[1, 1], result)
-    _plot_reactions(axes[2, 0], result, "force", "N")
-    _plot_reactions(axes[2, 1], result, "torque", "N m")
+    plot_energies(axes[0, 0], result)
+    plot_energy_error(axes[0, 1], result)
+    plot_positions(axes[1, 0], result)
+    plot_violation(axes[1, 1], result)
+    plot_reactions(axes[2, 0], result, "force", "N")
+    plot_reactions(axes[2, 1], result, "torque", "N m")
     for ax in axes[-1]:
         ax.set_xlabel("time [s]")
-    figure.suptitle(_title(result), fontsize=11)
-    return _written(figure, path)
+    figure.suptitle(title_of(result), fontsize=11)
+    return written(figure, path)
 
 
 def plot_methods(
     results: Mapping[str, Result], path: str | os.PathLike[str] | None = None, title: str = ""
 ) -> Figure:
     """Several runs of one model: its motion, and each method's violation and energy error over time."""
-    figure = _figure(12.0, 4.3)
+    figure = new_figure(12.0, 4.3)
     grid = figure.add_gridspec(1, 3, width_ratios=(0.85, 1, 1))
     _draw_motion(figure.add_subplot(grid[0], projection="3d"), next(iter(results.values())))
     left, right = figure.add_subplot(grid[1]), figure.add_subplot(grid[2])
@@ -65,21 +65,21 @@ def plot_methods(
             "lw": 1.4,
             "label": label,
         }
-        left.plot(result.t, _positive(result.violation[:, 0]), **line)
-        right.plot(result.t, _positive(result.energy_error), **line)
+        left.plot(result.t, magnitudes(result.violation[:, 0]), **line)
+        right.plot(result.t, magnitudes(result.energy_error), **line)
     for ax, quantity in (
         (left, "largest violation of the constraints [m or 1]"),
         (right, "energy error [J]"),
     ):
-        _style(ax, quantity)
-        _log(ax)
+        style(ax, quantity)
+        log_scale(ax)
         ax.set_xlabel("time [s]")
     handles, labels = left.get_legend_handles_labels()
     figure.legend(
         handles, labels, loc="outside lower center", ncols=min(len(results), 5), frameon=False, fontsize=9
     )
     figure.suptitle(title, fontsize=11)
-    return _written(figure, path)
+    return written(figure, path)
 
 
 def _draw_motion(ax: Any, result: Result, poses: int = 8) -> None:
@@ -107,61 +107,70 @@ def _draw_motion(ax: Any, result: Result, poses: int = 8) -> None:
     ax.set_axis_off()
 
 
-def _plot_energies(ax: Axes, result: Result) -> None:
-    _style(ax, "energy [J]")
+def plot_energies(ax: Axes, result: Result) -> None:
+    style(ax, "energy [J]")
     ax.plot(result.t, result.kinetic_energy, color=COLORS[0], label="kinetic")
     ax.plot(result.t, result.potential_energy, color=COLORS[1], label="potential")
     ax.plot(result.t, result.energy, color=COLORS[6], label="total")
     if np.any(result.work):
         ax.plot(result.t, result.work, color=COLORS[2], ls="--", label="work of other forces")
-    _legend(ax)
+    legend(ax)
 
 
-def _plot_energy_error(ax: Axes, result: Result) -> None:
-    _style(ax, "energy error, absolute [J]")
-    ax.plot(result.t, _positive(result.energy_error), color=COLORS[6])
-    _log(ax)
+def plot_energy_error(ax: Axes, result: Result) -> None:
+    style(ax, "energy error, absolute [J]")
+    ax.plot(result.t, magnitudes(result.energy_error), color=COLORS[6])
+    log_scale(ax)
 
 
-def _plot_violation(ax: Axes, result: Result) -> None:
-    _style(ax, "largest violation of constraints")
+def plot_violation(ax: Axes, result: Result) -> None:
+    style(ax, "largest violation of constraints")
     for level, (label, color) in enumerate(zip(LEVELS, COLORS, strict=False)):
-        ax.plot(result.t, _positive(result.violation[:, level]), color=color, label=label)
-    _log(ax)
-    _legend(ax)
+        ax.plot(result.t, magnitudes(result.violation[:, level]), color=color, label=label)
+    log_scale(ax)
+    legend(ax)
 
 
-def _plot_positions(ax: Axes, result: Result) -> None:
+def plot_positions(ax: Axes, result: Result, bodies: Sequence[int] | None = None) -> None:
     """Color tells the body, line style the coordinate; coordinates that hardly change are left out."""
-    _style(ax, "center of mass [m]")
-    chosen = _largest(_travel(result), BODIES)
+    style(ax, "center of mass [m]")
+    chosen = bodies or largest_places(travel_of(result), BODIES)
     positions = {result.body_names[i]: result.body(i).position for i in chosen}
     most = max((np.ptp(p, axis=0).max() for p in positions.values() if len(p)), default=0.0)
     for color, (name, position) in zip(COLORS, positions.items(), strict=False):
         for axis, (coordinate, line) in enumerate(COORDINATES):
             if len(position) and np.ptp(position[:, axis]) >= 0.02 * most:
                 ax.plot(result.t, position[:, axis], color=color, ls=line, label=f"{name}  {coordinate}")
-    _legend(ax, _share(len(chosen), len(result.body_names), "bodies, those that move most"))
+    which = "" if bodies else share(len(chosen), len(result.body_names), "bodies, those that move most")
+    legend(ax, which)
 
 
-def _plot_reactions(ax: Axes, result: Result, part: str, unit: str) -> None:
-    """Magnitudes of one part, "force" or "torque", of the joints' reactions."""
-    _style(ax, f"reaction {part} [{unit}]")
+def plot_reactions(
+    ax: Axes, result: Result, part: str, unit: str, joints: Sequence[int] | None = None
+) -> None:
+    """Magnitudes of one part, "force" or "torque", of the joints' reactions; dashed where not unique."""
+    style(ax, f"reaction {part} [{unit}]")
     sample = result.sampled_reactions(max(1, len(result) // SAMPLED_FRAMES))
     largest = np.linalg.norm(getattr(sample, part), axis=-1).max(axis=0, initial=0.0)
     rounding = 1e-9 * max(np.abs(sample.force).max(initial=0.0), np.abs(sample.torque).max(initial=0.0))
-    chosen = [j for j in _largest(largest, JOINTS) if largest[j] > rounding]
+    chosen = joints or [j for j in largest_places(largest, JOINTS) if largest[j] > rounding]
     for color, j in zip(COLORS, chosen, strict=False):
         magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
         doubt = "" if result.unique_reactions[j] else " (not unique)"
-        ax.plot(result.t, magnitude, color=color, label=f"{result.joint_names[j]}{doubt}")
+        line = "--" if doubt else "-"
+        ax.plot(result.t, magnitude, color=color, ls=line, label=f"{result.joint_names[j]}{doubt}")
     if not chosen:
         ax.set_yticks([])
         ax.text(0.5, 0.5, "none", transform=ax.transAxes, ha="center", color="0.5")
-    _legend(ax, _share(len(chosen), len(result.joint_names), f"joints, those with the largest {part}"))
+    which = (
+        ""
+        if joints
+        else share(len(chosen), len(result.joint_names), f"joints, those with the largest {part}")
+    )
+    legend(ax, which)
 
 
-def _travel(result: Result) -> Floats:
+def travel_of(result: Result) -> Floats:
     """Longest side of the box that each body's center of mass moves in (n,) [m], from a sample of frames."""
     every = max(1, len(result) // SAMPLED_FRAMES)
     positions = result.sampled_positions(every)
@@ -171,16 +180,16 @@ def _travel(result: Result) -> Floats:
     return travel
 
 
-def _largest(values: Floats, count: int) -> Sequence[int]:
+def largest_places(values: Floats, count: int) -> Sequence[int]:
     """Places of the `count` largest values, in the order of the model."""
     return sorted(int(i) for i in np.argsort(-values, kind="stable")[:count])
 
 
-def _share(shown: int, total: int, which: str) -> str:
+def share(shown: int, total: int, which: str) -> str:
     return f"{shown} of {total} {which}" if 0 < shown < total else ""
 
 
-def _title(result: Result) -> str:
+def title_of(result: Result) -> str:
     manifest = result.manifest
     options = manifest.get("options", {})
     words = (
@@ -191,13 +200,13 @@ def _title(result: Result) -> str:
     return ", ".join(str(word) for word in (*words, step) if word)
 
 
-def _positive(values: Floats) -> Floats:
+def magnitudes(values: Floats) -> Floats:
     """Magnitudes for a logarithmic axis, where zero has no place."""
     magnitude: Floats = np.abs(values)
     return np.where(magnitude > 0, magnitude, np.nan)
 
 
-def _log(ax: Axes) -> None:
+def log_scale(ax: Axes) -> None:
     """A logarithmic axis; one on which nothing is to be seen says so instead."""
     if any(np.isfinite(np.asarray(line.get_ydata(), dtype=float)).any() for line in ax.lines):
         ax.set_yscale("log")
@@ -206,7 +215,7 @@ def _log(ax: Axes) -> None:
         ax.text(0.5, 0.5, "exactly zero", transform=ax.transAxes, ha="center", color="0.5")
 
 
-def _style(ax: Axes, quantity: str) -> None:
+def style(ax: Axes, quantity: str) -> None:
     ax.set_ylabel(quantity, fontsize=9)
     ax.grid(True, color="0.9", lw=0.6)
     ax.set_axisbelow(True)
@@ -216,23 +225,23 @@ def _style(ax: Axes, quantity: str) -> None:
     ax.yaxis.set_major_formatter("{x:.7g}")
 
 
-def _legend(ax: Axes, title: str = "") -> None:
+def legend(ax: Axes, title: str = "") -> None:
     """Above the axes, where it hides nothing."""
     labels = ax.get_legend_handles_labels()[1]
     if labels:
         columns = max(1, min(4, 72 // (max(map(len, labels)) + 6)))
-        legend = ax.legend(
+        box = ax.legend(
             title=title or None, ncols=columns, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2,
             frameon=False, fontsize=8, title_fontsize=8, alignment="left", columnspacing=1.5,
         )  # fmt: skip
-        legend.set_in_layout(True)
+        box.set_in_layout(True)
 
 
 def _cycle(count: int) -> list[str]:
     return [COLORS[i % len(COLORS)] for i in range(count)]
 
 
-def _figure(width: float, height: float) -> Figure:
+def new_figure(width: float, height: float) -> Figure:
     """A figure of its own, drawn by Agg: no window, no pyplot."""
     figure = Figure(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
@@ -249,7 +258,7 @@ def check_format(path: str | os.PathLike[str]) -> None:
         )
 
 
-def _written(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
+def written(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
     if path is not None:
         check_format(path)
         try:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from linkwork.events import Occurrence
+    from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
 
@@ -305,6 +306,12 @@ class Result:
 
     # --- samples, for what must stay quick on large results ---
 
+    def recorded(self, name: str, part: Any = np.s_[:]) -> Floats:
+        """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them."""
+        if name in ("reaction_force", "reaction_torque"):
+            self._need_reactions()
+        return self._field(name, part)
+
     def sampled_positions(self, every: int) -> Floats:
         """Centers of mass (., n, 3) of every so manyth frame [m]."""
         return self._field("q", np.s_[::every, :, :3])
@@ -378,11 +385,88 @@ class Result:
         stored = stored_result.read(path)
         return cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
 
-    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
-        """Energy, violation, positions and reactions in one figure, written to `path` when given."""
-        from linkwork import plotting
+    def plot(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        kind: str = "overview",
+        *,
+        bodies: Sequence[str | int] = (),
+        joints: Sequence[str | int] = (),
+    ) -> Figure:
+        """A figure of the run, written to `path` when given.
 
-        return plotting.plot(self, path)
+        kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
+                "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
+                coordinates), "step" (sizes of steps)
+        bodies  by name or index; without, those that move most
+        joints  likewise; without, those with the largest reactions, or the first with a coordinate
+
+        Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind.
+        ModelError: no such body or joint. FileError: `path` cannot be written.
+        """
+        from linkwork import plot_kinds
+
+        return plot_kinds.plot(self, path, kind, bodies, joints)
+
+    def index(self, what: Literal["body", "joint"], name: str | int) -> int:
+        """Place of a body or a joint in the arrays, by name or index. ModelError: there is none such."""
+        return self._place(what, name)
+
+    def movie(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        seconds: float | None = None,
+        frames_per_second: int = 25,
+        size: tuple[int, int] = (960, 640),
+    ) -> None:
+        """Write the motion as a movie, .mp4 or .gif; no display is needed.
+
+        seconds  that it lasts; without, as long as the motion, but between 2 and 20
+        size     width and height [pixels], even
+
+        .mp4 needs imageio-ffmpeg: pip install 'linkwork[movie]'. FileError: another format, or `path` cannot
+        be written. OptionError: there are no frames, or too much to paint.
+        """
+        from linkwork.view import movie
+
+        movie.movie(self, path, seconds=seconds, frames_per_second=frames_per_second, size=size)
+
+    def view(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        other: Result | None = None,
+        *,
+        labels: Sequence[str] = (),
+        limit: float = 16e6,
+    ) -> Page:
+        """The motion as a page that opens in any browser, without a network; written to `path` when given.
+
+        other   a second run that is laid over this one, drawn as a ghost and by dashed lines
+        labels  names of the two runs
+        limit   of the recorded numbers in the page [bytes]; frames beyond are left out evenly, and it says so
+
+        In a notebook the page shows itself; `result.view().open()` shows it in the browser.
+        OptionError: there are no frames, or not two of them fit `limit`. FileError: `path` cannot be written.
+        """
+        from linkwork.view import view
+
+        page = view([self] if other is None else [self, other], labels, limit)
+        if path is not None:
+            page.save(path)
+        return page
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """A page on the run: model, method, diagnostics, plots, viewer; written to `path` when given.
+
+        FileError: `path` cannot be written. OptionError: there are no frames.
+        """
+        from linkwork.view.report import report
+
+        page = report(self)
+        if path is not None:
+            page.save(path)
+        return page
 
     def summary(self) -> str:
         """A few lines of plain text: what ran, how well, what it took."""

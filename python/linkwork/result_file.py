@@ -4,7 +4,7 @@
                `statistics` (JSON)
     /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
                violation (k, 3), reaction_force and reaction_torque (k, joints, 3), t (k,)
-    /model/    the arrays of `Header`, and the names
+    /model/    the arrays of `Header`, the names, and the shapes of bodies that have their own
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
 
 The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
@@ -36,6 +36,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork.errors import FileError
 from linkwork.events import Occurrence
 from linkwork.header import Floats, Header, record_reactions
+from linkwork.shapes_file import write_shapes
 
 FORMAT, VERSION = "linkwork result", 2
 
@@ -174,6 +175,7 @@ class ResultWriter:
             model[name] = getattr(self._header, name)
         for name in MODEL_NAMES:
             model[name] = _encoded(getattr(self._header, name))
+        write_shapes(model, self._header.shapes)
         frames = self._file.create_group("frames")
         for name, shape in self._header.frame_shapes().items():
             if math.prod(shape):

@@ -113,7 +113,9 @@ def simulate(
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
     }
-    header = Header.of(system.model.compiled(), system.compiled(), facts, plan.expected_frames(run))
+    header = Header.of(
+        system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes
+    )
     recorder = recording.recorder(output, header)
 
     setup_seconds = time.perf_counter() - started

@@ -24,6 +24,7 @@ from linkwork.errors import FileError
 from linkwork.events import Occurrence
 from linkwork.header import Floats, Header
 from linkwork.result_file import FORMAT, MODEL_ARRAYS, MODEL_NAMES, VERSION, reason
+from linkwork.shapes_file import read_shapes
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,7 @@ def _read_header(file: h5py.File) -> Header:
         joints = len(values["joint_rows"]) - 1
         values |= {"reaction_unique": np.zeros(joints, bool), "redundant_rows": np.zeros(0, np.int32)}
     values.update({name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES})
-    return Header(manifest=json.loads(file.attrs["manifest"]), **values)
+    return Header(manifest=json.loads(file.attrs["manifest"]), shapes=read_shapes(model), **values)
 
 
 def _read_events(file: h5py.File) -> list[Occurrence]:

@@ -9,6 +9,8 @@ import click
 
 from linkwork.cli import base
 from linkwork.cli.bench_commands import bench
+from linkwork.cli.report import report
+from linkwork.cli.view import view
 
 if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism
@@ -127,6 +129,10 @@ def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -
 
     if not validate_and_show(problems, as_json):
         context.exit(1)
+
+
+linkwork.add_command(view)
+linkwork.add_command(report)
 
 
 @linkwork.command("list")

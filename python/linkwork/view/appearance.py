@@ -1,0 +1,257 @@
+"""What is drawn of a mechanism: the shapes that were given, defaults for the rest, symbols for joints.
+
+A body without a shape is drawn as rods between the points of its joints; without such points, or for what
+sticks out beyond them, as the uniform solid that has its mass and inertia. The symbol of a joint follows from
+its equations: which translations and rotations they hold.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from linkwork import rotation
+from linkwork.header import Floats, Header
+from linkwork.joint_motion import Holds, gaps, joint_kinds
+from linkwork.shapes import Box, Cylinder, Rod, Shape, Sphere
+
+if TYPE_CHECKING:
+    from linkwork.result import Result
+
+Layer = Literal["body", "joint", "ground"]
+
+#: Muted, and distinguishable with any color vision; bodies take them in turn.
+BODY_COLORS = ("#4c78a8", "#e08a3c", "#5a9e6f", "#b279a2", "#c9a227", "#6fb1c7", "#9c6b4e", "#8a8fa3")
+JOINT_COLOR, GROUND_COLOR = "#3a424d", "#8b929c"
+
+#: Moments of inertia that differ by less are taken for equal.
+EQUAL = 1e-3
+
+#: Frames looked at to see how far something slides; joints for which that is done.
+SAMPLED_FRAMES, SLIDES = 100, 500
+
+
+@dataclass(frozen=True)
+class Solid:
+    """A shape on a body, -1 the ground; `index` of the body or joint that it shows."""
+
+    layer: Layer
+    index: int
+    body: int
+    shape: Shape
+    color: str
+
+
+def solids(result: Result) -> list[Solid]:
+    """Everything solid, in the order of the bodies and joints."""
+    header = result.header
+    holds = joint_kinds(header)
+    points = _points_of_bodies(header, holds)
+    thickness = _thickness(header, points)
+    given = header.shapes.by_body()
+    found = [
+        Solid("body", i, i, shape, shape.color or BODY_COLORS[i % len(BODY_COLORS)])
+        for i in range(header.body_count)
+        for shape in given.get(i) or default_shapes(points[i], header.mass[i], header.inertia[i], thickness)
+    ]
+    found += [Solid("ground", -1, -1, shape, shape.color or GROUND_COLOR) for shape in given.get(-1, ())]
+    slides = _slides(result, [j for j, it in enumerate(holds) if it.sliding])
+    for j, it in enumerate(holds):
+        found += _joint(header, j, it, thickness, slides.get(j))
+    return found
+
+
+# --- bodies ------------------------------------------------------------------------------------------------
+
+
+def default_shapes(points: Sequence[Floats], mass: float, inertia: Floats, thickness: float) -> list[Shape]:
+    """Of a body with joints at `points` (3,), body coordinates; `thickness` is the radius of rods [m]."""
+    corners = _distinct(points, 0.5 * thickness)
+    arms = [corner for corner in corners if np.linalg.norm(corner) > 2 * thickness]
+    if len(corners) == 2:
+        return _link(corners[0], corners[1], thickness)
+    if len(corners) == 3:
+        pairs = [(0, 1), (1, 2), (2, 0)]
+        return [_rod(corners[a], corners[b], thickness) for a, b in pairs]
+    if len(corners) > 3:
+        return [Sphere(1.8 * thickness), *(_rod(np.zeros(3), arm, thickness) for arm in arms)]
+    solid = _uniform_solid(mass, inertia, 3 * thickness)
+    if not corners:
+        return [solid]
+    if not arms:
+        solid = Box([1.6 * solid.radius] * 3) if isinstance(solid, Sphere) else solid
+        return [_at_most(solid, 10 * thickness)]
+    return _hanging(arms[0], solid, thickness)
+
+
+def _link(a: Floats, b: Floats, thickness: float) -> list[Shape]:
+    """Two joints: a rod; where the center of mass is far beside it, a triangle."""
+    direction = (b - a) / np.linalg.norm(b - a)
+    beside = np.linalg.norm(a - (a @ direction) * direction)
+    if beside < 0.15 * np.linalg.norm(b - a):
+        return [_rod(a, b, thickness)]
+    center = np.zeros(3)
+    return [_rod(a, b, thickness), *(_rod(center, end, 0.7 * thickness) for end in (a, b))]
+
+
+def _hanging(joint: Floats, solid: Shape, thickness: float) -> list[Shape]:
+    """One joint: a rod that ends where the inertia says, or an arm to the solid at the center of mass."""
+    arm = float(np.linalg.norm(joint))
+    along, length = _longest(solid)
+    if length > 0.5 * arm and abs(along @ joint) > 0.99 * arm:
+        return [_rod(joint, -joint * length / (2 * arm), thickness)]
+    return [_rod(joint, np.zeros(3), thickness), _at_most(solid, 1.2 * arm)]
+
+
+def _at_most(solid: Shape, length: float) -> Shape:
+    """The same, smaller where it is longer than that: inertias of bodies on joints are often but guesses."""
+    size = {name: np.asarray(value) for name, value in solid.dimensions().items()}
+    longest = max(float(np.max(value)) * (2 if name == "radius" else 1) for name, value in size.items())
+    if longest <= length:
+        return solid
+    smaller = {name: value * length / longest for name, value in size.items()}
+    return Shape.of(solid.description() | {name: value.tolist() for name, value in smaller.items()})
+
+
+def _longest(solid: Shape) -> tuple[Floats, float]:
+    """Direction (3,) and length of a slender solid; length 0 where it is not slender."""
+    if isinstance(solid, Cylinder) and solid.length > 4 * solid.radius:
+        return rotation.matrix(solid.orientation)[:, 2], solid.length
+    if isinstance(solid, Box):
+        order = np.argsort(solid.size)
+        if solid.size[order[2]] > 3 * solid.size[order[1]]:
+            return rotation.matrix(solid.orientation)[:, order[2]], float(solid.size[order[2]])
+    return np.zeros(3), 0.0
+
+
+def _uniform_solid(mass: float, inertia: Floats, least: float) -> Shape:
+    """The uniform ball, cylinder or box of that mass and inertia; no edge below `least` / 2 [m].
+
+    Box with edges a:  J_x = m (a_y^2 + a_z^2) / 12,  so  a_x^2 = 6 (J_y + J_z - J_x) / m
+    Cylinder about z:  J_z = m R^2 / 2,  J_x = m (3 R^2 + L^2) / 12
+    """
+    if mass <= 0 or not np.any(inertia):
+        return Sphere(least)
+    moments, axes = np.linalg.eigh(inertia)
+    if np.linalg.det(axes) < 0:
+        axes = -axes
+    if moments[2] - moments[0] < EQUAL * moments[2]:
+        return Sphere(max(least / 2, float(np.sqrt(2.5 * moments.mean() / mass))))
+    odd = 0 if moments[2] - moments[1] < moments[1] - moments[0] else 2
+    if abs(moments[1] - moments[2 - odd]) < EQUAL * moments[2]:
+        radius = np.sqrt(2 * max(moments[odd], 0.0) / mass)
+        length = np.sqrt(max(12 * moments[1] / mass - 3 * radius**2, 0.0))
+        return Cylinder(max(radius, least / 4), max(length, least / 2), axis=axes[:, odd])
+    squares = 6 * (moments.sum() - 2 * moments) / mass
+    edges = np.maximum(np.sqrt(np.maximum(squares, 0.0)), least / 2)
+    return Box(edges, orientation=rotation.from_matrix(axes))
+
+
+def _rod(a: Floats, b: Floats, thickness: float) -> Shape:
+    return Rod(a, b, min(thickness, 0.15 * float(np.linalg.norm(b - a))))
+
+
+def _distinct(points: Sequence[Floats], least: float) -> list[Floats]:
+    """Points at least so far apart."""
+    if len(points) > 100:  # a hub
+        return list(points)
+    found: list[Floats] = []
+    for point in points:
+        if all(np.linalg.norm(point - other) > least for other in found):
+            found.append(point)
+    return found
+
+
+def _points_of_bodies(header: Header, holds: Sequence[Holds]) -> dict[int, list[Floats]]:
+    """Where placed joints sit on each body."""
+    points: dict[int, list[Floats]] = defaultdict(list)
+    for j, it in enumerate(holds):
+        for body, origin in zip(header.joint_bodies[j], header.joint_origin[j], strict=True):
+            if body >= 0 and it.placed:
+                points[int(body)].append(origin)
+    return points
+
+
+def _thickness(header: Header, points: dict[int, list[Floats]]) -> float:
+    """Radius of rods: 1/36 of a usual distance between the joints of a body or from one to its center."""
+    spans = [2 * np.linalg.norm(several, axis=1).max() for several in points.values()]
+    usual = float(np.median(spans)) if spans else 0.0
+    if usual <= 0:
+        heavy = header.mass > 0
+        radii = np.sqrt(np.trace(header.inertia[heavy], axis1=1, axis2=2) / header.mass[heavy])
+        usual = 4 * float(np.median(radii)) if len(radii) else 0.0
+    return usual / 36 or 0.02
+
+
+# --- joints ------------------------------------------------------------------------------------------------
+
+
+def _joint(header: Header, j: int, it: Holds, r: float, slide: tuple[float, float] | None) -> list[Solid]:
+    """The symbol at the joint's point on its first body, a rail where it slides, a foot on the ground."""
+    if not it.placed:
+        return []
+    first, second = (int(body) for body in header.joint_bodies[j])
+    origin, axes = header.joint_origin[j, 0], header.joint_frame[j, 0]
+    foot = []
+    if -1 in (first, second) and not it.sliding and it.translations != (False, False, False):
+        side = 0 if first < 0 else 1
+        foot = [
+            _at(Box((4.4 * r, 4.4 * r, 1.2 * r)), header.joint_origin[j, side], header.joint_frame[j, side])
+        ]
+    found = [Solid("joint", j, first, shape, JOINT_COLOR) for shape in _symbol(it, origin, axes, r)]
+    found += [Solid("ground", j, -1, shape, GROUND_COLOR) for shape in foot]
+    if it.sliding:  # the sleeve is where the second body is
+        low, high = slide or (0.0, 0.0)
+        z = axes[:, 2]
+        ends = origin + (low - 6 * r) * z, origin + (high + 6 * r) * z
+        rail = Solid("ground", j, first, Rod(*ends, 0.55 * r), GROUND_COLOR)
+        sleeve = _at(_sleeve(it.rotations, r), header.joint_origin[j, 1], header.joint_frame[j, 1])
+        return [rail, Solid("joint", j, second, sleeve, JOINT_COLOR)]
+    return found
+
+
+def _sleeve(rotations: int, r: float) -> Shape:
+    """One that may turn is round."""
+    return Box((3.2 * r, 3.2 * r, 6 * r)) if rotations >= 3 else Cylinder(1.8 * r, 6 * r)
+
+
+def _symbol(it: Holds, origin: Floats, axes: Floats, r: float) -> list[Shape]:
+    """Pin, ball, cross, block, plate, or a small ball for what has no usual symbol."""
+    match it.translations, it.rotations:
+        case (True, True, True), 0:
+            return [_at(Sphere(1.9 * r), origin, axes)]
+        case (True, True, True), 1:
+            cross = [Cylinder(0.8 * r, 5 * r, axis=axis) for axis in ((0, 0, 1), (1, 0, 0))]
+            return [_at(pin, origin, axes) for pin in cross]
+        case (True, True, True), 2:
+            return [_at(Cylinder(1.5 * r, 4.2 * r), origin, axes)]
+        case (True, True, True), _:
+            return [_at(Box((3 * r, 3 * r, 3 * r)), origin, axes)]
+        case (False, False, True), _:
+            return [_at(Box((14 * r, 14 * r, 0.3 * r)), origin, axes)]
+        case _:
+            return [_at(Sphere(1.2 * r), origin, axes)]
+
+
+def _at(shape: Shape, origin: Floats, axes: Floats) -> Shape:
+    """The same shape, given in the axes of a joint, in those of the body."""
+    p = rotation.from_matrix(axes @ rotation.matrix(shape.orientation))
+    return Shape.of({**shape.description(), "position": origin + axes @ shape.position, "orientation": p})
+
+
+def _slides(result: Result, joints: Sequence[int]) -> dict[int, tuple[float, float]]:
+    """How far the second point moves along the z axis of each joint, from a sample of frames [m]."""
+    every = max(1, len(result) // SAMPLED_FRAMES)
+    chosen = np.asarray(joints[:SLIDES], int)
+    if not len(chosen) or not len(result):
+        return {}
+    gap, axes = gaps(result, chosen, every)
+    along = np.einsum("kjc,kjc->kj", gap, axes[..., 2])
+    return {
+        int(j): (float(low), float(high))
+        for j, low, high in zip(chosen, along.min(0), along.max(0), strict=True)
+    }

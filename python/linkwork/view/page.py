@@ -1,0 +1,109 @@
+"""The page: one HTML file with the viewer, its style and the runs in it. It asks nothing of a network."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import tempfile
+import webbrowser
+from collections.abc import Sequence
+from importlib import resources
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from linkwork.errors import FileError
+from linkwork.view.run import LIMIT, document
+
+if TYPE_CHECKING:
+    from linkwork.result import Result
+
+_PAGE = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+<main id="viewer"></main>
+<script id="runs" type="application/json">{runs}</script>
+{blocks}
+<script>{script}</script>
+</body>
+</html>
+"""
+
+
+class Page:
+    """An HTML file that needs nothing else. In a notebook it shows itself."""
+
+    def __init__(self, html: str) -> None:
+        self.html = html
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """FileError: it cannot be written."""
+        try:
+            Path(path).write_text(self.html, encoding="utf-8")
+        except OSError as error:
+            reason = os.strerror(error.errno).lower() if error.errno else str(error)
+            raise FileError(
+                f"page '{path}': cannot be written: {reason}; choose another place", code="not_writable"
+            ) from error
+
+    def open(self) -> Path:
+        """In the web browser, from a temporary file that stays."""
+        descriptor, name = tempfile.mkstemp(prefix="linkwork-", suffix=".html")
+        os.close(descriptor)
+        self.save(name)
+        webbrowser.open(Path(name).as_uri())
+        return Path(name)
+
+    def frame(self, height: int = 640) -> str:
+        """An HTML element that holds the page, to be put into another."""
+        return (
+            f'<iframe title="linkwork viewer" style="width:100%;height:{height}px;border:0" '
+            f'srcdoc="{html.escape(self.html)}"></iframe>'
+        )
+
+    def _repr_html_(self) -> str:
+        return self.frame()
+
+    def __repr__(self) -> str:
+        return (
+            f"<View of {len(self.html.encode()) / 1e6:.2f} MB: save(path), open(), or show it in a notebook>"
+        )
+
+
+def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = LIMIT) -> Page:
+    """A page of one run, or of two laid over each other.
+
+    labels  of the runs, where there are two
+    limit   of the frames of all runs in the page, before they are deflated [bytes]; frames beyond are left
+            out evenly, and the page says so
+
+    OptionError: the limit is too small for two frames.
+    """
+    names = [*labels, *("" for _ in results)][: len(results)]
+    documents = [
+        document(result, label, limit / len(results)) for result, label in zip(results, names, strict=True)
+    ]
+    model = documents[0][0]["model"]
+    return Page(
+        _PAGE.format(
+            title=html.escape(f"{model} - linkwork"),
+            style=_bundled("viewer.css"),
+            script=_bundled("viewer.js").replace("</script", "<\\/script"),
+            runs=json.dumps([run for run, _ in documents], separators=(",", ":")).replace("<", "\\u003c"),
+            blocks="\n".join(
+                f'<script id="block{number}" type="text/plain">{block}</script>'
+                for number, (_, block) in enumerate(documents)
+            ),
+        )
+    )
+
+
+def _bundled(name: str) -> str:
+    return resources.files("linkwork.view").joinpath("bundle", name).read_text(encoding="utf-8")

@@ -1,0 +1,256 @@
+"""One run as the viewer takes it: what is drawn, the motion, and the quantities that can be plotted."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import rotation
+from linkwork.errors import OptionError
+from linkwork.header import Floats
+from linkwork.joint_motion import gaps, joint_kinds
+from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.view.appearance import Solid, solids
+from linkwork.view.encoding import Pack
+
+if TYPE_CHECKING:
+    from linkwork.result import Result
+
+#: Of the frames before they are deflated [bytes].
+LIMIT = 16e6
+
+#: More frames than a screen can show apart are left out.
+MOST_FRAMES = 2000
+
+#: Share of the limit that poses may take; the rest is for what can be plotted.
+POSES = 0.6
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What of a run goes into the page."""
+
+    every: int  #: frames are every so manyth, and the last
+    bodies: NDArray[np.intp]  #: of which velocities can be plotted
+    joints: NDArray[np.intp]  #: of which reactions can be plotted and drawn
+
+    @classmethod
+    def of(cls, result: Result, limit: float) -> Choice:
+        """Within `limit` [bytes], two bytes a number. OptionError: not even two frames fit."""
+        count, n, joints = len(result), result.header.body_count, result.header.joint_count
+        if 2 * 14 * n > limit:
+            raise OptionError(
+                f"limit {limit:.3g} bytes is too small for two frames of {n} bodies: give {56 * n} or more",
+                code="limit",
+            )
+        most = min(MOST_FRAMES, max(2, int(POSES * limit / max(14 * n, 1))))
+        every = max(1, -(-(count - 1) // (most - 1)))
+        frames = -(-count // every) + 1
+        left = limit - 14 * n * frames
+        share = min(1.0, left / max(1, frames * (12 * n + 14 * joints)))
+        return cls(every, _most(_travel(result), int(share * n)), _most(_load(result), int(share * joints)))
+
+
+def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str, Any], str]:
+    """What the viewer reads as JSON, and the block of arrays that belongs to it.
+
+    OptionError: a result without frames, a limit that is too small.
+    """
+    if not len(result):
+        raise OptionError("the result has no frames: there is nothing to view", code="empty")
+    header = result.header
+    choice, pack = Choice.of(result, limit), Pack()
+    drawn = solids(result)
+    precision = _add_frames(pack, result, choice)
+    _add_links(pack, result)
+    manifest = result.manifest
+    low, high = _extent(result, drawn)
+    return {
+        "label": label,
+        "model": manifest.get("model") or "model",
+        "method": _method(manifest.get("options", {})),
+        "finished": result.finished,
+        "frames": {"recorded": len(result), "shown": pack.directory["t"]["shape"][0], "every": choice.every},
+        "precision": precision,
+        "gravity": np.asarray(header.gravity, float).tolist(),
+        "extent": [low.tolist(), high.tolist()],
+        "bodies": {"names": list(header.body_names), "plotted": choice.bodies.tolist()},
+        "joints": {
+            "names": list(header.joint_names),
+            "kinds": list(header.joint_kinds),
+            "unique": np.asarray(header.reaction_unique, int).tolist(),
+            "plotted": choice.joints.tolist(),
+            "held": [int(any(it.translations)) for it in joint_kinds(header)],
+        },
+        "solids": _add_solids(pack, drawn),
+        "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
+        + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
+        "arrays": pack.directory,
+    }, pack.text()
+
+
+# --- frames ------------------------------------------------------------------------------------------------
+
+
+def _thinned(result: Result, name: str, every: int) -> Floats:
+    """Every so manyth frame of a field, and the last."""
+    values = result.recorded(name, np.s_[::every])
+    if (len(result) - 1) % every == 0:
+        return values
+    return np.concatenate([values, result.recorded(name, np.s_[-1:])])
+
+
+def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
+    """Times, poses, series; what is not an energy or violation quantized. The error of positions [m]."""
+    every = choice.every
+    t = _thinned(result, "t", every)
+    pack.add("t", t, "f8")
+    error = pack.add_quantized("q", continuous(_thinned(result, "q", every)))
+    pack.add_quantized("v", _thinned(result, "v", every)[:, choice.bodies])
+    for part in ("force", "torque"):
+        pack.add_quantized(part, _thinned(result, f"reaction_{part}", every)[:, choice.joints])
+    kinetic, potential, work = (_thinned(result, name, every) for name in ("kinetic", "potential", "work"))
+    energy = kinetic + potential
+    scalars = (kinetic, potential, energy, work, energy - energy[:1] - work)
+    pack.add("energy", np.stack(scalars), "f4")
+    pack.add("violation", _thinned(result, "violation", every).T, "f4")
+    gap = joint_gaps(result, choice)
+    pack.add_quantized("gap", np.log10(np.maximum(gap, 1e-17)))
+    return float(error[:, :3].max(initial=0.0))
+
+
+def continuous(q: Floats) -> Floats:
+    """Euler parameters without jumps of sign: p and -p are the same pose."""
+    r, p = q[..., :3], q[..., 3:]
+    jumps = np.where(np.sum(p[1:] * p[:-1], axis=-1) < 0, -1.0, 1.0)
+    sign = np.concatenate([np.ones_like(p[:1, :, 0]), np.cumprod(jumps, axis=0)])
+    return np.concatenate([r, p * sign[..., None]], axis=-1)
+
+
+def joint_gaps(result: Result, choice: Choice) -> Floats:
+    """By how much the points of each joint are apart where its equations hold them together (k, j) [m]."""
+    joints = choice.joints
+    gap, axes = gaps(result, joints, choice.every)
+    if (len(result) - 1) % choice.every:
+        rest = gaps(result, joints, len(result) - 1)
+        gap, axes = np.concatenate([gap, rest[0][-1:]]), np.concatenate([axes, rest[1][-1:]])
+    holds = joint_kinds(result.header)
+    held = np.array([holds[j].translations for j in joints], float).reshape(-1, 3)
+    apart: Floats = np.linalg.norm(np.einsum("kjab,kja->kjb", axes, gap) * held, axis=-1)
+    return apart
+
+
+def _travel(result: Result) -> Floats:
+    """Longest side of the box that each center of mass moves in (n,) [m], from a sample of frames."""
+    travel: Floats = np.ptp(result.sampled_positions(max(1, len(result) // 50)), axis=0)
+    return np.asarray(travel.max(axis=-1, initial=0.0))
+
+
+def _load(result: Result) -> Floats:
+    """The largest force of each joint (J,) [N], from a sample of frames."""
+    force = result.sampled_reactions(max(1, len(result) // 50)).force
+    return np.asarray(np.linalg.norm(force, axis=-1).max(axis=0, initial=0.0))
+
+
+def _most(values: Floats, count: int) -> NDArray[np.intp]:
+    """Places of the `count` largest, in order."""
+    return np.sort(np.argsort(-values, kind="stable")[:count])
+
+
+def _extent(result: Result, drawn: list[Solid]) -> tuple[Floats, Floats]:
+    """A box (low, high) around all that is seen, from a sample of frames [m]."""
+    n = result.header.body_count
+    low, high = np.full((n + 1, 3), np.inf), np.full((n + 1, 3), -np.inf)  # by body, the ground last
+    for it in drawn:
+        for corner in _corners(it.shape):
+            low[it.body], high[it.body] = np.minimum(low[it.body], corner), np.maximum(high[it.body], corner)
+    missing = ~np.isfinite(low)
+    low, high = np.where(missing, 0.0, low), np.where(missing, 0.0, high)
+    every = max(1, len(result) // 40)
+    r, A = result.sampled_positions(every), rotation.matrix(result.recorded("q", np.s_[::every, :, 3:]))
+    ground = low[-1:], high[-1:]
+    anything = bool(drawn) and any(it.body < 0 for it in drawn)
+    found = list(ground) if anything else []
+    for corner in range(8):
+        s = np.where([(corner >> axis) & 1 for axis in range(3)], high[:n], low[:n])
+        found.append((r + np.einsum("kiab,ib->kia", A, s)).reshape(-1, 3))
+    points = np.concatenate(found)
+    if not len(points):
+        return -np.ones(3), np.ones(3)
+    return points.min(axis=0), points.max(axis=0)
+
+
+def _corners(shape: Shape) -> Floats:
+    """Two corners of a box around a shape, in body axes (2, 3)."""
+    if isinstance(shape, Rod):
+        return np.stack([shape.start, shape.end])
+    axes = rotation.matrix(shape.orientation)
+    if isinstance(shape, Mesh):
+        points = shape.position + shape.vertices @ axes.T
+        return np.stack([points.min(axis=0), points.max(axis=0)])
+    half = np.abs(axes) @ (np.array(_place(shape)[7:]) / 2)
+    return np.stack([shape.position - half, shape.position + half])
+
+
+# --- what is drawn -----------------------------------------------------------------------------------------
+
+
+def _add_solids(pack: Pack, drawn: list[Solid]) -> list[dict[str, Any]]:
+    """Groups of one geometry and layer; each instance is a body, an index, a color, a place and a size."""
+    groups: dict[tuple[str, str, int], list[Solid]] = defaultdict(list)
+    for solid in drawn:
+        mesh = id(solid.shape.vertices) if isinstance(solid.shape, Mesh) else 0
+        groups[solid.layer, _geometry(solid.shape), mesh].append(solid)
+    found = []
+    for number, ((layer, geometry, _), several) in enumerate(groups.items()):
+        key = f"solids{number}"
+        pack.add(f"{key}.body", np.array([it.body for it in several]), "i4")
+        pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
+        pack.add(f"{key}.place", np.array([_place(it.shape) for it in several]), "f4")
+        pack.add(f"{key}.color", np.array([list(bytes.fromhex(it.color[1:])) for it in several]), "u1")
+        if isinstance(mesh_shape := several[0].shape, Mesh):
+            pack.add(f"{key}.vertices", mesh_shape.vertices, "f4")
+            pack.add(f"{key}.triangles", mesh_shape.triangles, "i4")
+        found.append({"key": key, "layer": layer, "geometry": geometry})
+    return found
+
+
+def _geometry(shape: Shape) -> str:
+    return "cylinder" if isinstance(shape, Rod) else shape.kind
+
+
+def _place(shape: Shape) -> list[float]:
+    """Position, Euler parameters, and the size of what has edges or diameters of one (10,)."""
+    match shape:
+        case Box():
+            size = shape.size.tolist()
+        case Sphere():
+            size = [2 * shape.radius] * 3
+        case Cylinder():
+            size = [2 * shape.radius, 2 * shape.radius, shape.length]
+        case Rod():
+            size = [2 * shape.radius, 2 * shape.radius, float(np.linalg.norm(shape.end - shape.start))]
+        case _:
+            size = [1.0, 1.0, 1.0]
+    return [*shape.position, *shape.orientation, *size]
+
+
+def _add_links(pack: Pack, result: Result) -> None:
+    """Where the points of joints are, and which joints are drawn as a bar between them."""
+    header = result.header
+    pack.add("joints.bodies", header.joint_bodies, "i4")
+    pack.add("joints.origin", header.joint_origin, "f4")
+    pack.add("links", np.flatnonzero([it.distance for it in joint_kinds(header)]), "i4")
+
+
+def _method(options: dict[str, Any]) -> str:
+    words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
+    if options.get("step"):
+        words.append(f"step {options['step']:g} s")
+    if options.get("rtol"):
+        words.append(f"rtol {options['rtol']:g}")
+    return ", ".join(words).replace("_", " ")

@@ -1,0 +1,195 @@
+// One run: its arrays out of the page, its pose at any time, the series that can be plotted.
+
+const TYPES = { f8: Float64Array, f4: Float32Array, i4: Int32Array, u2: Uint16Array, u1: Uint8Array };
+
+/** The bytes of a block of the page: base64, deflated. */
+export async function unpacked(text) {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).arrayBuffer();
+}
+
+export class Run {
+  constructor(description, buffer) {
+    Object.assign(this, description);
+    this.buffer = buffer;
+    this.t = this.array("t");
+    this.count = this.t.length;
+    this.bodyCount = this.bodies.names.length;
+    this.jointCount = this.joints.names.length;
+    this.q = this.series("q"); // frame by frame, 7 a body: position, Euler parameters (scalar first)
+    this.v = this.series("v"); // 6 a plotted body
+    this.force = this.series("force"); // 3 a plotted joint, inertial axes
+    this.torque = this.series("torque");
+    this.gap = this.series("gap"); // log10 of meters, one a plotted joint
+    this.energy = this.array("energy");
+    this.violation = this.array("violation");
+    this.jointBodies = this.array("joints.bodies");
+    this.jointOrigin = this.array("joints.origin");
+    this.links = this.array("links");
+    this.pose = new Float32Array(7 * this.bodyCount + 7); // the ground comes last
+    this.pose[7 * this.bodyCount + 3] = 1;
+    this.frame = 0;
+    this.placeOfBody = new Map(this.bodies.plotted.map((body, place) => [body, place]));
+    this.placeOfJoint = new Map(this.joints.plotted.map((joint, place) => [joint, place]));
+    this.seek(this.t[0]);
+  }
+
+  get start() {
+    return this.t[0];
+  }
+
+  get end() {
+    return this.t[this.count - 1];
+  }
+
+  array(name) {
+    const { type, shape, offset } = this.arrays[name];
+    return new TYPES[type](this.buffer, offset, shape.reduce((a, b) => a * b, 1));
+  }
+
+  /** A quantized array, stored channel by channel in differences, as numbers frame by frame. */
+  series(name) {
+    const [channels, frames] = this.arrays[name].shape;
+    const differences = this.array(name);
+    const low = this.array(`${name}.low`);
+    const step = this.array(`${name}.step`);
+    const values = new Float32Array(channels * frames);
+    for (let c = 0; c < channels; c++) {
+      let whole = 0;
+      for (let k = 0; k < frames; k++) {
+        whole = (whole + differences[c * frames + k]) & 0xffff;
+        values[k * channels + c] = low[c] + step[c] * whole;
+      }
+    }
+    return values;
+  }
+
+  /** The last frame at or before the time. */
+  frameAt(time) {
+    let low = 0;
+    let high = this.count - 1;
+    while (high > low) {
+      const middle = (low + high + 1) >> 1;
+      if (this.t[middle] <= time) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  /** The frame nearest to the time. */
+  nearest(time) {
+    const k = this.frameAt(time);
+    return k + 1 < this.count && this.t[k + 1] - time < time - this.t[k] ? k + 1 : k;
+  }
+
+  /** Put `pose` to the time, between frames by interpolation; before the start and after the end it stands. */
+  seek(time) {
+    const k = this.frameAt(time);
+    const next = Math.min(k + 1, this.count - 1);
+    const span = this.t[next] - this.t[k];
+    const f = span > 0 ? Math.min(Math.max((time - this.t[k]) / span, 0), 1) : 0;
+    const width = 7 * this.bodyCount;
+    const { pose, q } = this;
+    for (let i = 0; i < width; i++) {
+      const a = q[k * width + i];
+      pose[i] = a + f * (q[next * width + i] - a);
+    }
+    for (let i = 3; i < width; i += 7) {
+      const norm = Math.hypot(pose[i], pose[i + 1], pose[i + 2], pose[i + 3]) || 1;
+      for (let c = 0; c < 4; c++) pose[i + c] /= norm;
+    }
+    this.frame = this.nearest(time);
+  }
+
+  /** The joint's point on its first (0) or second (1) body, inertial, at the present pose. */
+  jointPoint(joint, side, out) {
+    const body = this.jointBodies[2 * joint + side];
+    const at = 7 * (body < 0 ? this.bodyCount : body);
+    const s = 6 * joint + 3 * side;
+    turned(this.pose, at + 3, this.jointOrigin[s], this.jointOrigin[s + 1], this.jointOrigin[s + 2], out);
+    out[0] += this.pose[at];
+    out[1] += this.pose[at + 1];
+    out[2] += this.pose[at + 2];
+    return out;
+  }
+
+  /** What can be plotted of this run. */
+  quantities() {
+    const energies = ["kinetic", "potential", "total", "work of other forces"];
+    const levels = ["position", "velocity", "acceleration"];
+    const found = [
+      { id: "energy", label: "Energy", unit: "J", series: energies.map((name, i) => [name, this.row(this.energy, i)]) },
+      { id: "energy error", label: "Energy error", unit: "J", log: true, series: [["|error|", this.row(this.energy, 4)]] },
+      { id: "violation", label: "Violation of constraints", unit: "m or 1; 1/s; 1/s²", log: true,
+        series: levels.map((name, i) => [name, this.row(this.violation, i)]) },
+    ];
+    const xyz = ["x", "y", "z"];
+    if (this.bodyCount) {
+      found.push(
+        { id: "position", label: "Position", unit: "m", of: "body", every: true, parts: xyz, source: [this.q, 7, 0] },
+        { id: "velocity", label: "Velocity", unit: "m/s", of: "body", parts: xyz, source: [this.v, 6, 0], norm: true },
+        { id: "omega", label: "Angular velocity, body axes", unit: "rad/s", of: "body", parts: xyz, source: [this.v, 6, 3] },
+        { id: "orientation", label: "Euler parameters", unit: "1", of: "body", every: true, parts: ["e0", "e1", "e2", "e3"], source: [this.q, 7, 3] },
+      );
+    }
+    if (this.jointCount) {
+      found.push(
+        { id: "force", label: "Reaction force", unit: "N", of: "joint", parts: xyz, source: [this.force, 3, 0], norm: true },
+        { id: "torque", label: "Reaction torque", unit: "N m", of: "joint", parts: xyz, source: [this.torque, 3, 0], norm: true },
+        { id: "gap", label: "Gap of a joint", unit: "m", of: "joint", log: true, parts: ["gap"], source: [this.gap, 1, 0], power: true },
+      );
+    }
+    return found;
+  }
+
+  /** [name, values] of the lines of a quantity; of `object` where it belongs to bodies or joints. */
+  lines(quantity, object) {
+    const own = this.quantities().find((it) => it.id === quantity.id);
+    if (!own) return [];
+    if (!own.of) return own.series;
+    const names = own.of === "body" ? this.bodies.names : this.joints.names;
+    const index = names.indexOf(object);
+    const place = own.every ? index : (own.of === "body" ? this.placeOfBody : this.placeOfJoint).get(index);
+    if (index < 0 || place === undefined) return [];
+    if (own.id === "gap" && !this.joints.held[index]) return []; // its points are not held together
+    const [source, width, first] = own.source;
+    const channels = source.length / this.count;
+    const lines = own.parts.map((part, c) => {
+      const values = new Float64Array(this.count);
+      for (let k = 0; k < this.count; k++) values[k] = source[k * channels + width * place + first + c];
+      return [part, own.power ? values.map((x) => 10 ** x) : values];
+    });
+    if (own.norm) lines.push(["magnitude", lines[0][1].map((_, k) => Math.hypot(...lines.map((l) => l[1][k])))]);
+    return lines;
+  }
+
+  row(matrix, i) {
+    return matrix.subarray(i * this.count, (i + 1) * this.count);
+  }
+
+  /** Bodies that move the most, most first. */
+  movers(most) {
+    const step = this.array("q.step");
+    const travel = (i) => Math.max(step[7 * i], step[7 * i + 1], step[7 * i + 2]);
+    const all = [...this.bodies.names.keys()].filter((i) => travel(i) > 0);
+    return all.sort((a, b) => travel(b) - travel(a)).slice(0, most);
+  }
+}
+
+/** out = A(p) u, p four numbers of `array` from `at` on, scalar first. */
+export function turned(array, at, x, y, z, out) {
+  const e0 = array[at];
+  const e1 = array[at + 1];
+  const e2 = array[at + 2];
+  const e3 = array[at + 3];
+  const a = e2 * z - e3 * y + e0 * x;
+  const b = e3 * x - e1 * z + e0 * y;
+  const c = e1 * y - e2 * x + e0 * z;
+  out[0] = x + 2 * (e2 * c - e3 * b);
+  out[1] = y + 2 * (e3 * a - e1 * c);
+  out[2] = z + 2 * (e1 * b - e2 * a);
+  return out;
+}

@@ -1,0 +1,280 @@
+"""What leaves a result for people: pages, reports, movies and pictures; their data, sizes and errors."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.cli import run
+from linkwork.errors import FileError, ModelError, OptionError
+from linkwork.view.encoding import STEPS, Pack
+from linkwork.view.run import Choice, document
+from PIL import Image
+
+
+@pytest.fixture(scope="module")
+def four_bar() -> lw.Result:
+    return lw.simulate(lw.mechanisms.four_bar(), t_end=1.0, step=1e-3, record_every=1)
+
+
+@pytest.fixture(scope="module")
+def adaptive() -> lw.Result:
+    return lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=0.5, rtol=1e-6, record_every=1)
+
+
+# --- encoding ---
+
+
+def decoded(pack: Pack, name: str) -> np.ndarray:
+    """As the page does it."""
+    block = zlib.decompress(base64.b64decode(pack.text()))
+
+    def array(key: str) -> np.ndarray:
+        where = pack.directory[key]
+        kind = {"u2": np.uint16, "f8": np.float64}[where["type"]]
+        return np.frombuffer(block, kind, int(np.prod(where["shape"])), where["offset"]).reshape(
+            where["shape"]
+        )
+
+    whole = np.cumsum(array(name), axis=1, dtype=np.uint16)
+    return (array(f"{name}.low")[:, None] + array(f"{name}.step")[:, None] * whole).T
+
+
+def test_quantized_series_are_within_half_a_step() -> None:
+    rng = np.random.default_rng(0)
+    values = rng.standard_normal((200, 5)).cumsum(axis=0) * [1e-9, 1, 1e9, 0, 1] + [0, 5, 0, 7, -3]
+    pack = Pack()
+    error = pack.add_quantized("x", values)
+    found = decoded(pack, "x")
+    np.testing.assert_allclose(error, np.ptp(values, axis=0) / STEPS / 2)
+    assert (np.abs(found - values) <= 1.001 * error + 1e-15 * np.abs(values)).all()
+    np.testing.assert_array_equal(found[:, 3], 7)
+
+
+def test_poses_are_sent_without_jumps_of_sign() -> None:
+    """A body that turns twice: its Euler parameters pass through all signs, and stay continuous."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("top", mass=1, inertia=(1, 1, 1), omega=(0, 0, 4 * np.pi))
+    result = lw.simulate(model, t_end=1.0, step=1e-2)
+    flipped = result.q.copy()
+    flipped[::2, :, 3:] *= -1
+    from linkwork.view.run import continuous
+
+    smooth = continuous(flipped)[..., 3:]
+    assert np.abs(np.diff(smooth, axis=0)).max() < 0.1
+    np.testing.assert_allclose(np.abs(smooth), np.abs(result.orientation))
+
+
+# --- limits ---
+
+
+def test_frames_are_thinned_to_the_limit_and_keep_first_and_last(four_bar: lw.Result) -> None:
+    limit = 20_000
+    found, block = document(four_bar, "", limit)
+    raw = zlib.decompress(base64.b64decode(block))
+    shown = found["frames"]["shown"]
+    assert found["frames"]["recorded"] == len(four_bar) > 2 * shown > 4
+    where = found["arrays"]["t"]
+    t = np.frombuffer(raw, np.float64, shown, where["offset"])
+    assert (t[0], t[-1]) == (four_bar.t[0], four_bar.t[-1])
+    assert np.isin(t, four_bar.t).all()
+    quantized = [it for name, it in found["arrays"].items() if f"{name}.step" in found["arrays"]]
+    assert sum(2 * int(np.prod(it["shape"])) for it in quantized) <= limit
+
+
+def test_what_moves_most_is_kept_where_not_all_fits() -> None:
+    result = lw.simulate(lw.mechanisms.chain(bodies=50), t_end=0.5, step=1e-2)
+    choice = Choice.of(result, 60_000)
+    travel = np.ptp(result.position, axis=0).max(axis=1)
+    assert 0 < len(choice.bodies) < 50
+    assert travel[choice.bodies].min() >= np.delete(travel, choice.bodies).max() * 0.99
+
+
+def test_a_limit_for_less_than_two_frames_is_refused(four_bar: lw.Result) -> None:
+    with pytest.raises(OptionError, match="give 168 or more"):
+        four_bar.view(limit=50)
+
+
+def test_viewing_leaves_the_result_as_it_was(four_bar: lw.Result) -> None:
+    before = four_bar.q.copy()
+    four_bar.view()
+    np.testing.assert_array_equal(four_bar.q, before)
+
+
+# --- pages ---
+
+
+def test_page_of_three_bodies_and_ten_seconds_is_small() -> None:
+    result = lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=10.0, step=1e-3, record_every=1)
+    assert len(result.view().html) < 1.5e6
+
+
+def test_page_of_a_file_is_that_of_the_run(four_bar: lw.Result, tmp_path: Path) -> None:
+    four_bar.save(tmp_path / "run.h5")
+    stored = lw.Result.load(tmp_path / "run.h5")
+    assert document(stored, "")[1] == document(four_bar, "")[1]
+
+
+def test_notebook_shows_the_page_in_a_frame(four_bar: lw.Result) -> None:
+    shown = four_bar.view()._repr_html_()
+    assert shown.startswith("<iframe")
+    assert shown.count("<") == 1 + shown.count("</iframe>")  # all of the page is escaped
+
+
+def test_commands_write_pages(
+    four_bar: lw.Result, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    four_bar.save(tmp_path / "run.h5")
+    file, page = str(tmp_path / "run.h5"), str(tmp_path / "page.html")
+    commands = (
+        ["view", file, "--html", page],
+        ["view", file, "--with", file, "--html", page],
+        ["report", file, "-o", page],
+        ["report", "pendulum", "--t-end", "0.1", "-o", page],
+    )
+    for words in commands:
+        Path(page).unlink(missing_ok=True)
+        assert (run(words, debug=True), capsys.readouterr().err) == (0, ""), words
+        assert Path(page).read_text().startswith("<!doctype html>")
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["view", "no.h5", "--html", "p.html"], "no such file"),
+        (["report", "four_bat", "-o", "p.html"], "the nearest is 'four_bar'"),
+        (["report", "four_bar", "-o", "no/p.html"], "no directory"),
+    ],
+)
+def test_commands_name_what_is_wrong(
+    words: list[str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    assert run(words, debug=False) != 0
+    assert message in capsys.readouterr().err
+    assert not (tmp_path / "p.html").exists()
+
+
+# --- reports ---
+
+
+def cells(page: str, label: str) -> list[str]:
+    """The cells of a row of a table after the first."""
+    row = re.search(rf"<tr><td>{re.escape(label)}</td>(.*?)</tr>", page)
+    assert row is not None, label
+    return re.findall(r"<td>(.*?)</td>", row[1])
+
+
+def test_report_says_what_the_model_is(four_bar: lw.Result) -> None:
+    """Of a planar four-bar in space: 20 equations, of which 3 follow from the others, and one freedom."""
+    page = four_bar.report().html
+    assert cells(page, "mobility") == ["1"]
+    assert cells(page, "constraints") == ["20 equations of rank 17"]
+    assert cells(page, "beam 0")[0] == "1"
+    assert cells(page, "left 0")[1:3] == ["post 0 - beam 0", "5"]
+    assert "not unique" in cells(page, "left 0")[-1]
+    assert page.count("<img ") == 6
+    assert json.loads(
+        re.search(r"<pre>(.*?)</pre>", page, re.DOTALL)[1].replace("&quot;", '"')
+    ) == json.loads(json.dumps(four_bar.manifest))
+
+
+# --- pictures ---
+
+
+def lines(figure: object) -> dict[str, np.ndarray]:
+    """The lines of all axes by their labels."""
+    return {
+        str(line.get_label()): np.column_stack(line.get_data())
+        for ax in figure.axes  # type: ignore[attr-defined]
+        for line in ax.lines
+    }
+
+
+def test_step_history_has_every_step_taken(adaptive: lw.Result) -> None:
+    figure = adaptive.plot(kind="step")
+    (line,) = figure.axes[0].lines
+    np.testing.assert_allclose(line.get_ydata(), np.diff(adaptive.t))
+    assert figure.axes[0].get_ylabel() == "step [s]"
+    assert "time between frames" in lw.simulate(
+        lw.mechanisms.pendulum(), t_end=1, step=1e-4
+    ).plot(kind="step").axes[0].get_ylabel()  # fmt: skip
+
+
+def test_phase_portrait_is_rate_over_coordinate(adaptive: lw.Result) -> None:
+    from linkwork.joint_motion import coordinate
+
+    found = lines(adaptive.plot(kind="phase", joints=["guide"]))
+    expected = np.column_stack(coordinate(adaptive, adaptive.index("joint", "guide"), "displacement"))
+    np.testing.assert_array_equal(found["guide"], expected)
+
+
+def test_reactions_that_are_not_unique_are_dashed_and_marked(
+    four_bar: lw.Result, adaptive: lw.Result
+) -> None:
+    ax = four_bar.plot(kind="reactions", joints=["pin 0"]).axes[0]
+    assert [(line.get_label(), line.get_linestyle()) for line in ax.lines] == [("pin 0 (not unique)", "--")]
+    np.testing.assert_allclose(
+        ax.lines[0].get_ydata(), np.linalg.norm(four_bar.reaction("pin 0").force, axis=1)
+    )
+    unique = adaptive.plot(kind="reactions").axes[0].lines
+    assert {line.get_linestyle() for line in unique} == {"-"}
+
+
+@pytest.mark.parametrize(
+    ("plot", "error", "message"),
+    [
+        (lambda r: r.plot(kind="phases"), OptionError, "nearest is 'phase'"),
+        (lambda r: r.plot(kind="reactions", joints=["pon 0"]), ModelError, "nearest is 'pin 0'"),
+        (lambda r: r.plot("x.nonsense", "energy"), FileError, "nonsense"),
+        (lambda r: r.movie("x.avi"), FileError, "neither .mp4 nor .gif"),
+        (lambda r: r.movie("no/x.gif"), FileError, "no such file or directory"),
+        (lambda r: r.movie("x.gif", size=(31, 100)), OptionError, "even sizes"),
+        (lambda r: r.movie("x.gif", seconds=-1), OptionError, "positive times"),
+    ],
+)
+def test_impossible_pictures_are_refused(
+    four_bar: lw.Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    plot: Callable[[lw.Result], object], error: type[Exception], message: str,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(error, match=message):
+        plot(four_bar)
+
+
+# --- movies ---
+
+
+def test_movie_shows_the_body_where_it_is(tmp_path: Path) -> None:
+    """A red ball on a straight way: seen at equal distances from picture to picture."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("ball", mass=1, inertia=(1, 1, 1), velocity=(1, 0, 0), shape=lw.Sphere(0.1, color="#ff0000"))
+    result = lw.simulate(model, t_end=2.0, step=1e-2)
+    result.movie(tmp_path / "m.gif", seconds=1.0, frames_per_second=5, size=(320, 200))
+    places = []
+    with Image.open(tmp_path / "m.gif") as film:
+        assert film.n_frames == 5
+        assert film.size == (320, 200)
+        for k in range(5):
+            film.seek(k)
+            seen = np.asarray(film.convert("RGB")).astype(int)
+            rows, columns = np.nonzero(seen[..., 0] - seen[..., 1] > 60)
+            places.append((columns.mean(), rows.mean()))
+    steps = np.diff(places, axis=0)
+    assert np.hypot(*steps.T).min() > 30
+    np.testing.assert_allclose(steps, np.tile(steps.mean(axis=0), (4, 1)), atol=1.5)
+
+
+def test_movie_is_an_mp4_of_that_length(adaptive: lw.Result, tmp_path: Path) -> None:
+    ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="no imageio-ffmpeg: pip install 'linkwork[movie]'")
+    adaptive.movie(tmp_path / "m.mp4", seconds=1.0, frames_per_second=10, size=(320, 200))
+    frames, seconds = ffmpeg.count_frames_and_secs(str(tmp_path / "m.mp4"))
+    assert (frames, seconds) == (10, pytest.approx(1.0))

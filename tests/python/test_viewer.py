@@ -1,0 +1,273 @@
+"""The viewer in a browser: what it shows is what was recorded. Skipped where there is no Chromium."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import chromium
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.view import view
+from linkwork.view.page import Page
+from PIL import Image
+
+pytestmark = pytest.mark.skipif(chromium.EXECUTABLE is None, reason="no Chromium: apt-get install chromium")
+
+WIDTH, HEIGHT = 1280, 800
+
+
+@pytest.fixture(scope="module")
+def tab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[chromium.Page]:
+    with chromium.browser(tmp_path_factory.mktemp("profile")) as page:
+        yield page
+
+
+@pytest.fixture(scope="module")
+def three_balls() -> lw.Result:
+    """Bodies thrown apart, each a small ball of its own color; spinning, so that orientations count too."""
+    model = lw.Model(gravity=(0, 0, -9.81), name="three balls")
+    for name, color, start, velocity in (
+        ("red", "#ff0000", (-1, 0, 0), (0, 0.3, 5)),
+        ("green", "#00ff00", (0, 1, 0.5), (0.4, 0, 5)),
+        ("blue", "#0000ff", (1, 0, 1), (0.2, -0.5, 5)),
+    ):
+        body = model.body(
+            name, mass=1.0, inertia=(0.1, 0.1, 0.1), position=start, velocity=velocity, omega=(1, 2, 0)
+        )
+        body.shape(lw.Sphere(0.05, position=(0.3, 0, 0), color=color))
+    return lw.simulate(model, t_end=1.0, step=1e-2)
+
+
+@pytest.fixture(scope="module")
+def slider_crank() -> lw.Result:
+    return lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=1.0, step=1e-3)
+
+
+def opened(tab: chromium.Page, page: Page, folder: Path) -> None:
+    tab.requests.clear()
+    tab.complaints.clear()
+    page.save(folder / "page.html")
+    tab.open(folder / "page.html", WIDTH, HEIGHT)
+
+
+def picture(tab: chromium.Page) -> np.ndarray:
+    """Red, green, blue (height, width, 3) of the page as it is seen, in -255 .. 255."""
+    return np.asarray(Image.open(io.BytesIO(tab.screenshot())).convert("RGB")).astype(int)
+
+
+def center_of(seen: np.ndarray, color: int) -> np.ndarray:
+    """Where a pure color is seen, in pixels (x, y)."""
+    others = np.delete(seen, color, axis=2).max(axis=2)
+    rows, columns = np.nonzero(seen[..., color] - others > 60)
+    assert len(rows) > 20
+    return np.array([columns.mean(), rows.mean()])
+
+
+def canvas(tab: chromium.Page) -> np.ndarray:
+    """Left, top, right and bottom of the canvas in pixels of the page."""
+    box = tab.evaluate(
+        "(() => { const b = document.querySelector('.canvas').getBoundingClientRect();"
+        " return [b.left, b.top, b.right, b.bottom] })()"
+    )
+    return np.round(box).astype(int)
+
+
+def test_page_opens_without_requests_or_complaints(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    tab.screenshot()
+    assert tab.requests == [(tmp_path / "page.html").as_uri()]
+    assert tab.complaints == []
+
+
+def test_bodies_are_seen_where_the_result_says(
+    tab: chromium.Page, three_balls: lw.Result, tmp_path: Path
+) -> None:
+    """Pixels of three colors, at three times, against positions projected by the page's camera."""
+    opened(tab, three_balls.view(), tmp_path)
+    tab.evaluate("Object.assign(linkwork.world.shown, { paths: false, grid: false }).paths")
+    for frame in (0, 37, 100):
+        tab.evaluate(f"linkwork.player.seek({float(three_balls.t[frame])!r})")
+        left, top, right, bottom = canvas(tab)
+        seen = picture(tab)[top:bottom, left:right]
+        for color, name in enumerate(("red", "green", "blue")):
+            body = three_balls.body(name)
+            ball = body.position[frame] + lw.result.rotate(body.orientation[frame], np.array([0.3, 0, 0]))
+            expected = tab.evaluate(f"linkwork.world.projected({', '.join(map(repr, map(float, ball)))})")
+            apart = center_of(seen, color) - expected
+            assert np.abs(apart).max() < 3, (frame, name, apart)
+
+
+def test_camera_projects_as_a_pinhole(tab: chromium.Page, three_balls: lw.Result, tmp_path: Path) -> None:
+    """The projection that the other test relies on, against one computed from the camera's place."""
+    opened(tab, three_balls.view(), tmp_path)
+    numbers = tab.evaluate(
+        "(() => { const w = linkwork.world, c = w.camera, e = w.renderer.domElement;"
+        " return [c.position.toArray(), w.controls.target.toArray(), c.up.toArray(),"
+        " [c.fov, e.clientWidth, e.clientHeight]] })()"
+    )
+    eye, target, up = (np.array(vector) for vector in numbers[:3])
+    fov, width, height = numbers[3]
+    ahead = (target - eye) / np.linalg.norm(target - eye)
+    right = np.cross(ahead, up) / np.linalg.norm(np.cross(ahead, up))
+    np.testing.assert_allclose(up, [0, 0, 1])  # against gravity
+    for point in np.random.default_rng(1).uniform(-0.5, 0.5, (5, 3)):
+        depth = (point - eye) @ ahead
+        scale = height / 2 / np.tan(np.radians(fov) / 2) / depth
+        across = np.array([(point - eye) @ right, -(point - eye) @ np.cross(right, ahead)])
+        expected = np.array([width, height]) / 2 + scale * across
+        found = tab.evaluate(f"linkwork.world.projected({', '.join(map(repr, map(float, point)))})")
+        np.testing.assert_allclose(found, expected, atol=0.01)
+
+
+def test_poses_between_frames_are_on_the_way(
+    tab: chromium.Page, three_balls: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, three_balls.view(), tmp_path)
+    middle = float(three_balls.t[10:12].mean())
+    tab.evaluate(f"linkwork.player.seek({middle!r})")
+    pose = np.array(tab.evaluate("Array.from(linkwork.runs[0].pose)"))[:21].reshape(3, 7)
+    np.testing.assert_allclose(pose[:, :3], three_balls.position[10:12].mean(axis=0), atol=1e-4)
+    np.testing.assert_allclose(np.linalg.norm(pose[:, 3:], axis=1), 1, atol=1e-6)
+
+
+def test_slider_moves_the_bodies(tab: chromium.Page, three_balls: lw.Result, tmp_path: Path) -> None:
+    opened(tab, three_balls.view(), tmp_path)
+    x0, y0, x1 = tab.evaluate(
+        "(() => { const b = document.querySelector('.slider').getBoundingClientRect();"
+        " return [b.left, b.top + b.height / 2, b.right] })()"
+    )
+    tab.click((x0 + x1) / 2, y0)
+    time, z = tab.evaluate("[linkwork.player.time, linkwork.runs[0].pose[2]]")
+    assert time == pytest.approx(0.5, abs=0.01)
+    assert z == pytest.approx(5 * time - 9.81 / 2 * time**2, abs=1e-2)
+
+
+def test_click_in_a_plot_seeks(tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    left, right, y = tab.evaluate(
+        "(() => { const b = linkwork.panels[0].plot.over.getBoundingClientRect();"
+        " return [b.left, b.right, b.top + 30] })()"
+    )
+    tab.click(left + 0.25 * (right - left), y)
+    assert tab.evaluate("linkwork.player.time") == pytest.approx(0.25, abs=0.005)
+    mark = tab.evaluate("linkwork.panels.map((it) => it.mark.getBoundingClientRect().left)")
+    assert mark == pytest.approx([left + 0.25 * (right - left)] * len(mark), abs=2)
+
+
+def test_keys_step_play_and_jump(tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    tab.press("ArrowRight", 39)
+    assert tab.evaluate("linkwork.player.time") == pytest.approx(slider_crank.t[1])
+    tab.press("End", 35)
+    assert tab.evaluate("linkwork.player.time") == pytest.approx(slider_crank.t[-1])
+    tab.press("ArrowLeft", 37)
+    assert tab.evaluate("linkwork.player.time") == pytest.approx(slider_crank.t[-2])
+    tab.press("Home", 36)
+    tab.press(" ", 32, " ")
+    tab.wait_for("linkwork.player.time > 0.05")
+    tab.press(" ", 32, " ")
+    assert tab.evaluate("linkwork.player.playing") is False
+
+
+@pytest.mark.parametrize("quantity", ["velocity", "force", "energy", "violation", "position"])
+def test_plotted_numbers_are_those_of_the_result(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path, quantity: str
+) -> None:
+    name = {"force": slider_crank.joint_names[1], "velocity": "coupler", "position": "coupler"}.get(quantity)
+    expected = {
+        "velocity": lambda: slider_crank.body("coupler").velocity,
+        "position": lambda: slider_crank.body("coupler").position,
+        "force": lambda: slider_crank.reaction(1).force,
+        "energy": lambda: np.stack([slider_crank.kinetic_energy, slider_crank.potential_energy], axis=1),
+        "violation": lambda: slider_crank.violation,
+    }[quantity]()
+    opened(tab, slider_crank.view(), tmp_path)
+    asked = f"{{id: {json.dumps(quantity)}}}, {json.dumps(name)}"
+    lines = tab.evaluate(f"linkwork.runs[0].lines({asked}).map((it) => Array.from(it[1]))")
+    assert len(lines) >= expected.shape[1]
+    for line, channel in zip(lines, expected.T, strict=False):
+        tolerance = np.ptp(channel) / 2**17 + 2e-7 * np.abs(channel).max()
+        np.testing.assert_allclose(line, channel, rtol=1e-6, atol=tolerance)
+
+
+def test_second_run_is_seen_beside_the_first(tab: chromium.Page, tmp_path: Path) -> None:
+    """Where the runs differ the second appears in its own color, and goes when it is switched off."""
+    model = lw.mechanisms.four_bar()
+    core = model.compiled()
+    fast, slow = (
+        lw.simulate(model.with_initial_state(core.q0, factor * core.v0), t_end=1.0, step=1e-3)
+        for factor in (1.0, 0.3)
+    )
+    opened(tab, view([fast, slow], ["fast", "slow"]), tmp_path)
+    tab.evaluate(
+        "(() => { Object.assign(linkwork.world.shown, { paths: false, grid: false });"
+        " linkwork.player.seek(0.6) })()"
+    )
+
+    def ghostly() -> int:
+        """Reddish pixels of the canvas: the second run's color on the light ground."""
+        seen = picture(tab)[60:750, :860]
+        return int(np.sum((seen[..., 0] - seen[..., 1] > 60) & (seen[..., 0] - seen[..., 2] > 25)
+                          & (np.abs(seen[..., 1] - seen[..., 2]) < 60)))  # fmt: skip
+
+    with_second = ghostly()
+    tab.evaluate("document.querySelector('input[data-show=second]').click()")
+    assert with_second - ghostly() > 500
+    dashed = "linkwork.panels[0].plot.series.filter((it) => it.dash).length"
+    assert tab.evaluate(dashed) == 0
+    tab.evaluate("document.querySelector('input[data-show=second]').click()")
+    assert tab.evaluate(dashed) >= 3
+
+
+def test_reactions_that_are_not_unique_are_marked(tab: chromium.Page, tmp_path: Path) -> None:
+    result = lw.simulate(lw.mechanisms.four_bar(), t_end=0.1, step=1e-3)
+    assert not result.unique_reactions.any()
+    opened(tab, result.view(), tmp_path)
+    tab.evaluate("linkwork.panels[0].choose('force', 'pin 0')")
+    assert "not unique" in tab.evaluate("linkwork.panels[0].element.querySelector('.legend').textContent")
+
+
+def test_narrow_window_puts_plots_below_and_nothing_overflows(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    tab.resize(390, 800)
+    tab.drawn()
+    scene, plots, page = tab.evaluate(
+        "[document.querySelector('.scene').getBoundingClientRect().bottom,"
+        " document.querySelector('.side').getBoundingClientRect().top, document.documentElement.scrollWidth]"
+    )
+    assert plots >= scene
+    assert page == 390
+
+
+def test_names_are_text_and_never_markup(tab: chromium.Page, tmp_path: Path) -> None:
+    name = '</script><img src=x onerror="window.broken = 1">'
+    model = lw.Model(name=name)
+    model.body(name, mass=1.0, inertia=(1, 1, 1))
+    opened(tab, lw.simulate(model, t_end=0.1, step=0.01).view(), tmp_path)
+    assert tab.evaluate("document.querySelector('h1').textContent") == name
+    assert tab.evaluate("window.broken") is None
+    assert tab.evaluate("linkwork.runs[0].bodies.names") == [name]
+
+
+def test_plots_share_the_height_and_follow_the_window(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    heights = "linkwork.panels.map((it) => it.element.getBoundingClientRect().height)"
+    for height in (800, 1000, 700, 480):
+        tab.resize(WIDTH, height)
+        tab.drawn()
+        found = tab.evaluate(heights)
+        assert len(found) == 3
+        assert np.ptp(found) < 1.5
+        assert min(found) >= 178
+        if height >= 700:
+            assert sum(found) < height
