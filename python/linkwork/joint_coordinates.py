@@ -89,11 +89,16 @@ COORDINATES: Mapping[str, Callable[[Floats, Side, Side], JointCoordinate]] = {
 }
 
 
-def coordinate_of(kind: str, name: str, which: str | None) -> str:
-    """The coordinate that is meant. ModelError: a joint of this kind has none of this name, or several."""
+def known_coordinates(kind: str) -> Sequence[str]:
+    """Of a kind of joint; none of an unknown kind, from a file of a later version."""
     from linkwork.elements import KINDS
 
-    known = KINDS["joint"][kind].coordinates if kind in KINDS["joint"] else []
+    return KINDS["joint"][kind].coordinates if kind in KINDS["joint"] else ()
+
+
+def coordinate_of(kind: str, name: str, which: str | None) -> str:
+    """The coordinate that is meant. ModelError: a joint of this kind has none of this name, or several."""
+    known = known_coordinates(kind)
     if which is None and len(known) == 1:
         which = known[0]
     if which is None or which not in known:

@@ -1,9 +1,9 @@
-"""How joints move: what their kinds hold, their coordinates, and by how much their points are apart."""
+"""What kinds of joints hold, and by how much the points of joints are apart."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
 #: Placements of joints that hold directions only: they sit nowhere.
 UNPLACED = ("direction", "two_directions", "orientation")
-
-Coordinate = Literal["angle", "displacement"]
 
 
 @dataclass(frozen=True)
@@ -43,21 +41,14 @@ class Holds:
         x, y, z = (f"translation {a}" in names or f"translation along joint {a}" in names for a in "xyz")
         if "displacement" in info.parameters:  # it prescribes the translation along z
             z = False
-        turns = [f"rotation about joint {a}" in names for a in "xyz"]
         return cls(
             (x, y, z),
             "distance" in names,
             sum(name.startswith("rotation") for name in names),
             info.placement not in UNPLACED,
-            turns == [True, True, False],
+            [f"rotation about joint {a}" in names for a in "xyz"] == [True, True, False],
             (x, y, z) == (True, True, False),
         )
-
-    @property
-    def coordinates(self) -> tuple[Coordinate, ...]:
-        """Those about and along z that the joint leaves free."""
-        free: tuple[tuple[Coordinate, bool], ...] = (("angle", self.turning), ("displacement", self.sliding))
-        return tuple(name for name, is_free in free if is_free)
 
 
 def joint_kinds(header: Header) -> list[Holds]:
@@ -76,34 +67,6 @@ def gaps(result: Result, joints: NDArray[np.integer], every: int = 1) -> tuple[F
         q[:, bodies[:, side], :3] + np.einsum("kjab,jb->kja", turns[side], origin[:, side]) for side in (0, 1)
     ]
     return points[1] - points[0], turns[0] @ header.joint_frame[joints, 0]
-
-
-def coordinate(result: Result, joint: int, which: Coordinate) -> tuple[Floats, Floats]:
-    """A joint's coordinate over time (k,) and its rate (k,): [rad] and [rad/s], or [m] and [m/s].
-
-    angle         of the second body against the first about the joint's z, zero at the start, over full turns
-    displacement  of the second point from the first along the joint's z
-
-    With d the vector between the points, w the angular velocities, all inertial:
-    angle_dot = z . (w_j - w_i),   displacement_dot = z . (d_dot - w_i x d)
-    """
-    header = result.header
-    i, j = (int(body) for body in header.joint_bodies[joint])
-    s_i, s_j = header.joint_origin[joint]
-    q, v = _with_ground(result.q), result.v
-    v = np.concatenate([v, np.zeros_like(v[:, :1])], axis=1)
-    A_i, A_j = rotation.matrix(q[:, i, 3:]), rotation.matrix(q[:, j, 3:])
-    w_i, w_j = (np.einsum("kab,kb->ka", A, v[:, body, 3:]) for A, body in ((A_i, i), (A_j, j)))
-    axes = A_i @ header.joint_frame[joint, 0]
-    z = axes[..., 2]
-    if which == "angle":
-        relative = np.swapaxes(axes, 1, 2) @ A_j @ header.joint_frame[joint, 1]
-        angle = np.unwrap(np.arctan2(relative[:, 1, 0], relative[:, 0, 0]))
-        return angle - angle[:1], np.sum(z * (w_j - w_i), axis=1)
-    arm_i, arm_j = A_i @ s_i, A_j @ s_j
-    d = q[:, j, :3] + arm_j - q[:, i, :3] - arm_i
-    d_dot = v[:, j, :3] + np.cross(w_j, arm_j) - v[:, i, :3] - np.cross(w_i, arm_i)
-    return np.sum(z * d, axis=1), np.sum(z * (d_dot - np.cross(w_i, d)), axis=1)
 
 
 def _with_ground(q: Floats) -> Floats:

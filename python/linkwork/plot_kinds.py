@@ -12,7 +12,7 @@ import numpy as np
 from linkwork import plotting
 from linkwork.errors import OptionError, nearest
 from linkwork.header import Floats
-from linkwork.joint_motion import Coordinate, coordinate, joint_kinds
+from linkwork.joint_coordinates import known_coordinates
 from linkwork.plotting import BODIES, COLORS, JOINTS
 
 if TYPE_CHECKING:
@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     from linkwork.result import Result
 
 #: Unit of a coordinate, and of its rate.
-UNITS: dict[Coordinate, tuple[str, str]] = {"angle": ("rad", "rad/s"), "displacement": ("m", "m/s")}
+UNITS = {"angle": ("rad", "rad/s"), "displacement": ("m", "m/s")}
+UNITS |= {"angle_a": UNITS["angle"], "angle_b": UNITS["angle"]}
 
 
 @dataclass(frozen=True)
@@ -157,15 +158,15 @@ class _Motion:
     """A coordinate of a joint over time."""
 
     name: str
-    which: Coordinate
+    which: str
     value: Floats
     rate: Floats
 
 
 def _motions(result: Result, chosen: Chosen) -> list[_Motion]:
     """Of the joints chosen, or of the first that have coordinates."""
-    holds = joint_kinds(result.header)
-    free = [j for j, it in enumerate(holds) if it.coordinates]
+    kinds = result.header.joint_kinds
+    free = [j for j, kind in enumerate(kinds) if known_coordinates(kind)]
     joints = chosen.joints or free[:JOINTS]
     if chosen.joints and not set(joints) & set(free):
         names = ", ".join(f"'{result.joint_names[j]}'" for j in joints)
@@ -174,14 +175,14 @@ def _motions(result: Result, chosen: Chosen) -> list[_Motion]:
             code="no_coordinate",
         )
     return [
-        _Motion(result.joint_names[j], which, *coordinate(result, j, which))
+        _Motion(result.joint_names[j], which, *result.coordinate(j, which))
         for j in joints
-        for which in holds[j].coordinates
+        for which in known_coordinates(kinds[j])
     ]
 
 
 def _share(result: Result, motions: Sequence[_Motion], chosen: Chosen) -> str:
-    free = sum(bool(it.coordinates) for it in joint_kinds(result.header))
+    free = sum(bool(known_coordinates(kind)) for kind in result.header.joint_kinds)
     shown = len({motion.name for motion in motions})
     return "" if chosen.joints else plotting.share(shown, free, "joints with a coordinate, the first")
 

@@ -35,6 +35,15 @@ def test_a_cylindrical_joint_has_two_coordinates() -> None:
         result.coordinate("joint")
 
 
+@pytest.mark.parametrize("joint", ("bearing", "guide"))
+def test_rates_are_the_derivatives_of_coordinates(joint: str) -> None:
+    """On moving bodies: central differences of the coordinate."""
+    result = lw.simulate(lw.mechanisms.spatial_slider_crank(), 0.5, 1e-4, record_every=1, progress=False)
+    value, rate = result.coordinate(joint)
+    measured = (value[2:] - value[:-2]) / (result.t[2:] - result.t[:-2])
+    assert np.abs(measured - rate[1:-1]).max() < 1e-4 * np.abs(rate).max()
+
+
 def test_angles_of_a_cardan_joint_compose_its_rotation() -> None:
     model = lw.Model()
     body = model.body(

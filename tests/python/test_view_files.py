@@ -210,10 +210,8 @@ def test_step_history_has_every_step_taken(adaptive: lw.Result) -> None:
 
 
 def test_phase_portrait_is_rate_over_coordinate(adaptive: lw.Result) -> None:
-    from linkwork.joint_motion import coordinate
-
     found = lines(adaptive.plot(kind="phase", joints=["guide"]))
-    expected = np.column_stack(coordinate(adaptive, adaptive.index("joint", "guide"), "displacement"))
+    expected = np.column_stack(adaptive.coordinate("guide"))
     np.testing.assert_array_equal(found["guide"], expected)
 
 
