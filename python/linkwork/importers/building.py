@@ -15,6 +15,7 @@ from linkwork.errors import Fault, LinkworkError, ModelFileError
 from linkwork.handles import Body
 from linkwork.importers.description import WORLD, Description, Imported, JointDescription, LinkDescription
 from linkwork.importers.frames import Frame
+from linkwork.importers.alignment import align_axes
 from linkwork.importers.tree import LinkState, link_states
 from linkwork.model import Model
 
@@ -41,6 +42,11 @@ class Options(TypedDict, total=False):
     #: take moving links without mass or inertia as massless bodies, which need the penalty or augmented Lagrangian
     #: formulation; False: they are refused
     keep_massless: bool
+    #: give links whose principal moments no real body can have the nearest that one can; False: they are refused
+    repair_inertia: bool
+    #: angle [rad]: axes of joints that are parallel to within it, at coordinates zero, are made exactly parallel.
+    #: Files round angles (1.57), and a planar loop whose axes are not parallel is locked. None: as in the file
+    align_axes: float | None
     #: make one body of links that are fixed to each other; False: only where one of them is massless
     merge_fixed: bool
 
@@ -68,13 +74,15 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     """
     floating = options.get("floating")
     fixed_base = description.base_is_fixed if floating is None else not floating
+    if options.get("align_axes"):
+        align_axes(description, float(options["align_axes"] or 0.0))
     states = link_states(description, options.get("coordinates") or {}, options.get("velocities") or {})
     groups = _grouped(description, states, fixed_base, options.get("merge_fixed", False))
     faults: list[Fault] = []
     _check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
     model = Model(description.gravity if gravity is None else gravity, description.name)
-    builder = _Builder(description, model, states, groups)
+    builder = _Builder(description, model, states, groups, options.get("repair_inertia", False))
     with _Collecting(faults, lines or {}) as collect:
         for group in builder.moving:
             collect(group.main, "link", lambda group=group: builder.add_body(group))  # type: ignore[misc]
@@ -103,6 +111,8 @@ class _Collecting:
             add()
         except LinkworkError as error:
             reason = error.message.partition(f"'{name}': ")[2] or error.message
+            if error.code in ("inertia_triangle", "inertia_negative"):
+                reason += "; repair_inertia takes the nearest that is possible"
             line = self._lines.get(f"{what} {name}", 1)
             self._faults.append(Fault(line, f"{what} '{name}'", reason))
 
@@ -201,6 +211,22 @@ def _check_light(
         faults.append(Fault(lines.get(f"link {name}", 1), f"link '{name}'", reason))
 
 
+# The principal moments J_k of a body follow from its second moments of mass s_k = sum m x_k^2 >= 0 along the principal
+# axes: J_1 = s_2 + s_3, ..., so s_k = (J_1 + J_2 + J_3) / 2 - J_k. Where one is negative, it is made zero.
+def _real_inertia(J: Floats) -> tuple[Floats, str | None]:
+    """An inertia that a body can have, and the moments (text) of the one given where it had to be another."""
+    moments, axes = np.linalg.eigh(J)
+    spread = moments.sum() / 2 - moments
+    if (spread >= -1e-9 * np.abs(moments).max()).all():
+        return J, None
+    spread = np.maximum(spread, 0.0)
+    return axes @ np.diag(spread.sum() - spread) @ axes.T, _moments(J)
+
+
+def _moments(J: Floats) -> str:
+    return "(" + ", ".join(f"{moment:.6g}" for moment in np.linalg.eigvalsh(J)) + ")"
+
+
 # --- bodies and joints ---------------------------------------------------------------------------------------------
 
 
@@ -227,8 +253,10 @@ class _Builder:
         model: Model,
         states: Mapping[str, LinkState],
         groups: Mapping[str, _Group],
+        repair_inertia: bool,
     ) -> None:
         self._description, self._model = description, model
+        self._repair_inertia = repair_inertia
         self._states, self._groups = states, groups
         self._bodies: dict[str, Body] = {WORLD: model.ground}
         self.moving = [groups[name] for name in description.links if groups[name].main == name]
@@ -238,6 +266,11 @@ class _Builder:
         state = self._states[group.main]
         position = state.frame.point(group.center)
         J = (group.inertia + group.inertia.T) / 2
+        if self._repair_inertia:
+            J, moments = _real_inertia(J)
+            if moments is not None:
+                text = f"principal moments {moments} kg m2 are those of no real body: made {_moments(J)}"
+                self._description.note("inertia", f"link '{group.main}'", text)
         self._bodies[group.main] = self._model.body(
             group.main,
             mass=group.mass,
