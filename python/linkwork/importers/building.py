@@ -134,12 +134,12 @@ def _grouped(
             for name in merged.links:
                 group_of[name] = merged
 
-    carried = {joint.child for joint in description.joints}
+    carried = {joint.child for joint in description.joints if not joint.closes_loop}
     for name in description.links:
         if fixed_base and name not in carried and name != WORLD:
             merge(WORLD, name)
             description.note("base", f"link '{name}'", "the base is the ground")
-    fixed = [joint for joint in description.joints if joint.kind == "fixed"]
+    fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
     changed = True
     while changed:
         changed = False

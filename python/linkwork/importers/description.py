@@ -93,6 +93,7 @@ class JointDescription:
     spring_reference: float = 0.0  #: coordinate of the spring at rest
     armature: float = 0.0  #: inertia of a rotor, seen at the joint [kg m2] or [kg]
     pitch: float = 0.0  #: of a screw [m per turn]
+    closes_loop: bool = False  #: it has no say in where its child is
     mimic: tuple[str, float, float] | None = None  #: joint, multiplier, offset
 
 

@@ -39,9 +39,10 @@ def link_states(description: Description, coordinates: Values, velocities: Value
     ModelError: a joint that does not exist or closes a loop, or another number of coordinates.
     """
     children: dict[str, list[JointDescription]] = {}
-    for joint in description.joints:
+    tree = [joint for joint in description.joints if not joint.closes_loop]
+    for joint in tree:
         children.setdefault(joint.parent, []).append(joint)
-    carried = {joint.child for joint in description.joints}
+    carried = {joint.child for joint in tree}
     q = _with_mimics(description, _checked(description, coordinates, "coordinates"), offsets=True)
     rates = _with_mimics(description, _checked(description, velocities, "velocities"), offsets=False)
 
