@@ -18,6 +18,7 @@ from linkwork.model import Model
 from linkwork.model_file import schema
 from linkwork.model_file.batches import Placed, add_batch, batch_key
 from linkwork.model_file.messages import faults_of_schema
+from linkwork.model_file.collection import collection_paused
 from linkwork.model_file.syntax import Syntax, Where, field, parse
 
 #: The most faults that are told.
@@ -34,6 +35,11 @@ class ModelFile:
 
 def read(path: str | os.PathLike[str]) -> ModelFile:
     """ModelFileError: what is wrong in the file. FileError: it cannot be read."""
+    with collection_paused():
+        return _read(path)
+
+
+def _read(path: str | os.PathLike[str]) -> ModelFile:
     syntax = parse(path)
     checker = _Checker(path, syntax)
     if not isinstance(syntax.data, dict):

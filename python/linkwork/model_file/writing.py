@@ -22,6 +22,7 @@ from linkwork.errors import FileError, ModelError, OptionError, nearest
 from linkwork.functions import Table, TimeFunction
 from linkwork.model import Model
 from linkwork.model_file import schema
+from linkwork.model_file.collection import collection_paused
 from linkwork.model_file.syntax import check_suffix
 
 Floats = NDArray[np.float64]
@@ -38,9 +39,12 @@ def write(model: Model, path: str | os.PathLike[str], simulation: Mapping[str, A
     for name in simulation:
         if name not in (known := schema.setting_names()):
             raise OptionError(f"simulation: no option '{name}'{nearest(name, known)}", code="option")
-    document = record_of(model, simulation)
-    lines = json_lines(document) if suffix == ".json" else yaml_lines(document)
-    _write_whole(Path(path), lines)
+    for name, _ in model._user_forces:
+        raise ModelError(f"'{name}' is a function of the user's own, which a file cannot hold", code="not_data")
+    with collection_paused():
+        document = record_of(model, simulation)
+        lines = json_lines(document) if suffix == ".json" else yaml_lines(document)
+        _write_whole(Path(path), lines)
 
 
 def record_of(model: Model, simulation: Mapping[str, Any]) -> dict[str, Any]:
