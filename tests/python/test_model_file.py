@@ -288,7 +288,7 @@ def test_every_fault_is_a_line_of_its_own(tmp_path: Path, capsys: pytest.Capture
     said = capsys.readouterr().err.splitlines()
     assert said == [
         f"error: {path}:9: bodies[0].mass: -1 is not 0 or more",
-        f"error: {path}:16: joints[1]: kind 'sferical' does not exist; the nearest is 'spherical'",
+        f"error: {path}:16: joints[1].kind: 'sferical' is no kind of joint; the nearest is 'spherical'",
     ]
 
 

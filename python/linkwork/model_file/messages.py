@@ -18,7 +18,11 @@ def faults_of_schema(error: ValidationError, data: Any) -> Iterator[tuple[Where,
     """(place, message) of every fault."""
     for details in error.errors(include_url=False, include_context=True):
         where = _where(details, data)
-        yield where, _message(details, where, data)
+        message = _message(details, where, data)
+        is_element = len(where) == 2 and str(where[0]).removesuffix("s") in KINDS
+        if is_element and details["type"].startswith("union_tag") and isinstance(details["input"], dict):
+            where = (*where, "kind")
+        yield where, message
 
 
 def _where(details: ErrorDetails, data: Any) -> tuple[str | int, ...]:
@@ -84,10 +88,10 @@ def _unknown_form(where: Where, given: Any) -> str:
     if not isinstance(given, dict):
         return f"{_shown(given)} is not a mapping"
     if "kind" not in given:
-        return f"kind is missing: which {role} is it?"
+        return "is missing"
     kind = given["kind"]
     known_kinds = KINDS[role]  # type: ignore[index]
-    return f"kind {_shown(kind)} does not exist{nearest(str(kind), known_kinds)}"
+    return f"{_shown(kind)} is no kind of {role}{nearest(str(kind), known_kinds)}"
 
 
 def _known(where: Where, data: Any) -> Sequence[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import groupby, islice
 from typing import Any
 
@@ -13,7 +14,7 @@ from pydantic import ValidationError
 
 from linkwork.elements import KINDS, Role
 from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, nearest
-from linkwork.functions import TimeFunction
+from linkwork.functions import TimeFunction, constant
 from linkwork.model import Model
 from linkwork.model_file import schema
 from linkwork.model_file.batches import Placed, add_batch, batch_key
@@ -157,40 +158,47 @@ def _build(document: schema.Document, checker: _Checker) -> Model:
     try:
         return _built(document, _straight)
     except LinkworkError as error:
-        def one_by_one(where: Where, add: Callable[[], None]) -> None:
+
+        def one_by_one(where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None) -> None:
             try:
                 if not checker.full:
                     add()
             except LinkworkError as refusal:
                 checker.add(*_place(document, where, refusal))
+                if instead is not None:
+                    instead()
 
         _built(document, one_by_one, batches=False)
         checker.finish()
         raise FileError(str(error), code=error.code) from error  # only where a batch is refused for its size
 
 
-def _straight(where: Where, add: Callable[[], None]) -> None:
+def _straight(where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None) -> None:
     add()
 
 
-def _built(
-    document: schema.Document, attempt: Callable[[Where, Callable[[], None]], None], batches: bool = True
-) -> Model:
+#: attempt(where, add, instead): `add` is called; where it is refused and only faults are wanted, `instead` stands in,
+#: so that what refers to it can be checked, too.
+Attempt = Callable[..., None]
+
+
+def _built(document: schema.Document, attempt: Attempt, batches: bool = True) -> Model:
     model = Model(document.gravity, document.name)
     functions: dict[str, TimeFunction] = {}
 
-    def define(name: str) -> None:
-        functions[name] = function_of(document.functions[name])
+    def define(name: str, function: Any) -> Callable[[], None]:
+        return lambda: functions.update({name: function()})
 
-    for name in document.functions:
-        attempt(("functions", name), lambda name=name: define(name))  # type: ignore[misc]
+    for name, record in document.functions.items():
+        make = partial(function_of, record)
+        attempt(("functions", name), define(name, make), define(name, partial(constant, 1.0)))
     _add_bodies(model, document.bodies, attempt, batches)
     for role in KINDS:
         records = getattr(document, f"{role}s")
         numbered = enumerate(Placed(role, record, functions, function_of) for record in records)
         if not batches:
             for k, element in numbered:
-                attempt((f"{role}s", k), lambda element=element: add_batch(model, [element]))  # type: ignore[misc]
+                attempt((f"{role}s", k), partial(add_batch, model, [element]))
             continue
         for _, batch in groupby(numbered, key=lambda pair: batch_key(*pair)):
             add_batch(model, [element for _, element in batch])
@@ -200,13 +208,18 @@ def _built(
 def _add_bodies(
     model: Model,
     records: Sequence[schema.BodyRecord],
-    attempt: Callable[[Where, Callable[[], None]], None],
+    attempt: Attempt,
     batches: bool,
 ) -> None:
-    if not batches:
-        for k, record in enumerate(records):
-            attempt(("bodies", k), lambda record=record: _add_bodies(model, [record], _straight, True))  # type: ignore[misc]
+    if batches:
+        _add_batch_of_bodies(model, records)
         return
+    for k, record in enumerate(records):
+        stand_in = schema.BodyRecord(name=record.name, mass=1.0, inertia=[1.0, 1.0, 1.0], position=record.position)
+        attempt(("bodies", k), *(partial(_add_batch_of_bodies, model, [body]) for body in (record, stand_in)))
+
+
+def _add_batch_of_bodies(model: Model, records: Sequence[schema.BodyRecord]) -> None:
     if not records:
         return
     inertia = [body.inertia for body in records]
@@ -247,4 +260,5 @@ def _place(document: schema.Document, where: Where, error: LinkworkError) -> tup
     word = reason.split(" ", 1)[0].rstrip(":")
     if word in known and getattr(record, word) is not None:
         return (*where, word), reason.removeprefix(word).lstrip(": ")
-    return where, reason
+    subject = error.code.split("_", 1)[0]  # such as inertia_triangle
+    return ((*where, subject) if subject in known else where), reason

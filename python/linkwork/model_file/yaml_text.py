@@ -46,6 +46,7 @@ class _Node:
     lines: dict[str | int, int] = field(default_factory=dict)
     nodes: dict[str | int, _Node] = field(default_factory=dict)
     key: str | None = None  #: of a mapping: waits for its value
+    key_line: int = 0
     where: str = ""
 
 
@@ -112,11 +113,11 @@ class YamlText:
                 self._refuse(line, parent.where, "a key must be a word, no list or mapping")
             if value in parent.data:
                 self._faults.append(Fault(line, f"{parent.where}.{value}".removeprefix("."), "is given twice"))
-            parent.key = value
+            parent.key, parent.key_line = value, line
             return
         else:
             key, parent.key = parent.key, None
-            line = min(line, parent.lines.get(key, line))
+            line = parent.key_line
             parent.data[key] = value
         parent.lines[key] = line
         if node is not None:
