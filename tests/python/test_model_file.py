@@ -13,6 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from linkwork import _core, model_file
 from linkwork.cli import run
+from linkwork.functions import Sum
 from linkwork.mechanisms import MECHANISMS
 from linkwork.model_file import schema
 from linkwork.model_file.writing import json_lines, record_of, yaml_lines
@@ -111,6 +112,8 @@ def driven(length: Any, count: int = 1) -> lw.Model:
     lw.functions.polynomial(1.0, 0.1, -0.2), lw.functions.constant(1.0), lw.functions.harmonic(0.1, 3.0, 0.2, 1.0),
     lw.functions.table([0, 0.3, 0.7, 2.0], [1.0, 1.1, 0.9, 1.3]),
     lw.functions.piecewise_polynomial([0.0, 1.0, 3.0], [[1.0, 0.1], [1.1, 0.2]]),
+    Sum((lw.functions.constant(1.0), lw.functions.cycloidal(0.3, duration=1.5, start=0.1))), lw.functions.expression("1 + 0.3 * sin(2*pi*t)**2"),
+    Sum((lw.functions.constant(1.0), lw.functions.harmonic(0.1, 3.0, 0.2, 1.0).integral().integral())),
 ], ids=repr)  # fmt: skip
 def test_functions_of_time_come_back(function: Any, tmp_path: Path) -> None:
     model = driven(function)
@@ -118,6 +121,12 @@ def test_functions_of_time_come_back(function: Any, tmp_path: Path) -> None:
     assert bits(again) == bits(model)
     for t in (0.0, 0.31, 1.7, 2.0):
         assert again.signals[0][1].evaluate(t) == function.evaluate(t)
+
+
+def test_every_function_of_time_there_is_is_in_the_schema() -> None:
+    """Each class of linkwork.functions but the Python callback is written, as the tests above show for one of each."""
+    written = {"Polynomial", "Harmonic", "Table", "Cycloidal", "Expression", "Sum"}
+    assert {kind.__name__ for kind in lw.functions.TimeFunction.__subclasses__()} == written | {"Callback"}
 
 
 def test_a_function_of_several_elements_stays_one(tmp_path: Path) -> None:

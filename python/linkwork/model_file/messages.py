@@ -73,7 +73,7 @@ _WANTED = {
     "literal_error": "{expected}",
     "greater_than_equal": "{ge:g} or more",
     "string_too_short": "a name",
-    "string_too_long": "a name of at most {max_length} characters",
+    "string_too_long": "text of at most {max_length} characters",
 }
 
 

@@ -14,7 +14,7 @@ from pydantic import ValidationError
 
 from linkwork.elements import KINDS, Role
 from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, nearest
-from linkwork.functions import TimeFunction, constant
+from linkwork.functions import Sum, TimeFunction, constant
 from linkwork.model import Model
 from linkwork.model_file import schema
 from linkwork.model_file.batches import Placed, add_batch, batch_key
@@ -242,10 +242,12 @@ def function_of(record: Any) -> TimeFunction:
     """The function of time that a record describes. ModelError: what its constructor refuses."""
     (name,) = type(record).model_fields
     arguments = getattr(record, name)
+    if name == "sum":
+        return Sum(tuple(map(function_of, arguments)))
     constructor = schema.constructors()[name]
-    if isinstance(arguments, list):
-        return constructor(*arguments)
-    return constructor(**{what: getattr(arguments, what) for what in type(arguments).model_fields})
+    if isinstance(arguments, schema.Record):
+        return constructor(**{what: getattr(arguments, what) for what in type(arguments).model_fields})
+    return constructor(*arguments) if isinstance(arguments, list) else constructor(arguments)
 
 
 def _place(document: schema.Document, where: Where, error: LinkworkError) -> tuple[Where, str]:

@@ -99,31 +99,52 @@ def _argument_type(parameter: inspect.Parameter) -> Any:
         return Annotated[list[Number], Len(1)]
     if parameter.annotation in ("float", float):
         return Number
+    if parameter.annotation in ("str", str):
+        return Annotated[str, Field(strict=True, min_length=1, max_length=10_000)]
     return Numbers
 
 
+#: How deep sums can be in each other: the integral of an integral of a sum, and what it starts from.
+SUMS = 4
+
+
+def _has_one(constructor: Callable[..., Any]) -> bool:
+    """Whether a function of time takes a single argument, or any number of one kind: then it has no name in a file."""
+    return len(inspect.signature(constructor).parameters) == 1
+
+
 @cache
-def _function_type() -> Any:
-    """A mapping with one key, the name of a function, and its arguments."""
-    variants = []
-    for name, constructor in constructors().items():
-        parameters = inspect.signature(constructor).parameters.values()
-        fields: dict[str, Any] = {
-            p.name: (_argument_type(p), ... if p.default is p.empty else p.default) for p in parameters
-        }
-        summary = (inspect.getdoc(constructor) or "").split("\n\n")[0]
-        of_list = any(p.kind is p.VAR_POSITIONAL for p in parameters)
-        arguments: Any = create_model(f"{name} arguments", __base__=Record, __doc__=summary, **fields)
-        arguments = _argument_type(next(iter(parameters))) if of_list and len(parameters) == 1 else arguments
-        variant = create_model(name, __base__=Record, __doc__=summary, **{name: (arguments, ...)})
-        variants.append(Annotated[variant, Tag(name)])
-    known = set(constructors())
+def _function_type(sums: int = SUMS) -> Any:
+    """A mapping with one key, the name of a function, and its arguments; a sum has a list of functions."""
+    variants = [Annotated[_variant(name), Tag(name)] for name in constructors()]
+    if sums:
+        terms = Annotated[list[_function_type(sums - 1)], Len(1)]
+        summary = "The sum of functions."
+        total = create_model("sum" if sums == SUMS else f"sum {sums}", __base__=Record, __doc__=summary, sum=(terms, ...))
+        variants.append(Annotated[total, Tag("sum")])
+    known = {*constructors(), "sum"} if sums else set(constructors())
 
     def name_of(value: Any) -> str | None:
         names = [name for name in value if name in known] if isinstance(value, dict) else []
         return names[0] if names else None
 
     return Annotated[Union[tuple(variants)], Discriminator(name_of)]
+
+
+@cache
+def _variant(name: str) -> type[Record]:
+    constructor = constructors()[name]
+    parameters = inspect.signature(constructor).parameters.values()
+    summary = (inspect.getdoc(constructor) or "").split("\n\n")[0]
+    fields: dict[str, Any] = {
+        p.name: (_argument_type(p), ... if p.default is p.empty else p.default) for p in parameters
+    }
+    if _has_one(constructor):
+        ((arguments, _),) = fields.values()
+    else:
+        arguments = create_model(f"{name} arguments", __base__=Record, __doc__=summary, **fields)
+    made: type[Record] = create_model(name, __base__=Record, __doc__=summary, **{name: (arguments, ...)})
+    return made
 
 
 def argument_names(function: str) -> list[str]:

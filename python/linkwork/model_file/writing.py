@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from linkwork import _core
 from linkwork.elements import KINDS, Role
 from linkwork.errors import FileError, ModelError, OptionError, nearest
-from linkwork.functions import Table, TimeFunction
+from linkwork.functions import Sum, Table, TimeFunction
 from linkwork.model import Model
 from linkwork.model_file import schema
 from linkwork.model_file.collection import collection_paused
@@ -155,6 +155,8 @@ def _function_record(function: TimeFunction, who: str) -> dict[str, Any]:
     if isinstance(function, Table):
         breaks, rows = function.breaks.tolist(), function.coefficients.tolist()
         return {"piecewise_polynomial": {"breaks": breaks, "coefficients": rows}}
+    if isinstance(function, Sum):
+        return {"sum": [_function_record(term, who) for term in function.terms]}
     name = re.sub(r"(?<!^)(?=[A-Z])", "_", type(function).__name__).lower()
     if name not in schema.constructors() or not dataclasses.is_dataclass(function):
         raise ModelError(
@@ -164,7 +166,7 @@ def _function_record(function: TimeFunction, who: str) -> dict[str, Any]:
         )
     values = {field.name: getattr(function, field.name) for field in dataclasses.fields(function)}
     plain = {what: np.asarray(x).tolist() if isinstance(x, tuple | np.ndarray) else x for what, x in values.items()}
-    return {name: next(iter(plain.values())) if name == "polynomial" else plain}
+    return {name: plain if len(plain) > 1 else next(iter(plain.values()))}
 
 
 # --- text ----------------------------------------------------------------------------------------------------------
