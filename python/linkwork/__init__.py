@@ -22,10 +22,12 @@ if TYPE_CHECKING:
     from linkwork.comparison import Comparison, compare
     from linkwork.contact import contact_hysteresis
     from linkwork.errors import (
+        Fault,
         FileError,
         LinkworkError,
         LinkworkWarning,
         ModelError,
+        ModelFileError,
         NotConvergedError,
         NotFiniteError,
         OptionError,
@@ -34,6 +36,7 @@ if TYPE_CHECKING:
         ViolationError,
     )
     from linkwork.events import Event, Occurrence, State
+    from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
     from linkwork.handles import Body, Force, Joint
     from linkwork.model import Model
     from linkwork.progress import ProgressInfo
@@ -50,8 +53,10 @@ __all__ = [
     "Box",
     "Cylinder",
     "Event",
+    "Fault",
     "FileError",
     "Force",
+    "Imported",
     "Joint",
     "JointResidual",
     "LinkworkError",
@@ -59,6 +64,7 @@ __all__ = [
     "Mesh",
     "Model",
     "ModelError",
+    "ModelFileError",
     "NotConvergedError",
     "NotFiniteError",
     "Occurrence",
@@ -81,6 +87,9 @@ __all__ = [
     "compare",
     "contact_hysteresis",
     "functions",
+    "import_mjcf",
+    "import_sdf",
+    "import_urdf",
     "integrators",
     "mechanisms",
     "rotation",
@@ -96,9 +105,10 @@ _PLACES = {
     "linkwork.contact": ("contact_hysteresis",),
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
-    "linkwork.errors": ("FileError", "LinkworkError", "LinkworkWarning", "ModelError", "NotConvergedError",
-                        "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError",
+    "linkwork.errors": ("Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
+                        "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError",
                         "ViolationError"),
+    "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),
     "linkwork.model": ("Model",),
     "linkwork.progress": ("ProgressInfo",),
     "linkwork.result": ("BodyResult", "Reaction", "Result", "SingularPose", "Snapshot"),

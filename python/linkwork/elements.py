@@ -28,7 +28,7 @@ KINDS: Mapping[Role, Mapping[str, _core.KindInfo]] = {
 }
 
 #: Parameters that are, when not given, the distance of the two points at the initial pose.
-_LENGTHS = ("length", "free_length")
+LENGTHS = ("length", "free_length")
 
 
 @dataclass(frozen=True)
@@ -41,8 +41,12 @@ class Elements:
     place: Attachment
     parameters: Mapping[str, Parameter]
 
-    def add_to(self, core: _core.Model) -> None:
-        """Hand over to the compiled model. ModelError: what that refuses, such as a body joined to itself."""
+    def add_to(self, core: _core.Model) -> dict[int, TimeFunction]:
+        """Hand over to the compiled model; gives back its functions by their indices there.
+
+        ModelError: what that refuses, such as a body joined to itself.
+        """
+        functions: dict[int, TimeFunction] = {}
         values = np.zeros((self.subject.count, len(self.info.parameters)))
         signals = np.full(values.shape, -1, np.int32)
         for column, what in enumerate(self.info.parameters):
@@ -51,12 +55,13 @@ class Elements:
                 function = parameter.compiled()
                 if what in self.info.functions:
                     function = _core.TimeFunction.characteristic(function)
-                signals[:, column] = core.add_signal(function)
+                index = core.add_signal(function)
+                signals[:, column], functions[index] = index, parameter
             else:
                 values[:, column] = parameter
         add = core.add_joints if self.info.name in KINDS["joint"] else core.add_forces
-        names = self.subject.name if self.subject.group else [self.subject.name]
-        add(self.info.name, names, self.bodies, self.place.origin, self.place.frame, values, signals)
+        add(self.info.name, self.subject.names, self.bodies, self.place.origin, self.place.frame, values, signals)
+        return functions
 
     def signals(self) -> list[tuple[str, TimeFunction]]:
         """The functions of time, each with what it drives."""
@@ -99,7 +104,7 @@ def with_parameters(
 
 
 def _parameter(subject: Subject, info: _core.KindInfo, what: str, given: Any, place: Attachment) -> Parameter:
-    if given is None and what in _LENGTHS:
+    if given is None and what in LENGTHS:
         return place.distance
     if given is None and info.defaults:
         default = info.defaults[info.parameters.index(what)]

@@ -6,17 +6,21 @@ The compiled module raises these same classes. Nothing here prints.
 from __future__ import annotations
 
 import difflib
+import os
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from linkwork.result import Result, Snapshot
 
 __all__ = [
+    "Fault",
     "FileError",
     "LinkworkError",
     "LinkworkWarning",
     "ModelError",
+    "ModelFileError",
     "NotConvergedError",
     "NotFiniteError",
     "OptionError",
@@ -92,6 +96,34 @@ class ViolationError(LinkworkError):
 
 class FileError(LinkworkError):
     """A file cannot be read or written."""
+
+
+@dataclass(frozen=True, order=True)
+class Fault:
+    """What is wrong in a file: in which line, from 1 on, of which field, such as joints[3].axis."""
+
+    line: int
+    field: str
+    message: str
+
+    def __str__(self) -> str:
+        return " ".join(": ".join(filter(None, (self.field, self.message))).split())
+
+
+class ModelFileError(FileError):
+    """A file with a model is wrong. `faults` are all that were found; str(error) has a line for each."""
+
+    def __init__(self, path: str | os.PathLike[str], faults: Iterable[Fault]) -> None:
+        self.path = os.fspath(path)
+        self.faults = sorted(set(faults))
+        self.lines = [f"{self.path}:{fault.line}: {fault}" for fault in self.faults]
+        super().__init__("; ".join(self.lines), code="model_file")
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines)
+
+    def __reduce__(self) -> tuple[type[ModelFileError], tuple[str, list[Fault]]]:
+        return ModelFileError, (self.path, self.faults)
 
 
 class LinkworkWarning(UserWarning):

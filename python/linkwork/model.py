@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
+import os
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal
@@ -48,11 +49,33 @@ class Model(JointMethods, ForceMethods):
         self._characteristics: list[TimeFunction] = []
         self._user_forces: list[tuple[str, Any]] = []
         self._shapes = Shapes()
+        self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
 
     @property
     def ground(self) -> Body:
         """The inertial frame, at rest; it is joined like a body."""
         return self._bodies.ground
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Model:
+        """The model in a file: YAML (.yaml, .yml) or JSON (.json); `linkwork schema` says what they may have.
+
+        ModelFileError: what is wrong in it, all at once. FileError: it cannot be read.
+        """
+        from linkwork import model_file
+
+        return model_file.read(path).model
+
+    def save(self, path: str | os.PathLike[str], *, simulation: Mapping[str, Any] | None = None) -> None:
+        """Write the model to a file (.yaml, .yml, .json), exactly: what is loaded has the same bits.
+
+        simulation  arguments of `simulate` that the file recommends, such as {"t_end": 2.0, "step": 1e-3}
+
+        ModelError: a Python function in the model, which a file cannot hold. FileError: it cannot be written.
+        """
+        from linkwork import model_file
+
+        model_file.write(self, path, simulation or {})
 
     # --- bodies ---------------------------------------------------------------------------------------------
 
@@ -470,6 +493,7 @@ class Model(JointMethods, ForceMethods):
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
         out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
         out._shapes = self._shapes.copy()
+        out._functions = self._functions.copy()
         return out
 
     def compiled(self) -> _core.Model:
@@ -525,7 +549,7 @@ class Model(JointMethods, ForceMethods):
         self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
 
     def _add(self, elements: Elements) -> None:
-        elements.add_to(self._core)
+        self._functions |= elements.add_to(self._core)
         self._signals += elements.signals()
         self._characteristics += elements.characteristics()
         self._counts[elements.info.name] += elements.subject.count

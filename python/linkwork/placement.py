@@ -39,6 +39,11 @@ class Subject:
     def member(self, k: int) -> str:
         return f"{self.name}[{k}]" if self.group else self.name
 
+    @property
+    def names(self) -> str | list[str]:
+        """As the compiled model takes them: a prefix for a group, else a name for each element."""
+        return self.name if self.group else [self.name]
+
     def who(self, k: int) -> str:
         return f"{self.kind} '{self.member(k)}'"
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from linkwork.errors import OptionError, nearest
-from linkwork.mechanisms import MECHANISMS, Mechanism
+from linkwork.mechanisms import Mechanism, named
 
 if TYPE_CHECKING:
     from linkwork.model import Model
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Subject:
-    """A mechanism by name and the arguments of its function: small enough to be sent to another process."""
+    """A mechanism by name or file and the arguments of its function: small enough to be sent to another process."""
 
     mechanism: str
     parameters: Mapping[str, Any]
@@ -28,11 +28,7 @@ class Subject:
 
         OptionError: no such mechanism or parameter; none so small; `bodies` where there is one size only.
         """
-        if mechanism not in MECHANISMS:
-            raise OptionError(
-                f"no mechanism '{mechanism}'{nearest(mechanism, MECHANISMS)}", code="unknown_mechanism"
-            )
-        record = MECHANISMS[mechanism]
+        record = named(mechanism)
         chosen = dict(parameters or {})
         known = [parameter.name for parameter in record.parameters]
         for name in chosen:
@@ -54,7 +50,7 @@ class Subject:
 
     @property
     def record(self) -> Mechanism:
-        return MECHANISMS[self.mechanism]
+        return named(self.mechanism)
 
     @property
     def bodies(self) -> int:

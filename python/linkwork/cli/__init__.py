@@ -1,4 +1,4 @@
-"""The command `linkwork`. Errors are one line on standard error: `error: what, which, which value`.
+"""The command `linkwork`. Errors are lines on standard error: `error: what, which, which value`.
 
 Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130 interrupted.
 """
@@ -63,7 +63,8 @@ def run(words: list[str], debug: bool) -> int:
 
 def _complain(message: str, code: int) -> int:
     log.error("%s", " ".join(message.split()))
-    print("error:", " ".join(message.split()), file=sys.stderr)
+    for line in message.splitlines() or [""]:
+        print("error:", " ".join(line.split()), file=sys.stderr)
     return code
 
 

@@ -10,7 +10,7 @@ from linkwork import benchmark
 from linkwork.cli import bench_tables
 from linkwork.cli import output as out
 from linkwork.errors import OptionError
-from linkwork.mechanisms import MECHANISMS
+from linkwork.mechanisms import MECHANISMS, named
 
 #: Bodies of `bench rhs` where neither a size nor another mechanism is given.
 CHAIN_BODIES = 1000
@@ -76,7 +76,7 @@ def step(mechanisms: str, repeats: int, runs: bool, as_json: bool) -> None:
 
 def _parameters(mechanism: str, words: Sequence[str]) -> dict[str, Any]:
     """NAME=VALUE of the mechanism's parameters; the type of a value is that of the default."""
-    known = MECHANISMS[mechanism].parameters if mechanism in MECHANISMS else ()
+    known = named(mechanism).parameters
     defaults = {parameter.name: parameter.default for parameter in known}
     found = {}
     for word in words:

@@ -46,26 +46,35 @@ def linkwork(context: click.Context, log: str | None) -> None:
 
 
 class MechanismGroup(base.Group):
-    """One subcommand for every registered mechanism."""
+    """One subcommand for every registered mechanism, and for every file that has one."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
-        super().__init__(*args, subcommand_metavar="NAME [OPTIONS]", **kwargs)
+        super().__init__(*args, subcommand_metavar="NAME|FILE [OPTIONS]", **kwargs)
 
     def list_commands(self, context: click.Context) -> list[str]:
         from linkwork.mechanisms import MECHANISMS
 
         return list(MECHANISMS)
 
+    def resolve_command(
+        self, context: click.Context, words: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        from linkwork.mechanisms import is_file
+
+        if is_file(words[0]) and not words[0].startswith("-"):
+            return words[0], self.get_command(context, words[0]), words[1:]
+        return super().resolve_command(context, words)
+
     def get_command(self, context: click.Context, name: str) -> click.Command | None:
         from linkwork.cli import mechanism_commands
-        from linkwork.mechanisms import MECHANISMS
+        from linkwork.mechanisms import MECHANISMS, is_file, named
 
         make = {
             "run": mechanism_commands.run_command,
             "check": mechanism_commands.check_command,
             "compare": mechanism_commands.compare_command,
         }[self.name or ""]
-        return make(name, MECHANISMS[name]) if name in MECHANISMS else None
+        return make(name, named(name)) if name in MECHANISMS or is_file(name) else None
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
         from linkwork.mechanisms import MECHANISMS
@@ -76,7 +85,7 @@ class MechanismGroup(base.Group):
 
 @linkwork.group(cls=MechanismGroup, what="mechanism")
 def run() -> None:
-    """Simulate a mechanism.
+    """Simulate a mechanism, by its name or from a file (.yaml, .json, .urdf, .sdf, .xml).
 
     \b
     linkwork run four_bar --t-end 2 --output run.h5 --plot run.png
@@ -87,7 +96,7 @@ def run() -> None:
 
 @linkwork.group(cls=MechanismGroup, what="mechanism")
 def check() -> None:
-    """Examine a mechanism before it is simulated.
+    """Examine a mechanism before it is simulated, by its name or from a file (.yaml, .json, .urdf, ...).
 
     \b
     linkwork check bricard
@@ -180,6 +189,37 @@ def completion(shell: str) -> None:
     from linkwork.cli.shells import script
 
     click.echo(script(linkwork, shell))
+
+
+@linkwork.command()
+def schema() -> None:
+    """Print the JSON schema of model files, which YAML files follow, too."""
+    from linkwork import model_file
+    from linkwork.cli.output import print_json
+
+    print_json(model_file.json_schema())
+
+
+@linkwork.command()
+@click.argument("source", metavar="IN")
+@click.argument("target", metavar="OUT")
+@click.option("--floating/--fixed", default=None, help="Links that nothing carries move freely, or are the ground.")
+@click.option("--keep-massless", is_flag=True, help="Take moving links without inertia as massless bodies.")
+@click.option("--repair-inertia", is_flag=True, help="Give links that no real body can be the nearest that one can.")
+@click.option("--merge-fixed", is_flag=True, help="Make one body of links that are fixed to each other.")
+@click.option("--align-axes", type=float, metavar="ANGLE", help="Axes parallel to within it [rad] are made parallel.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+def convert(source: str, target: str, as_json: bool, **options: Any) -> None:
+    """Write the mechanism of one file to another: from URDF, SDF, MJCF, YAML or JSON to YAML or JSON.
+
+    \b
+    linkwork convert panda.urdf panda.yaml
+
+    What OUT does not have of IN is listed. The options are for URDF, SDF and MJCF.
+    """
+    from linkwork.cli.convert import convert_and_show
+
+    convert_and_show(source, target, as_json, options)
 
 
 def _short(mechanism: Mechanism) -> str:

@@ -5,12 +5,14 @@ lw.simulate(lw.mechanisms.chain(100), t_end=1.0, step=1e-3)
 
 from __future__ import annotations
 
+from linkwork.errors import OptionError, nearest
 from linkwork.mechanisms.andrews import ANDREWS, andrews
 from linkwork.mechanisms.binary_tree import BINARY_TREE, binary_tree
 from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
 from linkwork.mechanisms.flyball_governor import FLYBALL_GOVERNOR, flyball_governor
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
+from linkwork.mechanisms.from_file import is_file, mechanism_of_file
 from linkwork.mechanisms.heavy_top import HEAVY_TOP, heavy_top
 from linkwork.mechanisms.hub import HUB, hub
 from linkwork.mechanisms.mechanism import Mechanism, Parameter, Size
@@ -34,6 +36,7 @@ __all__ = [
     "four_bar",
     "heavy_top",
     "hub",
+    "named",
     "net",
     "pendulum",
     "rod_pendulum",
@@ -61,3 +64,12 @@ MECHANISMS: dict[str, Mechanism] = {
         NET,
     )
 }
+
+
+def named(name: str) -> Mechanism:
+    """The mechanism of this name, or in the file of this name. OptionError: no such mechanism. FileError."""
+    if name in MECHANISMS:
+        return MECHANISMS[name]
+    if is_file(name):
+        return mechanism_of_file(name)
+    raise OptionError(f"no mechanism '{name}'{nearest(name, MECHANISMS)}", code="unknown_mechanism")

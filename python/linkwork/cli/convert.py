@@ -1,0 +1,38 @@
+"""`linkwork convert`: a mechanism from one file to another, and what is lost on the way."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from linkwork import importers, model_file
+from linkwork.cli import output as out
+from linkwork.errors import FileError
+from linkwork.model_file.syntax import check_suffix
+
+
+def convert_and_show(source: str, target: str, as_json: bool, options: dict[str, Any]) -> None:
+    """FileError: no such kind of file, or it cannot be read or written. ModelFileError: `source` is wrong."""
+    check_suffix(target)
+    out.check_writable(target)
+    notes: list[importers.Note] = []
+    if importers.is_importable(source):
+        imported = importers.read(source, **options)
+        model, notes, simulation = imported.model, list(imported.notes), {}
+    else:
+        if not Path(source).suffix.lower() in model_file.SUFFIXES:
+            known = ", ".join([*importers.IMPORTERS, *model_file.SUFFIXES])
+            raise FileError(f"'{source}': extension '{Path(source).suffix}' is none of {known}", code="suffix")
+        file = model_file.read(source)
+        model, simulation = file.model, dict(file.simulation)
+    model.save(target, simulation=simulation)
+    if as_json:
+        notes_as_data = [{"topic": n.topic, "subject": n.subject, "message": n.message} for n in notes]
+        counts = {"bodies": model.body_count, "joints": model.joint_count, "forces": model.force_count}
+        out.print_json({"source": source, "target": target, **counts, "notes": notes_as_data})
+        return
+    counts_text = f"{model.body_count} bodies, {model.joint_count} joints, {model.force_count} forces"
+    out.print_pairs([("from", source), ("to", target), ("model", counts_text)])
+    if notes:
+        rows = [(note.topic, note.subject, note.message) for note in notes]
+        out.print_table(("topic", "what", "in the model"), rows, title="Not as in the file", left=3)

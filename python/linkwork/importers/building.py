@@ -1,0 +1,384 @@
+"""From links and joints to a model: rigid groups become bodies, joints get their points and axes in these."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import rotation
+from linkwork.elements import KINDS
+from linkwork.errors import Fault, LinkworkError, ModelFileError
+from linkwork.handles import Body
+from linkwork.importers.description import WORLD, Description, Imported, JointDescription, LinkDescription
+from linkwork.importers.frames import Frame
+from linkwork.importers.alignment import align_axes
+from linkwork.importers.tree import LinkState, link_states
+from linkwork.model import Model
+
+__all__ = ["Options", "build"]
+
+Floats = NDArray[np.float64]
+
+#: Coulomb friction is regularized below these speeds [rad/s], [m/s].
+TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}
+
+
+class Options(TypedDict, total=False):
+    """What import_urdf, import_sdf and import_mjcf take by name."""
+
+    #: links that no joint carries move freely (True) or are fixed to the ground (False); None: URDF False, else
+    #: as the file says
+    floating: bool | None
+    #: where the joints are at t = 0, by name: angle [rad] or displacement [m], several numbers for several freedoms
+    coordinates: Mapping[str, Any]
+    #: their rates at t = 0 [rad/s], [m/s]
+    velocities: Mapping[str, Any]
+    #: acceleration (3,) [m/s2]; None: of the file, or (0, 0, -9.81)
+    gravity: ArrayLike | None
+    #: take moving links without mass or inertia as massless bodies, which need the penalty or augmented Lagrangian
+    #: formulation; False: they are refused
+    keep_massless: bool
+    #: give links whose principal moments no real body can have the nearest that one can; False: they are refused
+    repair_inertia: bool
+    #: angle [rad]: axes of joints that are parallel to within it, at coordinates zero, are made exactly parallel.
+    #: Files round angles (1.57), and a planar loop whose axes are not parallel is locked. None: as in the file
+    align_axes: float | None
+    #: make one body of links that are fixed to each other; False: only where one of them is massless
+    merge_fixed: bool
+
+
+@dataclass
+class _Group:
+    """Links that are rigid with each other; its frame is that of its main link."""
+
+    links: list[str]
+    main: str
+    mass: float
+    center: Floats  #: in the main link's frame
+    inertia: Floats  #: about the center, main link's axes
+
+    @property
+    def is_light(self) -> bool:
+        """It cannot move by itself: no mass, or no inertia."""
+        return self.mass == 0 or not self.inertia.any()
+
+
+def build(description: Description, options: Options, lines: Mapping[str, int] | None = None) -> Imported:
+    """The model of a description. `lines`: where each link is in the file.
+
+    ModelFileError: a moving link without inertia, or what no body or joint can be. ModelError: wrong coordinates.
+    """
+    floating = options.get("floating")
+    fixed_base = description.base_is_fixed if floating is None else not floating
+    if options.get("align_axes"):
+        align_axes(description, float(options["align_axes"] or 0.0))
+    states = link_states(description, options.get("coordinates") or {}, options.get("velocities") or {})
+    groups = _grouped(description, states, fixed_base, options.get("merge_fixed", False))
+    faults: list[Fault] = []
+    _check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
+    gravity = options.get("gravity")
+    model = Model(description.gravity if gravity is None else gravity, description.name)
+    builder = _Builder(description, model, states, groups, options.get("repair_inertia", False))
+    with _Collecting(faults, lines or {}) as collect:
+        for group in builder.moving:
+            collect(group.main, "link", lambda group=group: builder.add_body(group))  # type: ignore[misc]
+        if not faults:
+            for joint in description.joints:
+                collect(joint.name, "joint", lambda joint=joint: builder.add_joint(joint))  # type: ignore[misc]
+    if faults:
+        raise ModelFileError(description.path, faults)
+    return Imported(description.path, model, tuple(description.notes))
+
+
+class _Collecting:
+    """Calls, and takes what they refuse for faults of the file."""
+
+    def __init__(self, faults: list[Fault], lines: Mapping[str, int]) -> None:
+        self._faults, self._lines = faults, lines
+
+    def __enter__(self) -> Callable[[str, str, Callable[[], None]], None]:
+        return self._call
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def _call(self, name: str, what: str, add: Callable[[], None]) -> None:
+        try:
+            add()
+        except LinkworkError as error:
+            reason = error.message.partition(f"'{name}': ")[2] or error.message
+            if error.code in ("inertia_triangle", "inertia_negative"):
+                reason += "; repair_inertia takes the nearest that is possible"
+            line = self._lines.get(f"{what} {name}", 1)
+            self._faults.append(Fault(line, f"{what} '{name}'", reason))
+
+
+# --- rigid groups --------------------------------------------------------------------------------------------------
+
+
+def _grouped(
+    description: Description, states: Mapping[str, LinkState], fixed_base: bool, merge_fixed: bool
+) -> dict[str, _Group]:
+    """The group of every link and of the world."""
+    group_of = {name: _group(link) for name, link in description.links.items()}
+    group_of[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
+
+    def merge(one: str, other: str) -> None:
+        first, second = group_of[one], group_of[other]
+        if first is not second:
+            merged = _merged(first, second, states)
+            for name in merged.links:
+                group_of[name] = merged
+
+    carried = {joint.child for joint in description.joints if not joint.closes_loop}
+    for name in description.links:
+        if fixed_base and name not in carried and name != WORLD:
+            merge(WORLD, name)
+            description.note("base", f"link '{name}'", "the base is the ground")
+    fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
+    changed = True
+    while changed:
+        changed = False
+        for joint in fixed:
+            pair = group_of[joint.parent], group_of[joint.child]
+            ends = [group for group in pair if group is group_of[WORLD] or group.is_light]
+            if pair[0] is not pair[1] and (ends or merge_fixed):
+                _note_merger(description, pair, group_of[WORLD], joint)
+                merge(joint.parent, joint.child)
+                changed = True
+    return group_of
+
+
+def _note_merger(
+    description: Description, pair: tuple[_Group, _Group], world: _Group, joint: JointDescription
+) -> None:
+    parent, child = pair
+    if world in pair:
+        other = child if parent is world else parent
+        if other.mass:
+            description.note("merged", f"link '{other.main}'", f"is fixed to the ground by joint '{joint.name}'")
+        return
+    light, heavy = (parent, child) if parent.is_light and not child.is_light else (child, parent)
+    what = "massless link" if light.mass == 0 else "link"
+    description.note("merged", f"{what} '{light.main}'", f"is a part of '{heavy.main}', by joint '{joint.name}'")
+
+
+def _group(link: LinkDescription) -> _Group:
+    return _Group([link.name], link.name, link.mass, link.center, link.inertia)
+
+
+# Steiner: about the common center, J = sum J_k + m_k (d_k.d_k I - d_k d_k^T),  d_k = c_k - c
+def _merged(first: _Group, second: _Group, states: Mapping[str, LinkState]) -> _Group:
+    """Both in the frame of the heavier one's main link; the world stays the world."""
+    if second.mass and not first.mass or second.main == WORLD:
+        first, second = second, first
+    links = [*first.links, *second.links]
+    if first.main == WORLD or second.mass == 0:
+        return _Group(links, first.main, first.mass, first.center, first.inertia)
+    step = states[first.main].frame.inverse @ states[second.main].frame
+    mass = first.mass + second.mass
+    parts = ((first.mass, first.center, first.inertia),
+             (second.mass, step.point(second.center), step.A @ second.inertia @ step.A.T))  # fmt: skip
+    center = sum(m * c for m, c, _ in parts) / mass
+    inertia = sum(J + m * ((c - center) @ (c - center) * np.eye(3) - np.outer(c - center, c - center))
+                  for m, c, J in parts)  # fmt: skip
+    return _Group(links, first.main, mass, np.asarray(center), np.asarray(inertia))
+
+
+def _check_light(
+    description: Description,
+    groups: Mapping[str, _Group],
+    keep: bool,
+    lines: Mapping[str, int],
+    faults: list[Fault],
+) -> None:
+    for name in description.links:
+        group = groups[name]
+        if group.main != name or group is groups[WORLD] or not group.is_light:
+            continue
+        lack = "mass" if group.mass == 0 else "moment of inertia"
+        if keep:
+            description.note("massless", f"link '{name}'", f"moves without {lack}: a massless body")
+            continue
+        reason = (
+            f"moves but has no {lack}: give its inertial, or import with keep_massless (then the formulation must be "
+            "penalty or augmented_lagrangian)"
+        )
+        faults.append(Fault(lines.get(f"link {name}", 1), f"link '{name}'", reason))
+
+
+# The principal moments J_k of a body follow from its second moments of mass s_k = sum m x_k^2 >= 0 along the principal
+# axes: J_1 = s_2 + s_3, ..., so s_k = (J_1 + J_2 + J_3) / 2 - J_k. Where one is negative, it is made zero.
+def _real_inertia(J: Floats) -> tuple[Floats, str | None]:
+    """An inertia that a body can have, and the moments (text) of the one given where it had to be another."""
+    moments, axes = np.linalg.eigh(J)
+    spread = moments.sum() / 2 - moments
+    if (spread >= -1e-9 * np.abs(moments).max()).all():
+        return J, None
+    spread = np.maximum(spread, 0.0)
+    return axes @ np.diag(spread.sum() - spread) @ axes.T, _moments(J)
+
+
+def _moments(J: Floats) -> str:
+    return "(" + ", ".join(f"{moment:.6g}" for moment in np.linalg.eigvalsh(J)) + ")"
+
+
+# --- bodies and joints ---------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Side:
+    """A joint's frame on one of its bodies, in body coordinates."""
+
+    body: Body
+    frame: Frame
+
+    @property
+    def at(self) -> Floats:
+        return self.frame.r
+
+    def axis(self, axis: Floats) -> Floats:
+        turned: Floats = self.frame.A @ axis
+        return turned
+
+
+class _Builder:
+    def __init__(
+        self,
+        description: Description,
+        model: Model,
+        states: Mapping[str, LinkState],
+        groups: Mapping[str, _Group],
+        repair_inertia: bool,
+    ) -> None:
+        self._description, self._model = description, model
+        self._repair_inertia = repair_inertia
+        self._states, self._groups = states, groups
+        self._bodies: dict[str, Body] = {WORLD: model.ground}
+        self.moving = [groups[name] for name in description.links if groups[name].main == name]
+        self.moving = [group for group in self.moving if group is not groups[WORLD]]
+
+    def add_body(self, group: _Group) -> None:
+        state = self._states[group.main]
+        position = state.frame.point(group.center)
+        J = (group.inertia + group.inertia.T) / 2
+        if self._repair_inertia:
+            J, moments = _real_inertia(J)
+            if moments is not None:
+                text = f"principal moments {moments} kg m2 are those of no real body: made {_moments(J)}"
+                self._description.note("inertia", f"link '{group.main}'", text)
+        self._bodies[group.main] = self._model.body(
+            group.main,
+            mass=group.mass,
+            inertia=J,
+            position=position,
+            orientation=rotation.from_matrix(state.frame.A),
+            velocity=state.velocity_of(position),
+            omega=state.frame.A.T @ state.omega,
+        )
+
+    def add_joint(self, joint: JointDescription) -> None:
+        a, b = self._side(joint.parent, joint.in_parent), self._side(joint.child, joint.in_child)
+        if joint.mimic is not None:
+            leader, multiplier, offset = joint.mimic
+            law = f"{multiplier:g} times joint '{leader}' + {offset:g}"
+            self._note("mimic", joint, f"that it follows {law} is not represented: it moves freely")
+        if a.body == b.body:
+            if joint.kind != "fixed":
+                self._note("rigid", joint, "joins links of one rigid group: it cannot move")
+            return
+        if joint.kind == "free":
+            return
+        place = {"at": (a.at, b.at), "frames": "body", "name": joint.name}
+        getattr(self, f"_add_{joint.kind}")(joint, a, b, place)
+        self._add_forces(joint, a, b)
+
+    def _side(self, link: str, frame: Frame) -> _Side:
+        group = self._groups[link]
+        step = self._states[group.main].frame.inverse @ self._states[link].frame
+        in_main = step @ frame
+        return _Side(self._bodies[group.main], Frame(in_main.r - group.center, in_main.A))
+
+    def _axis_place(self, joint: JointDescription, a: _Side, b: _Side) -> dict[str, Any]:
+        axis = joint.motions[0].axis
+        x = rotation.perpendicular(axis)
+        return {"axis": (a.axis(axis), b.axis(axis)), "x_axis": (a.axis(x), b.axis(x))}
+
+    def _add_about_axis(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
+        getattr(self._model, joint.kind)(a.body, b.body, **self._axis_place(joint, a, b), **place)
+
+    _add_revolute = _add_translational = _add_cylindrical = _add_about_axis
+
+    def _add_planar(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
+        normal, x = joint.motions[-1].axis, joint.motions[0].axis
+        axes = {"axis": (a.axis(normal), b.axis(normal)), "x_axis": (a.axis(x), b.axis(x))}
+        self._model.planar(a.body, b.body, **axes, **place)
+
+    def _add_screw(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
+        self._model.screw(a.body, b.body, pitch=joint.pitch, **self._axis_place(joint, a, b), **place)
+
+    def _add_universal(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
+        first, second = (motion.axis for motion in joint.motions)
+        self._model.universal(a.body, b.body, axes=(a.axis(first), b.axis(second)), **place)
+
+    def _add_spherical(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
+        self._model.spherical(a.body, b.body, **place)
+
+    def _add_fixed(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
+        orientation = tuple(rotation.from_matrix(side.frame.A) for side in (a, b))
+        self._model.fixed(a.body, b.body, orientation=orientation, **place)
+
+    # --- what acts at a joint ---
+
+    def _add_forces(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        if joint.armature:
+            self._note("armature", joint, f"rotor inertia {joint.armature:g} is not represented")
+        if joint.kind not in ("revolute", "translational"):
+            if joint.damping or joint.friction or joint.stiffness:
+                self._note("damping", joint, f"damping, friction or spring of a {joint.kind} joint is not represented")
+            return
+        self._add_friction(joint, a, b)
+        if joint.stiffness:
+            add = self._add_rotational_spring if joint.kind == "revolute" else self._add_spring
+            add(joint, a, b)
+
+    def _add_friction(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        kind = "rotational_friction" if joint.kind == "revolute" else "translational_friction"
+        if not joint.damping and not joint.friction:
+            return
+        if kind not in KINDS["force"] or not hasattr(self._model, kind):
+            self._note("damping", joint, f"damping {joint.damping:g}, friction {joint.friction:g} are not represented")
+            return
+        add = getattr(self._model, kind)
+        place = {"at": (a.at, b.at), "frames": "body", **self._axis_place(joint, a, b)}
+        values = {"viscous": joint.damping, "coulomb": joint.friction, "transition": TRANSITION[kind]}
+        add(a.body, b.body, **place, **values, name=f"{joint.name} friction")
+        if joint.friction:
+            unit = "rad/s" if joint.kind == "revolute" else "m/s"
+            text = f"friction {joint.friction:g} is regularized below {TRANSITION[kind]:g} {unit}"
+            self._note("friction", joint, text)
+
+    def _add_rotational_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        self._model.rotational_spring_damper(
+            a.body, b.body, at=(a.at, b.at), frames="body", **self._axis_place(joint, a, b), stiffness=joint.stiffness,
+            free_angle=joint.spring_reference - joint.reference, name=f"{joint.name} spring",
+        )  # fmt: skip
+
+    def _add_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        """Along the axis from a point so far back that the distance never becomes zero."""
+        rest = joint.spring_reference - joint.reference
+        back = 10.0 * (1.0 + abs(rest))
+        far = a.at - back * a.axis(joint.motions[0].axis)
+        self._model.spring_damper(
+            a.body, b.body, at=(far, b.at), frames="body", stiffness=joint.stiffness, free_length=back + rest,
+            name=f"{joint.name} spring",
+        )  # fmt: skip
+
+    def _note(self, topic: str, joint: JointDescription, message: str) -> None:
+        self._description.note(topic, f"joint '{joint.name}'", message)
+
+

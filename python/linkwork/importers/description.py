@@ -1,0 +1,113 @@
+"""A robot as its file describes it: links and joints in frames of their own, before they are bodies of a model."""
+
+from __future__ import annotations
+
+import warnings
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.errors import LinkworkWarning
+from linkwork.importers.frames import Frame, turned
+from linkwork.model import Model
+
+__all__ = ["Description", "Imported", "JointDescription", "LinkDescription", "Motion", "Note"]
+
+Floats = NDArray[np.float64]
+
+#: The name that formats give the ground.
+WORLD = "world"
+
+
+@dataclass(frozen=True)
+class Note:
+    """What of a file is not in the model, or is there in another way."""
+
+    topic: str  #: such as limits
+    subject: str  #: such as joint 'elbow'
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.subject}: {self.message}"
+
+
+@dataclass(frozen=True)
+class Imported:
+    """A model from the file of another program."""
+
+    path: str
+    model: Model
+    notes: Sequence[Note]
+
+    def warn(self) -> None:
+        """One LinkworkWarning that counts the notes by their topics, where there are any."""
+        if not self.notes:
+            return
+        topics = Counter(note.topic for note in self.notes)
+        counted = ", ".join(f"{topic} ({count})" for topic, count in topics.items())
+        text = f"{self.path}: not everything is in the model as it is in the file: {counted}; `linkwork convert` lists it"
+        warnings.warn(LinkworkWarning(text), stacklevel=3)
+
+
+@dataclass
+class LinkDescription:
+    """A link; without an inertia (mass 0) only a frame."""
+
+    name: str
+    mass: float = 0.0  #: [kg]
+    center: Floats = field(default_factory=lambda: np.zeros(3))  #: of mass, in the link's frame [m]
+    inertia: Floats = field(default_factory=lambda: np.zeros((3, 3)))  #: about the center, link axes [kg m2]
+    pose: Frame = field(default_factory=Frame)  #: in the world, of a link that no joint carries
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One elementary motion of a joint, along or about an axis of unit length in the joint's frame."""
+
+    rotation: bool
+    axis: Floats
+
+    def displacement(self, value: float) -> Frame:
+        """By an angle [rad] or a length [m]."""
+        return turned(self.axis, value) if self.rotation else Frame(r=value * self.axis)
+
+
+@dataclass
+class JointDescription:
+    """A joint: the frame of the child's side is that of the parent's side after the motions, in order."""
+
+    name: str
+    kind: str  #: fixed, revolute, translational, cylindrical, universal, planar, spherical, screw or free
+    parent: str
+    child: str
+    in_parent: Frame  #: the joint's frame in the parent link
+    in_child: Frame = field(default_factory=Frame)  #: and in the child link
+    motions: Sequence[Motion] = ()
+    reference: float = 0.0  #: the coordinate where both sides agree [rad or m]
+    damping: float = 0.0  #: [N m s/rad] or [N s/m]
+    friction: float = 0.0  #: [N m] or [N]
+    stiffness: float = 0.0  #: [N m/rad] or [N/m]
+    spring_reference: float = 0.0  #: coordinate of the spring at rest
+    armature: float = 0.0  #: inertia of a rotor, seen at the joint [kg m2] or [kg]
+    pitch: float = 0.0  #: of a screw [m per turn]
+    closes_loop: bool = False  #: it has no say in where its child is
+    mimic: tuple[str, float, float] | None = None  #: joint, multiplier, offset
+
+
+@dataclass
+class Description:
+    """What the importers make of their files."""
+
+    path: str
+    name: str
+    links: Mapping[str, LinkDescription]
+    joints: Sequence[JointDescription]
+    notes: list[Note]
+    gravity: Floats = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
+    base_is_fixed: bool = False  #: links that nothing carries are fixed to the ground, unless asked otherwise
+
+    def note(self, topic: str, subject: str, message: str) -> None:
+        self.notes.append(Note(topic, subject, message))

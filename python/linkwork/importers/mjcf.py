@@ -1,0 +1,247 @@
+"""MJCF, the format of MuJoCo, compiled by the `mujoco` package itself. https://mujoco.readthedocs.io/en/stable/XMLreference.html"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.errors import Fault, LinkworkError, ModelFileError
+from linkwork.importers.building import Options, build
+from linkwork.importers.description import (
+    WORLD,
+    Description,
+    Imported,
+    JointDescription,
+    LinkDescription,
+    Motion,
+)
+from linkwork.importers.frames import Frame, from_quaternion
+from linkwork.importers.xml_text import Reader
+
+if TYPE_CHECKING:
+    import mujoco
+
+__all__ = ["import_mjcf"]
+
+Floats = NDArray[np.float64]
+
+
+def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
+    """The model in an MJCF file: bodies, joints, springs, damping, and equality constraints connect and weld.
+
+    Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
+    keep_massless, merge_fixed. Coordinates are those of MuJoCo, zero or `ref` in the file's pose. Several joints of
+    one body are taken where one joint here does the same: two slides and a hinge across them, two hinges that meet
+    at right angles, a slide and a hinge along one axis.
+
+    Not represented, and listed in the notes: limits, contact, actuators, joint equalities, armature. Needs the
+    package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, joints that cannot be
+    combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco package.
+    """
+    model = _compiled(path)
+    description = _MujocoModel(os.fspath(path), model).description()
+    return build(description, options)
+
+
+def _compiled(path: str | os.PathLike[str]) -> mujoco.MjModel:
+    Reader(path, "mujoco")  # well-formed, without DOCTYPE
+    try:
+        import mujoco
+    except ImportError as error:
+        raise LinkworkError(
+            f"'{os.fspath(path)}': MJCF needs the package mujoco: pip install 'linkwork[mjcf]'", code="no_mujoco"
+        ) from error
+    try:
+        return mujoco.MjModel.from_xml_path(os.fspath(path))
+    except (ValueError, mujoco.FatalError) as error:
+        found = re.search(r"line (\d+)", str(error))
+        reason = " ".join(str(error).split()).removeprefix("Error: ")
+        raise ModelFileError(path, [Fault(int(found[1]) if found else 1, "", f"MuJoCo: {reason}")]) from None
+
+
+class _MujocoModel:
+    def __init__(self, path: str, model: mujoco.MjModel) -> None:
+        import mujoco
+
+        self._path, self._model, self._mj = path, model, mujoco
+        self._faults: list[Fault] = []
+
+    def description(self) -> Description:
+        model = self._model
+        links = {name: self._link(body, name) for body, name in enumerate(self._names("body", model.nbody)) if body}
+        out = Description(self._path, self._model_name(), links, [], [], np.array(model.opt.gravity))
+        joints = [joint for body in range(1, model.nbody) for joint in self._joints_of(body, out)]
+        out.joints = joints + list(self._equalities(out))
+        self._refuse_and_note(out)
+        if self._faults:
+            raise ModelFileError(self._path, self._faults)
+        return out
+
+    def _model_name(self) -> str:
+        name = bytes(self._model.names).split(b"\0", 1)[0].decode()
+        return "" if name == "MuJoCo Model" else name
+
+    def _name(self, kind: str, index: int) -> str:
+        """Of an object; unnamed ones are called by kind and number."""
+        object_type = getattr(self._mj.mjtObj, f"mjOBJ_{kind.upper()}")
+        return self._mj.mj_id2name(self._model, object_type, index) or f"{kind} {index}"
+
+    def _names(self, kind: str, count: int) -> list[str]:
+        return [self._name(kind, k) for k in range(count)]
+
+    def _body_name(self, body: int) -> str:
+        return self._name("body", body) if body else WORLD
+
+    def _link(self, body: int, name: str) -> LinkDescription:
+        model = self._model
+        inertial = from_quaternion(model.body_ipos[body], model.body_iquat[body])
+        inertia = inertial.A @ np.diag(model.body_inertia[body]) @ inertial.A.T
+        return LinkDescription(name, float(model.body_mass[body]), inertial.r, inertia, self._pose(body))
+
+    def _pose(self, body: int) -> Frame:
+        """In the parent, all joints at their reference; of children of the world that is their pose."""
+        return from_quaternion(self._model.body_pos[body], self._model.body_quat[body])
+
+    # --- joints of the tree ---
+
+    def _joints_of(self, body: int, out: Description) -> Iterator[JointDescription]:
+        """What carries a body: nothing (it is free), a fixed joint, or one joint for all that the file has."""
+        model, name = self._model, self._body_name(body)
+        parent, pose = self._body_name(int(model.body_parentid[body])), self._pose(body)
+        joints = range(model.body_jntadr[body], model.body_jntadr[body] + max(model.body_jntnum[body], 0))
+        types = [int(model.jnt_type[k]) for k in joints]
+        kinds = self._mj.mjtJoint
+        if types == [kinds.mjJNT_FREE]:
+            return
+        if not types:
+            yield JointDescription(f"{name} fixed", "fixed", parent, name, pose)
+            return
+        motions = [Motion(t == kinds.mjJNT_HINGE, np.array(model.jnt_axis[k])) for t, k in zip(types, joints, strict=True)]
+        anchor = Frame(r=np.array(model.jnt_pos[joints[-1]]))
+        labels = [self._name("joint", k) for k in joints]
+        kind, motions = self._kind(types, motions, [np.array(model.jnt_pos[k]) for k in joints])
+        if kind is None:
+            words = ", ".join(f"{label} ({t.name[6:].lower()})" for label, t in zip(labels, map(kinds, types), strict=True))
+            self._fault(f"body '{name}'", f"no joint here does what its joints {words} do together")
+            return
+        joint = JointDescription("+".join(labels), kind, parent, name, pose @ anchor, anchor, motions)
+        if len(types) == 1 and types[0] != kinds.mjJNT_BALL:
+            self._dynamics(joints[0], joint)
+        else:
+            self._note_dynamics(joints, joint, out)
+        self._note_limits(joints, labels, out)
+        yield joint
+
+    def _kind(self, types: list[int], motions: list[Motion], anchors: list[Floats]) -> tuple[str | None, list[Motion]]:
+        """The kind of the one joint that does what several do, or None, and its motions."""
+        kinds = self._mj.mjtJoint
+        if types == [kinds.mjJNT_BALL]:
+            return "spherical", []
+        if len(types) == 1:
+            return ("revolute" if motions[0].rotation else "translational"), motions
+        turns, slides = ([m for m in motions if m.rotation == r] for r in (True, False))
+        if len(types) == 2 and len(turns) == len(slides) == 1 and _parallel(turns[0].axis, slides[0].axis):
+            return "cylindrical", motions
+        if len(turns) == 2 and len(types) == 2 and np.allclose(*anchors, atol=1e-12):
+            return ("universal", motions) if abs(turns[0].axis @ turns[1].axis) < 1e-6 else (None, [])
+        across = len(slides) == 2 and len(turns) == 1 and motions[-1].rotation
+        if across and all(abs(turns[0].axis @ slide.axis) < 1e-9 for slide in slides):
+            if abs(slides[0].axis @ slides[1].axis) < 1e-9:
+                return "planar", motions
+        return None, []
+
+    def _dynamics(self, k: int, joint: JointDescription) -> None:
+        model = self._model
+        dof, q = int(model.jnt_dofadr[k]), int(model.jnt_qposadr[k])
+        joint.damping, joint.friction = float(_first(model.dof_damping[dof])), float(model.dof_frictionloss[dof])
+        joint.armature, joint.stiffness = float(model.dof_armature[dof]), float(_first(model.jnt_stiffness[k]))
+        joint.reference, joint.spring_reference = float(model.qpos0[q]), float(model.qpos_spring[q])
+
+    def _note_dynamics(self, joints: range, joint: JointDescription, out: Description) -> None:
+        model = self._model
+        dofs = range(model.jnt_dofadr[joints[0]], model.jnt_dofadr[joints[0]] + len(joints) if len(joints) > 1
+                     else model.jnt_dofadr[joints[0]] + 3)  # fmt: skip
+        values = [model.dof_damping[list(dofs)], model.dof_frictionloss[list(dofs)], model.dof_armature[list(dofs)],
+                  model.jnt_stiffness[list(joints)]]  # fmt: skip
+        if any(np.any(value) for value in values):
+            text = f"damping, friction, spring or armature of a {joint.kind} joint is not represented"
+            out.note("damping", f"joint '{joint.name}'", text)
+
+    def _note_limits(self, joints: range, labels: list[str], out: Description) -> None:
+        for k, label in zip(joints, labels, strict=True):
+            if self._model.jnt_limited[k]:
+                lower, upper = self._model.jnt_range[k]
+                out.note("limits", f"joint '{label}'", f"limits {lower:g} to {upper:g} are not represented")
+
+    # --- equalities, and what is not taken ---
+
+    def _equalities(self, out: Description) -> Iterator[JointDescription]:
+        model, kinds = self._model, self._mj.mjtEq
+        for k in range(model.neq):
+            name, type_, data = self._name("equality", k), int(model.eq_type[k]), model.eq_data[k]
+            if not model.eq_active0[k]:
+                out.note("equality", f"equality '{name}'", "is not active: left out")
+                continue
+            if type_ not in (kinds.mjEQ_CONNECT, kinds.mjEQ_WELD):
+                what = kinds(type_).name[5:].lower()
+                out.note("equality", f"equality '{name}'", f"of kind {what} is not represented")
+                continue
+            one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
+            if int(model.eq_objtype[k]) == int(self._mj.mjtObj.mjOBJ_SITE):
+                bodies = int(model.site_bodyid[one]), int(model.site_bodyid[other])
+                frames = self._site(one), self._site(other)
+            else:
+                bodies = one, other
+                frames = self._anchors(type_ == kinds.mjEQ_WELD, data)
+            names = [self._body_name(body) for body in bodies]
+            kind = "fixed" if type_ == kinds.mjEQ_WELD else "spherical"
+            out.note("equality", f"equality '{name}'", f"soft in MuJoCo, a rigid {kind} joint here")
+            yield JointDescription(name, kind, names[0], names[1], *frames, closes_loop=True)
+
+    def _site(self, site: int) -> Frame:
+        return from_quaternion(self._model.site_pos[site], self._model.site_quat[site])
+
+    def _anchors(self, weld: bool, data: Any) -> tuple[Frame, Frame]:
+        """The joint's frame in both bodies: eq_data is an anchor in each (connect), or the pose of the second body
+        in the first behind an anchor in the second (weld)."""
+        if not weld:
+            return Frame(r=np.array(data[:3])), Frame(r=np.array(data[3:6]))
+        anchor = Frame(r=np.array(data[:3]))
+        return from_quaternion(data[3:6], data[6:10]) @ anchor, anchor
+
+    def _refuse_and_note(self, out: Description) -> None:
+        model = self._model
+        for k in range(model.ntendon):
+            self._fault(f"tendon '{self._name('tendon', k)}'", "tendons are not taken: remove it, or model it here")
+        for k in range(getattr(model, "nflex", 0)):
+            self._fault(f"flex '{self._name('flex', k)}'", "deformable bodies are not taken")
+        for k in range(model.nu):
+            out.note("actuator", f"actuator '{self._name('actuator', k)}'", "is not represented")
+        contacts = int(np.count_nonzero((model.geom_contype != 0) | (model.geom_conaffinity != 0)))
+        if contacts:
+            out.note("contact", "model", f"contact of {contacts} geoms is not represented")
+        if model.ngeom:
+            out.note("visual", "model", f"the shapes of {model.ngeom} geoms are not represented")
+        if model.nsensor:
+            out.note("sensor", "model", f"{model.nsensor} sensors are not represented")
+        if model.opt.density or model.opt.viscosity or np.any(model.opt.wind):
+            out.note("medium", "model", "forces of the surrounding medium are not represented")
+        if np.any(model.body_gravcomp):
+            out.note("gravcomp", "model", "gravity compensation of bodies is not represented")
+
+    def _fault(self, field: str, message: str) -> None:
+        self._faults.append(Fault(1, field, message))
+
+
+def _first(value: Any) -> Any:
+    """MuJoCo may keep coefficients of a polynomial; the first is the linear one."""
+    return np.ravel(value)[0]
+
+
+def _parallel(u: Floats, w: Floats) -> bool:
+    return bool(np.linalg.norm(np.cross(u, w)) < 1e-9)

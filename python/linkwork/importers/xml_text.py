@@ -1,0 +1,137 @@
+"""XML by the standard library's parser, with line numbers; what XML can do beyond data is refused."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator, Sequence
+from typing import Any, NoReturn
+from xml.parsers import expat
+
+from linkwork.errors import Fault, FileError, ModelFileError
+
+#: Largest file [bytes], and levels of elements in each other.
+SIZE, DEPTH = 2**26, 100
+
+
+class Node:
+    """An element: its tag, attributes, text, children, and line in the file."""
+
+    def __init__(self, tag: str, attributes: dict[str, str], line: int) -> None:
+        self.tag, self.attributes, self.line = tag, attributes, line
+        self.text = ""
+        self.children: list[Node] = []
+
+    def all(self, tag: str) -> Iterator[Node]:
+        """Children of this tag."""
+        return (child for child in self.children if child.tag == tag)
+
+    def one(self, tag: str) -> Node | None:
+        """The first child of this tag."""
+        return next(self.all(tag), None)
+
+    def find(self, *tags: str) -> Node | None:
+        """The first child of the first tag, its first child of the second, ..."""
+        node: Node | None = self
+        for tag in tags:
+            node = node.one(tag) if node is not None else None
+        return node
+
+    def word(self, *tags: str) -> str | None:
+        """The text of a descendant."""
+        node = self.find(*tags)
+        return node.text.strip() if node is not None else None
+
+
+class Reader:
+    """One XML file and the faults in it."""
+
+    def __init__(self, path: str | os.PathLike[str], root_tag: str) -> None:
+        """FileError: it cannot be read. ModelFileError: no XML, or another root."""
+        self.path = os.fspath(path)
+        self.faults: list[Fault] = []
+        self.root = self._parse()
+        if self.root.tag != root_tag:
+            reason = f"<{self.root.tag}> is not the <{root_tag}> that was expected"
+            raise ModelFileError(path, [Fault(self.root.line, "", reason)])
+
+    def add(self, node: Node, field: str, message: str) -> None:
+        self.faults.append(Fault(node.line, field, message))
+
+    def finish(self) -> None:
+        """ModelFileError: there are faults."""
+        if self.faults:
+            raise ModelFileError(self.path, self.faults)
+
+    def numbers(
+        self, node: Node, text: str | None, count: int, field: str, default: Sequence[float] | None = None
+    ) -> list[float]:
+        """`count` finite numbers; a fault and zeros where there are others."""
+        if text is None or not text.strip():
+            if default is None:
+                self.add(node, field, "is missing")
+            return list(default or [0.0] * count)
+        try:
+            values = [float(word) for word in text.split()]
+        except ValueError:
+            values = []
+        if len(values) != count or not all(map(math.isfinite, values)):
+            wanted = "a finite number" if count == 1 else f"{count} finite numbers"
+            self.add(node, field, f"'{text.strip()[:60]}' is not {wanted}")
+            return [0.0] * count
+        return values
+
+    def number(self, node: Node, text: str | None, field: str, default: float | None = None) -> float:
+        return self.numbers(node, text, 1, field, None if default is None else [default])[0]
+
+    def _parse(self) -> Node:
+        try:
+            if os.stat(self.path).st_size > SIZE:
+                self._refuse(1, f"has more than {SIZE // 2**20} MiB")
+            with open(self.path, "rb") as file:
+                content = file.read(SIZE + 1)
+        except OSError as error:
+            raise FileError(f"'{self.path}': {error.strerror or error}", code="not_readable") from error
+        if not content.strip():
+            self._refuse(1, "the file is empty")
+        builder = _Builder(self)
+        parser = expat.ParserCreate()
+        parser.StartElementHandler = lambda tag, found: builder.start(tag, found, parser.CurrentLineNumber)
+        parser.EndElementHandler = builder.end
+        parser.CharacterDataHandler = builder.data
+        parser.StartDoctypeDeclHandler = lambda *_: self._refuse(
+            parser.CurrentLineNumber, "DOCTYPE is not taken: it can make the file mean anything"
+        )
+        try:
+            parser.Parse(content, True)
+        except expat.ExpatError as error:
+            self._refuse(error.lineno, f"is no XML: {expat.ErrorString(error.code)}, column {error.offset + 1}")
+        except (ValueError, LookupError) as error:  # an encoding that is not there
+            self._refuse(1, f"is no XML: {error}")
+        return builder.root  # type: ignore[return-value]
+
+    def _refuse(self, line: int, message: str) -> NoReturn:
+        raise ModelFileError(self.path, [Fault(line, "", message)])
+
+
+class _Builder:
+    def __init__(self, reader: Reader) -> None:
+        self.root: Node | None = None
+        self._open: list[Node] = []
+        self._reader = reader
+
+    def start(self, tag: str, attributes: dict[str, str], line: int) -> None:
+        node = Node(tag, attributes, line)
+        if self._open:
+            self._open[-1].children.append(node)
+        else:
+            self.root = node
+        self._open.append(node)
+        if len(self._open) > DEPTH:
+            self._reader._refuse(line, f"elements are nested more than {DEPTH} deep")
+
+    def end(self, _: Any) -> None:
+        self._open.pop()
+
+    def data(self, text: str) -> None:
+        self._open[-1].text += text

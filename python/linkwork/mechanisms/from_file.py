@@ -1,0 +1,46 @@
+"""A mechanism by its name or from a file, for everything that takes one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Any
+
+from linkwork.mechanisms.mechanism import Mechanism
+
+if TYPE_CHECKING:
+    from linkwork.model import Model
+
+__all__ = ["is_file", "mechanism_of_file"]
+
+
+def is_file(name: str) -> bool:
+    """Whether a word means a file: it has an extension or a folder. Names of mechanisms have neither."""
+    return bool(PurePath(name).suffix) or os.sep in name
+
+
+def mechanism_of_file(path: str) -> Mechanism:
+    """The model in a file, or imported from one, with the arguments of `simulate` that it recommends.
+
+    What an import leaves out is a LinkworkWarning. FileError, ModelFileError: what is wrong with the file.
+    """
+    model, simulation = _read(path)
+
+    def build() -> Model:
+        return model
+
+    build.__name__ = PurePath(path).name
+    build.__doc__ = model.describe()
+    return Mechanism(build, **simulation)
+
+
+def _read(path: str) -> tuple[Model, Mapping[str, Any]]:
+    from linkwork import importers, model_file
+
+    if importers.is_importable(path):
+        imported = importers.read(path)
+        imported.warn()
+        return imported.model, {}
+    file = model_file.read(path)
+    return file.model, file.simulation

@@ -1,0 +1,350 @@
+"""What a model file may say, as pydantic models made from the registries of joints, forces and functions of time.
+
+A kind of joint or force has two forms in a file: *placed*, with the arguments of its method of `Model`
+(`model.revolute(a, b, at=..., axis=...)`), and *attached*, with its points and axes in body coordinates, which is
+how models are saved, exact to the last bit. A joint that is added to the compiled module has both at once.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+
+from annotated_types import Len
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_model
+
+from linkwork import functions
+from linkwork.elements import KINDS, LENGTHS, Role
+from linkwork.model import Model
+from linkwork.simulation import simulate
+
+__all__ = ["VERSION", "Attached", "Document", "Element", "Record", "document_type", "element_type", "json_schema"]
+
+#: Of the format.
+VERSION = 1
+
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
+Vector = Annotated[list[Number], Len(3, 3)]
+Quaternion = Annotated[list[Number], Len(4, 4)]
+Matrix = Annotated[list[Vector], Len(3, 3)]
+Word = Annotated[str, Field(strict=True, min_length=1, max_length=1000)]
+
+
+def _either(one: Any, many: Any) -> Any:
+    """`one`, or `many` of it: told apart by whether the list's first entry is a list."""
+    nested = Discriminator(lambda value: "many" if _is_nested(value) else "one")
+    return Annotated[Annotated[one, Tag("one")] | Annotated[many, Tag("many")], nested]
+
+
+def _is_nested(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], list)
+
+
+def _pair(of: Any) -> Any:
+    return Annotated[list[of], Len(2, 2)]
+
+
+class Record(BaseModel):
+    """A mapping with these keys and no others."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, protected_namespaces=())
+
+
+class BodyRecord(Record):
+    """A rigid body as it is at t = 0."""
+
+    name: Word
+    mass: Number = Field(ge=0, description="[kg], zero for a massless body")
+    inertia: _either(Vector, Matrix) = Field(  # type: ignore[valid-type]
+        description="about the center of mass, body axes [kg m2]: principal moments (3,) or rows (3, 3)"
+    )
+    position: Vector = Field([0.0, 0.0, 0.0], description="of the center of mass, inertial [m]")
+    orientation: Quaternion = Field(
+        [1.0, 0.0, 0.0, 0.0], description="unit Euler parameters, scalar first, body axes to inertial"
+    )
+    velocity: Vector = Field([0.0, 0.0, 0.0], description="of the center of mass, inertial [m/s]")
+    omega: Vector = Field([0.0, 0.0, 0.0], description="angular velocity, body axes [rad/s]")
+
+
+# --- functions of time ---------------------------------------------------------------------------------------------
+
+
+def _numbers() -> Any:
+    rows = list[list[Number]]
+    levels = Discriminator(lambda value: ("number", "list", "rows")[isinstance(value, list) + _is_nested(value)])
+    return Annotated[
+        Annotated[Number, Tag("number")] | Annotated[list[Number], Tag("list")] | Annotated[rows, Tag("rows")],
+        levels,
+    ]
+
+
+#: A number, or lists of them in each other.
+Numbers = _numbers()
+
+
+def constructors() -> Mapping[str, Callable[..., functions.TimeFunction]]:
+    """The functions of time that are data, by name: those of linkwork.functions."""
+    return {
+        name: value
+        for name in functions.__all__
+        if inspect.isfunction(value := getattr(functions, name)) and name != "as_time_function"
+    }
+
+
+def _argument_type(parameter: inspect.Parameter) -> Any:
+    if parameter.kind is parameter.VAR_POSITIONAL:
+        return Annotated[list[Number], Len(1)]
+    if parameter.annotation in ("float", float):
+        return Number
+    if parameter.annotation in ("str", str):
+        return Annotated[str, Field(strict=True, min_length=1, max_length=10_000)]
+    return Numbers
+
+
+#: How deep sums can be in each other: the integral of an integral of a sum, and what it starts from.
+SUMS = 4
+
+
+def _has_one(constructor: Callable[..., Any]) -> bool:
+    """Whether a function of time takes a single argument, or any number of one kind: then it has no name in a file."""
+    return len(inspect.signature(constructor).parameters) == 1
+
+
+@cache
+def _function_type(sums: int = SUMS) -> Any:
+    """A mapping with one key, the name of a function, and its arguments; a sum has a list of functions."""
+    variants = [Annotated[_variant(name), Tag(name)] for name in constructors()]
+    if sums:
+        terms = Annotated[list[_function_type(sums - 1)], Len(1)]
+        summary = "The sum of functions."
+        total = create_model("sum" if sums == SUMS else f"sum {sums}", __base__=Record, __doc__=summary, sum=(terms, ...))
+        variants.append(Annotated[total, Tag("sum")])
+    known = {*constructors(), "sum"} if sums else set(constructors())
+
+    def name_of(value: Any) -> str | None:
+        names = [name for name in value if name in known] if isinstance(value, dict) else []
+        return names[0] if names else None
+
+    return Annotated[Union[tuple(variants)], Discriminator(name_of)]
+
+
+@cache
+def _variant(name: str) -> type[Record]:
+    constructor = constructors()[name]
+    parameters = inspect.signature(constructor).parameters.values()
+    summary = (inspect.getdoc(constructor) or "").split("\n\n")[0]
+    fields: dict[str, Any] = {
+        p.name: (_argument_type(p), ... if p.default is p.empty else p.default) for p in parameters
+    }
+    if _has_one(constructor):
+        ((arguments, _),) = fields.values()
+    else:
+        arguments = create_model(f"{name} arguments", __base__=Record, __doc__=summary, **fields)
+    made: type[Record] = create_model(name, __base__=Record, __doc__=summary, **{name: (arguments, ...)})
+    return made
+
+
+def argument_names(function: str) -> list[str]:
+    """Of a function of time; empty where there is none of this name."""
+    known = constructors()
+    return list(inspect.signature(known[function]).parameters) if function in known else []
+
+
+def _quantity_type() -> Any:
+    """A number, the name of a function, or a function of time."""
+
+    def form(value: Any) -> str:
+        return "name" if isinstance(value, str) else "function" if isinstance(value, dict) else "number"
+
+    return Annotated[
+        Annotated[Number, Tag("number")] | Annotated[Word, Tag("name")] | Annotated[_function_type(), Tag("function")],
+        Discriminator(form),
+    ]
+
+
+# --- joints and forces ---------------------------------------------------------------------------------------------
+
+
+class Element(Record):
+    """A joint or force: its kind, its name, and what it acts on."""
+
+    kind: Word
+    name: Word | None = Field(None, description="without it the kind and a number")
+
+
+class AttachmentRecord(Record):
+    """Where an element sits on its two bodies a and b, in body coordinates: the exact form of `at` and axes."""
+
+    origin: _pair(Vector) = Field(description="its point in a and its point in b [m]")  # type: ignore[valid-type]
+    frame: _pair(Matrix) = Field(  # type: ignore[valid-type]
+        description="its axes in a and in b: rows of the rotation matrix whose columns are the axes x, y, z"
+    )
+
+
+class Attached(Element):
+    """An element as it is saved."""
+
+    a: Word = Field(description="name of a body, or ground")
+    b: Word = Field(description="name of a body, or ground")
+    attachment: AttachmentRecord
+
+
+#: The methods of Model that are not called as their kind.
+METHODS = {"applied": "force"}
+
+_BODY = Field(description="name of a body, or ground")
+
+#: Types of the arguments that say where an element is.
+_PLACES: Mapping[str, Any] = {
+    "at": _either(Vector, _pair(Vector)),
+    "axis": _either(Vector, _pair(Vector)),
+    "x_axis": _either(Vector, _pair(Vector)),
+    "normal": _either(Vector, _pair(Vector)),
+    "axes": _pair(Vector),
+    "orientation": _either(Quaternion, _pair(Quaternion)),
+}
+
+
+def method_of(kind: str) -> Callable[..., Any]:
+    """The method of Model that adds an element of this kind."""
+    method: Callable[..., Any] = getattr(Model, METHODS.get(kind, kind))
+    return method
+
+
+def _placed_fields(kind: Any) -> Iterator[tuple[str, Any]]:
+    """(name, (type, default)) of the arguments of the kind's method."""
+    method = method_of(kind.name)
+    hints = get_type_hints(method) if not hasattr(method, "__signature__") else {}
+    for parameter in list(inspect.signature(method).parameters.values())[1:]:
+        name = parameter.name
+        if name == "name":
+            continue
+        required = parameter.default is parameter.empty
+        type_ = _field_type(kind, name, hints.get(name))
+        if name in ("a", "b", "body"):
+            yield name, (Word, _BODY)
+        elif required:
+            yield name, (type_, ...)
+        else:
+            yield name, (type_ if parameter.default is not None else type_ | None, _plain(parameter.default))
+
+
+def _field_type(kind: Any, name: str, hint: Any) -> Any:
+    if name == "frames":
+        return Literal["space", "body"]
+    if name in kind.constants:
+        return Number
+    if name in kind.parameters:
+        return _quantity_type()
+    if f"{name}_x" in kind.parameters:
+        return Annotated[list[_quantity_type()], Len(3, 3)]
+    if name in _PLACES:
+        return _PLACES[name]
+    if get_origin(hint) is Literal or hint in (str, bool, int):
+        return hint
+    return Numbers
+
+
+def _plain(default: Any) -> Any:
+    return list(default) if isinstance(default, tuple) else default
+
+
+def _parameter_fields(kind: Any) -> Iterator[tuple[str, Any]]:
+    """(name, (type, default)) of the parameters, which an attached element has by their own names."""
+    for place, name in enumerate(kind.parameters):
+        type_ = Number if name in kind.constants else _quantity_type()
+        defaults = getattr(kind, "defaults", None)
+        default = defaults[place] if defaults else float("nan")
+        if name in LENGTHS:
+            yield name, (type_ | None, None)
+        else:
+            yield name, (type_, ... if default != default else default)
+
+
+@cache
+def element_type(role: Role, kind: str, attached: bool) -> type[Element]:
+    """The record of one kind in one of its two forms."""
+    info = KINDS[role][kind]
+    fields = dict(_parameter_fields(info) if attached else _placed_fields(info))
+    name = f"{kind} {role}, attached" if attached else f"{kind} {role}"
+    made: type[Element] = create_model(
+        name,
+        __base__=Attached if attached else Element,
+        __doc__=info.documentation,
+        kind=(Literal[kind], ...),
+        **fields,
+    )
+    return made
+
+
+def form_of(value: Any) -> tuple[str, bool] | None:
+    """Kind, and whether attached, of an element of a file."""
+    kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
+    attached = "attachment" in value if isinstance(value, dict) else isinstance(value, Attached)
+    return (kind, attached) if isinstance(kind, str) else None
+
+
+def _elements_type(role: Role) -> Any:
+    def tag(value: Any) -> str | None:
+        form = form_of(value)
+        return None if form is None or form[0] not in KINDS[role] else f"{form[0]} {form[1]}"
+
+    variants = [
+        Annotated[element_type(role, kind, attached), Tag(f"{kind} {attached}")]
+        for kind in KINDS[role]
+        for attached in (False, True)
+        if attached or hasattr(Model, METHODS.get(kind, kind))
+    ]
+    return Annotated[Union[tuple(variants)], Discriminator(tag)]
+
+
+# --- the whole -----------------------------------------------------------------------------------------------------
+
+Setting = Annotated[bool | int | float | str | dict[str, float], Field(union_mode="smart")]
+
+#: Arguments of `simulate` that are no data.
+_NOT_SETTINGS = ("model", "output", "progress", "events", "start", "times", "options")
+
+
+def setting_names() -> list[str]:
+    """The arguments of `simulate` that a file may recommend."""
+    from linkwork.options import Options
+
+    return [name for name in (*inspect.signature(simulate).parameters, *Options.__annotations__)
+            if name not in _NOT_SETTINGS]  # fmt: skip
+
+
+class Document(Record):
+    """A mechanism. SI units: m, kg, s, N, rad. Positions and velocities are inertial unless said otherwise."""
+
+    linkwork: Literal[1] = Field(description="version of the format")
+    units: Literal["SI"] = Field("SI", description="of everything in the file; there is no other choice")
+    name: str = ""
+    gravity: Vector = Field([0.0, 0.0, -9.81], description="acceleration, inertial [m/s2]")
+    simulation: dict[str, Setting] = Field({}, description="recommended arguments of linkwork.simulate")
+    functions: dict[Word, Any] = Field({}, description="functions of time by name, for use by several elements")
+    bodies: list[BodyRecord] = []
+    joints: list[Any] = []
+    forces: list[Any] = []
+
+
+@cache
+def document_type() -> type[Document]:
+    """The record of a whole file, with every registered kind."""
+    roles: dict[str, Any] = {f"{role}s": (list[_elements_type(role)], []) for role in KINDS}
+    named = (dict[Word, _function_type()], Field({}, description=Document.model_fields["functions"].description))
+    made: type[Document] = create_model(
+        "linkwork model", __base__=Document, __doc__=Document.__doc__, functions=named, **roles
+    )
+    return made
+
+
+def json_schema() -> dict[str, Any]:
+    """The JSON schema (draft 2020-12) of model files; YAML files follow it as well."""
+    schema = document_type().model_json_schema()
+    out = {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+    json.dumps(out)
+    return out

@@ -1,0 +1,316 @@
+"""Models in YAML and JSON files: what is written comes back exactly, and people can write them, too."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from linkwork import _core, model_file
+from linkwork.cli import run
+from linkwork.functions import Sum
+from linkwork.mechanisms import MECHANISMS
+from linkwork.model_file import schema
+from linkwork.model_file.writing import json_lines, record_of, yaml_lines
+from random_mechanisms import FORCES, JOINTS, Maker, Mechanism, examples, make
+
+SUFFIXES = (".yaml", ".json")
+
+
+def bits(model: lw.Model) -> dict[str, Any]:
+    """Everything in the compiled model, as bytes and names."""
+    core = model.compiled()
+    out: dict[str, Any] = {what: getattr(core, what).tobytes() for what in ("gravity", "mass", "inertia", "q0", "v0")}
+    for role in ("joint", "force"):
+        out |= {f"{role} {what}": x.tobytes() for what, x in getattr(core, f"{role}_arrays")().items()}
+    out["bodies"] = [core.body_name(k) for k in range(core.body_count)]
+    out["joints"] = [core.joint_name(k) for k in range(core.joint_count)]
+    out["forces"] = [core.force_name(k) for k in range(core.force_count)]
+    out["functions"] = {index: function.fingerprint() for index, function in model._functions.items()}
+    return out | {"name": model.name, "hash": model.hash()}
+
+
+def round_trip(model: lw.Model, path: Path) -> lw.Model:
+    model.save(path)
+    return lw.Model.load(path)
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_every_mechanism_comes_back_to_the_last_bit(name: str, suffix: str, tmp_path: Path) -> None:
+    model = MECHANISMS[name].function()
+    assert bits(round_trip(model, tmp_path / f"model{suffix}")) == bits(model)
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+@examples(15)
+@given(seed=st.integers(0, 2**32 - 1), joints=st.lists(st.sampled_from(sorted(JOINTS)), min_size=2, max_size=12))
+def test_random_mechanisms_come_back_to_the_last_bit(suffix: str, seed: int, joints: list[str],
+                                                     tmp_path_factory: pytest.TempPathFactory) -> None:  # fmt: skip
+    forces = [sorted(FORCES)[k] for k in np.random.default_rng(seed).integers(len(FORCES), size=4)]
+    model = make(seed, joints, forces=forces).model
+    assert bits(round_trip(model, tmp_path_factory.mktemp("files") / f"model{suffix}")) == bits(model)
+
+
+@examples(5)
+@given(seed=st.integers(0, 2**32 - 1))
+def test_every_orientation_comes_back(seed: int, tmp_path_factory: pytest.TempPathFactory) -> None:
+    rng, count = np.random.default_rng(seed), 1000
+    p = rng.standard_normal((count, 4))
+    model = lw.Model()
+    model.bodies(
+        "b", mass=1.0, inertia=(1, 1, 1), position=np.zeros((count, 3)),
+        orientation=p / np.linalg.norm(p, axis=1, keepdims=True),
+    )  # fmt: skip
+    again = round_trip(model, tmp_path_factory.mktemp("files") / "model.json")
+    assert again.compiled().q0.tobytes() == model.compiled().q0.tobytes()
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_numbers_at_the_edges_come_back(suffix: str, tmp_path: Path) -> None:
+    model = lw.Model(gravity=(-0.0, 5e-324, 1.7976931348623157e308))
+    model.body("a", mass=0.1 + 0.2, inertia=(1e-300, 1e-300, 1e-300), position=(-0.0, 1 / 3, -1e22))
+    assert bits(round_trip(model, tmp_path / f"model{suffix}")) == bits(model)
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_any_printable_name_comes_back(suffix: str, tmp_path: Path) -> None:
+    names = ["null", "1e3", "true", "~", "yes", "a: b", "# no", "- x", "[0]", "{", "'", '"', "\\", "é", "车轮", "🤖",
+             "x" * 300, " lead", "trail ", "*a", "&b", "!c", "%d", "@", "`", "=", "<<", "0x1F", "1_000", "link[3]"]  # fmt: skip
+    model = lw.Model(name="two\nlines, a tab\t and \x7f")
+    for name in names:
+        model.body(name, mass=1.0, inertia=(1, 1, 1))
+    again = round_trip(model, tmp_path / f"model{suffix}")
+    assert [again.compiled().body_name(k) for k in range(len(names))] == names
+    assert again.name == model.name
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_a_loaded_model_moves_as_the_one_saved(suffix: str, tmp_path: Path) -> None:
+    model = MECHANISMS["spatial_slider_crank"].function()
+    one, other = (lw.simulate(m, t_end=0.1, step=1e-3) for m in (model, round_trip(model, tmp_path / f"m{suffix}")))
+    assert one.q.tobytes() == other.q.tobytes()
+
+
+# --- functions of time -----------------------------------------------------------------------------------------
+
+
+def driven(length: Any, count: int = 1) -> lw.Model:
+    model = lw.Model()
+    bodies = model.bodies("b", mass=1.0, inertia=(1, 1, 1), position=np.array([[1.0, k, 0] for k in range(count)]))
+    at = (np.array([[0.0, k, 0] for k in range(count)]), np.array([[1.0, k, 0] for k in range(count)]))
+    model.joints("distance", model.ground, bodies, at=at, length=length)
+    return model
+
+
+@pytest.mark.parametrize("function", [
+    lw.functions.polynomial(1.0, 0.1, -0.2), lw.functions.constant(1.0), lw.functions.harmonic(0.1, 3.0, 0.2, 1.0),
+    lw.functions.table([0, 0.3, 0.7, 2.0], [1.0, 1.1, 0.9, 1.3]),
+    lw.functions.piecewise_polynomial([0.0, 1.0, 3.0], [[1.0, 0.1], [1.1, 0.2]]),
+    Sum((lw.functions.constant(1.0), lw.functions.cycloidal(0.3, duration=1.5, start=0.1))), lw.functions.expression("1 + 0.3 * sin(2*pi*t)**2"),
+    Sum((lw.functions.constant(1.0), lw.functions.harmonic(0.1, 3.0, 0.2, 1.0).integral().integral())),
+], ids=repr)  # fmt: skip
+def test_functions_of_time_come_back(function: Any, tmp_path: Path) -> None:
+    model = driven(function)
+    again = round_trip(model, tmp_path / "model.yaml")
+    assert bits(again) == bits(model)
+    for t in (0.0, 0.31, 1.7, 2.0):
+        assert again.signals[0][1].evaluate(t) == function.evaluate(t)
+
+
+def test_every_function_of_time_there_is_is_in_the_schema() -> None:
+    """Each class of linkwork.functions but the Python callback is written, as the tests above show for one of each."""
+    written = {"Polynomial", "Harmonic", "Table", "Cycloidal", "Expression", "Sum"}
+    assert {kind.__name__ for kind in lw.functions.TimeFunction.__subclasses__()} == written | {"Callback"}
+
+
+def test_a_function_of_several_elements_stays_one(tmp_path: Path) -> None:
+    model = driven(lw.functions.harmonic(0.1, 3.0, 0.2, 1.0), count=5)
+    again = round_trip(model, tmp_path / "model.json")
+    assert bits(again) == bits(model) and len(again.signals) == 1
+    assert list(json.loads((tmp_path / "model.json").read_text())["functions"]) == ["function 1"]
+
+
+def test_python_functions_are_refused_by_name(tmp_path: Path) -> None:
+    model = driven((lambda t: 1.0 + t, lambda t: 1.0, lambda t: 0.0))
+    with pytest.raises(lw.ModelError, match=r"distance 'distance 1\[0\]': length is a Python function"):
+        model.save(tmp_path / "model.yaml")
+    assert not list(tmp_path.iterdir())
+
+
+def test_forces_of_the_users_own_are_refused_by_name(tmp_path: Path) -> None:
+    model = MECHANISMS["pendulum"].function()
+    model.user_force(lambda t, q, v: (np.zeros(3), np.zeros(3)), model.compiled().body_name(0), name="wind")
+    with pytest.raises(lw.ModelError, match="'wind'"):
+        model.save(tmp_path / "model.yaml")
+
+
+# --- as people write them --------------------------------------------------------------------------------------
+
+SLIDER = """
+linkwork: 1
+name: crank and rod   # a comment
+gravity: [0, 0, -9.81]
+simulation: {t_end: 0.2, step: 1e-3, formulation: augmented_lagrangian}
+functions:
+  push: {harmonic: {amplitude: 5, frequency: 3}}
+bodies:
+  - {name: crank, mass: 1, inertia: [0.01, 0.02, 0.02], position: [0.5, 0, 0]}
+  - name: rod
+    mass: 2.0
+    inertia: [[0.02, 0, 0], [0, 0.3, 0], [0, 0, 0.3]]
+    position: [2, 0, 0]
+joints:
+  - {kind: revolute, name: motor pin, a: ground, b: crank, at: [0, 0, 0], axis: [0, 1, 0]}
+  - {kind: spherical, a: crank, b: rod, at: [[0.5, 0, 0], [-1, 0, 0]], frames: body}
+forces:
+  - {kind: spring_damper, a: ground, b: rod, at: [[3, 0, 1], [3, 0, 0]], stiffness: 100}
+  - {kind: applied, body: rod, force: [push, 0, {polynomial: [1, 2]}], at: [1, 0, 0]}
+"""
+
+
+def crank_and_rod() -> lw.Model:
+    model = lw.Model(name="crank and rod")
+    crank = model.body("crank", mass=1.0, inertia=(0.01, 0.02, 0.02), position=(0.5, 0, 0))
+    rod = model.body("rod", mass=2.0, inertia=np.diag([0.02, 0.3, 0.3]), position=(2, 0, 0))
+    model.revolute(model.ground, crank, at=(0, 0, 0), axis=(0, 1, 0), name="motor pin")
+    model.spherical(crank, rod, at=((0.5, 0, 0), (-1, 0, 0)), frames="body")
+    model.spring_damper(model.ground, rod, at=((3, 0, 1), (3, 0, 0)), stiffness=100)
+    push = lw.functions.harmonic(amplitude=5, frequency=3)
+    model.force(rod, force=(push, 0, lw.functions.polynomial(1, 2)), at=(1, 0, 0))
+    return model
+
+
+def test_a_file_says_what_python_says(tmp_path: Path) -> None:
+    path = tmp_path / "model.yaml"
+    path.write_text(SLIDER)
+    assert bits(lw.Model.load(path)) == bits(crank_and_rod())
+
+
+@pytest.mark.parametrize("kind", sorted(JOINTS))
+def test_every_kind_of_joint_can_be_written_as_its_method_is_called(kind: str, tmp_path: Path) -> None:
+    maker = Maker(7)
+    maker.body(-1)
+    maker.body(0)
+    element = maker.element(JOINTS[kind], 0, 1, (), "it")
+    if JOINTS[kind].parameters and not element.parameters:
+        element = make(7, [kind, kind]).joints[0]
+    mechanism = Mechanism(np.zeros(3), tuple(maker.bodies), (), ())
+    from random_mechanisms import _arguments
+
+    arguments = _arguments(JOINTS, element)
+    model = mechanism.model
+    getattr(model, kind)("body 0", "body 1", frames="body", name="it", **arguments)
+    document = record_of(mechanism.model, {}) | {"functions": {}}
+    bodies = document["bodies"]
+    plain = {what: _plain(value) for what, value in arguments.items()}
+    joints = [{"kind": kind, "name": "it", "a": "body 0", "b": "body 1", "frames": "body", **plain}]
+    path = tmp_path / "model.json"
+    path.write_text(json.dumps({"linkwork": 1, "gravity": [0, 0, 0], "bodies": bodies, "joints": joints}))
+    assert bits(lw.Model.load(path)) == bits(model)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return [_plain(part) for part in value]
+    return value.tolist() if isinstance(value, np.ndarray) else _function(value)
+
+
+def _function(value: Any) -> Any:
+    from linkwork.model_file.writing import _function_record
+
+    return _function_record(value, "") if isinstance(value, lw.functions.TimeFunction) else value
+
+
+def test_elements_that_follow_each_other_are_as_if_added_one_by_one(tmp_path: Path) -> None:
+    """Placed in space, in several kinds and forms, in one file: batches give what single calls give."""
+    model = lw.Model()
+    records, bodies = [], []
+    for k in range(12):
+        position = [float(k), 0.5 * k, 0.1]
+        bodies.append({"name": f"b{k}", "mass": 1, "inertia": [1, 1, 1], "position": position})
+        model.body(f"b{k}", mass=1, inertia=(1, 1, 1), position=position)
+    for k in range(11):
+        kind = "revolute" if k < 7 else "spherical"
+        place: dict[str, Any] = {"at": [k + 0.5, 0.0, 0.0]}
+        if kind == "revolute":
+            place["axis"] = [0.0, 1.0, 0.1 * k]
+        if k in (3, 4):
+            place["x_axis"] = [1.0, 0.0, 0.0]
+        named = {} if k == 9 else {"name": f"j{k}"}
+        records.append({"kind": kind, "a": f"b{k}", "b": f"b{k + 1}", **place, **named})
+        getattr(model, kind)(f"b{k}", f"b{k + 1}", **place, **named)
+    path = tmp_path / "model.json"
+    path.write_text(json.dumps({"linkwork": 1, "bodies": bodies, "joints": records}))
+    assert bits(lw.Model.load(path)) == bits(model)
+
+
+# --- the schema and the command line ---------------------------------------------------------------------------
+
+
+def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
+    published = model_file.json_schema()
+    text = json.dumps(published)
+    kinds = [kind.name for kind in (*_core.joint_kinds(), *_core.force_kinds())]
+    assert all(f'"const": "{kind}"' in text for kind in kinds)
+    references = {word.split('"')[0] for word in text.split('"$ref": "#/$defs/')[1:]}
+    assert references <= set(published["$defs"])
+
+
+def test_saved_documents_obey_the_published_schema() -> None:
+    jsonschema = pytest.importorskip("jsonschema")
+    validator = jsonschema.Draft202012Validator(model_file.json_schema())
+    for model in (crank_and_rod(), make(3, sorted(JOINTS)[:8]).model, driven(lw.functions.table([0, 1], [1, 2]))):
+        validator.validate(record_of(model, {"t_end": 1.0}))
+    broken = record_of(crank_and_rod(), {})
+    broken["bodies"][0]["mass"] = "heavy"
+    assert not validator.is_valid(broken)
+
+
+def test_yaml_and_json_hold_the_same_document() -> None:
+    document = record_of(crank_and_rod(), {"t_end": 1.0})
+    from linkwork.model_file.yaml_text import YamlText
+
+    assert YamlText("".join(yaml_lines(document))).data == json.loads("".join(json_lines(document))) == document
+
+
+def test_settings_of_the_file_hold_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "model.yaml"
+    path.write_text(SLIDER.replace("0.2, step", "0.05, step"))
+    assert run(["run", str(path), "--json"], debug=False) == 0
+    chosen = json.loads(capsys.readouterr().out)["manifest"]["options"]
+    assert (chosen["t_end"], chosen["step"], chosen["formulation"]) == (0.05, 1e-3, "augmented_lagrangian")
+    for command in (["check", str(path)], ["schema"], ["run", str(path), "--t-end", "0.01"]):
+        assert run(command, debug=False) == 0, command
+        assert capsys.readouterr().err == ""
+
+
+def test_every_fault_is_a_line_of_its_own(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "model.yaml"
+    path.write_text(SLIDER.replace("mass: 1,", "mass: -1,").replace("kind: spherical", "kind: sferical"))
+    assert run(["run", str(path)], debug=False) == 1
+    said = capsys.readouterr().err.splitlines()
+    assert said == [
+        f"error: {path}:9: bodies[0].mass: -1 is not 0 or more",
+        f"error: {path}:16: joints[1].kind: 'sferical' is no kind of joint; the nearest is 'spherical'",
+    ]
+
+
+def test_a_failed_save_leaves_the_old_file(tmp_path: Path) -> None:
+    path = tmp_path / "model.yaml"
+    crank_and_rod().save(path)
+    before = path.read_bytes()
+    with pytest.raises(lw.ModelError):
+        driven((lambda t: 1.0, lambda t: 0.0, lambda t: 0.0)).save(path)
+    with pytest.raises(lw.OptionError, match="t_end"):
+        crank_and_rod().save(path, simulation={"tend": 1})
+    assert path.read_bytes() == before and len(list(tmp_path.iterdir())) == 1
+
+
+def test_names_of_settings_are_arguments_of_simulate() -> None:
+    assert {"t_end", "step", "formulation", "violation_limit"} <= set(schema.setting_names())
