@@ -271,3 +271,19 @@ def test_plots_share_the_height_and_follow_the_window(
         assert min(found) >= 178
         if height >= 700:
             assert sum(found) < height
+
+
+def test_meshes_are_drawn_in_their_color(tab: chromium.Page, tmp_path: Path) -> None:
+    """A tetrahedron fills a part of the picture, and its center is where the body is."""
+    corners = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]) / 2
+    mesh = lw.Mesh(corners, [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]], color="#00ff00")
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("stone", mass=1.0, inertia=(1, 1, 1), velocity=(0, 0.1, 0), shape=mesh)
+    opened(tab, lw.simulate(model, t_end=1.0, step=0.1).view(), tmp_path)
+    left, top, right, bottom = canvas(tab)
+    seen = picture(tab)[top:bottom, left:right]
+    expected = tab.evaluate("linkwork.world.projected(0, 0, 0)")
+    green = seen[..., 1] - np.maximum(seen[..., 0], seen[..., 2]) > 60
+    assert green.mean() > 0.02
+    assert green[int(expected[1]), int(expected[0])]
+    assert tab.complaints == []
