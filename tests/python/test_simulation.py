@@ -246,16 +246,22 @@ def test_a_diverging_run_names_body_and_time() -> None:
 
 
 def seconds_to_interrupt(integrator: Any, **arguments: Any) -> float:
-    """From Ctrl-C, 0.3 s after the start, to the KeyboardInterrupt of an endless run."""
-    pressed = [0.0]
+    """From Ctrl-C, when an endless run has got somewhere, to its KeyboardInterrupt."""
+    pressed, under_way = [0.0], threading.Event()
 
     def press() -> None:
+        under_way.wait(60)
+        time.sleep(0.2)
         pressed[0] = time.monotonic()
         _thread.interrupt_main()
 
-    threading.Timer(0.3, press).start()
+    def progress(info: lw.ProgressInfo) -> None:
+        if info.fraction > 0:
+            under_way.set()
+
+    threading.Thread(target=press).start()
     with pytest.raises(KeyboardInterrupt):
-        lw.simulate(lw.mechanisms.heavy_top(), 1e5, 1e-4, integrator, **arguments)
+        lw.simulate(lw.mechanisms.heavy_top(), 1e5, 1e-4, integrator, progress=progress, **arguments)
     return time.monotonic() - pressed[0]
 
 
