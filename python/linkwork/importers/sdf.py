@@ -20,7 +20,7 @@ from linkwork.importers.description import (
     Note,
 )
 from linkwork.importers.frames import Frame, from_quaternion, from_rpy
-from linkwork.importers.urdf import tensor
+from linkwork.importers.urdf import inertia_matrix
 from linkwork.importers.xml_text import Node, Reader
 
 __all__ = ["import_sdf"]
@@ -126,7 +126,7 @@ class _SdfModel:
         if inertia is not None:
             for key, default in entries.items():
                 entries[key] = reader.number(inertia, inertia.word(key), f"{who} inertia {key}", default)
-        link.inertia = pose.A @ tensor(entries) @ pose.A.T
+        link.inertia = pose.A @ inertia_matrix(entries) @ pose.A.T
         if inertial.one("fluid_added_mass") is not None:
             self._note("fluid_added_mass", who, "its added mass is not represented")
         return link

@@ -95,7 +95,7 @@ class _Robot:
             key: self._reader.number(tensor, tensor.attributes.get(key), f"{who} inertia {key}", default=default)
             for key, default in (("ixx", None), ("iyy", None), ("izz", None), ("ixy", 0.0), ("ixz", 0.0), ("iyz", 0.0))
         }
-        link.inertia = frame.A @ tensor(values) @ frame.A.T
+        link.inertia = frame.A @ inertia_matrix(values) @ frame.A.T
         return link
 
     def _origin(self, node: Node, who: str) -> Frame:
@@ -206,6 +206,6 @@ def _planar(normal: np.ndarray) -> tuple[Motion, ...]:  # type: ignore[type-arg]
     return Motion(False, x), Motion(False, np.cross(normal, x)), Motion(True, normal)
 
 
-def tensor(values: dict[str, float]) -> np.ndarray:  # type: ignore[type-arg]
+def inertia_matrix(values: dict[str, float]) -> np.ndarray:  # type: ignore[type-arg]
     (xx, yy, zz), (xy, xz, yz) = ((values[key] for key in keys) for keys in (("ixx", "iyy", "izz"), ("ixy", "ixz", "iyz")))
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
