@@ -144,6 +144,16 @@ def test_massless_links_between_fixed_joints_are_frames(tmp_path: Path) -> None:
     assert [note.subject for note in imported.notes if note.topic == "merged"] == ["massless link 'flange'", "massless link 'mount'"]
 
 
+def test_a_part_without_mass_gives_its_moments_of_inertia(tmp_path: Path) -> None:
+    """A rotor that a file describes by moments alone."""
+    body = link("base") + link("arm") + link("rotor", mass=0.0) + joint("j", "revolute", "base", "arm") + joint(
+        "f", "fixed", "arm", "rotor", '<origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>')  # fmt: skip
+    core = loaded(tmp_path, body).model.compiled()
+    assert (core.body_count, core.mass[0]) == (1, 1.0)
+    assert core.inertia[0] == pytest.approx(np.diag([0.5, 0.5, 0.3]), abs=1e-15)
+    assert core.q0[:3] == pytest.approx([0, 0, 0])
+
+
 def test_a_floating_base_falls(tmp_path: Path) -> None:
     body = '<link name="root"/>' + link("trunk", "0.1 0 0.3", mass=5) + joint("root", "fixed", "root", "trunk")
     model = loaded(tmp_path, body, floating=True, gravity=(1.0, 2.0, 3.0)).model

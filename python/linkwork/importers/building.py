@@ -177,13 +177,13 @@ def _merged(first: _Group, second: _Group, states: Mapping[str, LinkState]) -> _
     if second.mass and not first.mass or second.main == WORLD:
         first, second = second, first
     links = [*first.links, *second.links]
-    if first.main == WORLD or second.mass == 0:
+    if first.main == WORLD:
         return _Group(links, first.main, first.mass, first.center, first.inertia)
     step = states[first.main].frame.inverse @ states[second.main].frame
     mass = first.mass + second.mass
     parts = ((first.mass, first.center, first.inertia),
              (second.mass, step.point(second.center), step.A @ second.inertia @ step.A.T))  # fmt: skip
-    center = sum(m * c for m, c, _ in parts) / mass
+    center = sum(m * c for m, c, _ in parts) / mass if mass else first.center
     inertia = sum(J + m * ((c - center) @ (c - center) * np.eye(3) - np.outer(c - center, c - center))
                   for m, c, J in parts)  # fmt: skip
     return _Group(links, first.main, mass, np.asarray(center), np.asarray(inertia))
