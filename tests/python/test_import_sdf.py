@@ -38,7 +38,9 @@ def four_bar() -> lw.Model:
     model.revolute(model.ground, rocker, at=(1, 0, 0), axis=(0, 1, 0))
     model.revolute(crank, coupler, at=pin, axis=(0, 1, 0))
     model.revolute(coupler, rocker, at=(1, 0, 0.6), axis=(0, 1, 0))
-    model.rotational_spring_damper(model.ground, rocker, at=(1, 0, 0), axis=(0, 1, 0), stiffness=3, free_angle=0.2)
+    model.rotational_spring_damper(
+        model.ground, rocker, at=(1, 0, 0), axis=(0, 1, 0), stiffness=3, free_angle=0.2
+    )
     return model
 
 
@@ -54,17 +56,22 @@ def test_a_closed_loop_moves_as_the_same_mechanism_by_hand() -> None:
 
 def loaded(tmp_path: Path, body: str, version: str = "1.9", **options: Any) -> lw.Imported:
     path = tmp_path / "model.sdf"
-    path.write_text(f'<?xml version="1.0"?>\n<sdf version="{version}"><model name="m">\n{body}\n</model></sdf>\n')
+    path.write_text(
+        f'<?xml version="1.0"?>\n<sdf version="{version}"><model name="m">\n{body}\n</model></sdf>\n'
+    )
     return lw.import_sdf(path, **options)
 
 
 def link(name: str, pose: str = "0 0 0 0 0 0", attributes: str = "") -> str:
-    return (f'<link name="{name}"><pose {attributes}>{pose}</pose><inertial><pose>0.1 0.2 0 0 0 0</pose><mass>2</mass>'
+    return (f'<link name="{name}"><pose {attributes}>{pose}</pose>'
+            "<inertial><pose>0.1 0.2 0 0 0 0</pose><mass>2</mass>"
             "<inertia><ixx>0.2</ixx><iyy>0.3</iyy><izz>0.25</izz></inertia></inertial></link>")  # fmt: skip
 
 
 def joint(name: str, type_: str, parent: str, child: str, inner: str = "") -> str:
-    return f'<joint name="{name}" type="{type_}"><parent>{parent}</parent><child>{child}</child>{inner}</joint>'
+    return (
+        f'<joint name="{name}" type="{type_}"><parent>{parent}</parent><child>{child}</child>{inner}</joint>'
+    )
 
 
 def axis(xyz: str, rest: str = "", tag: str = "axis", attributes: str = "") -> str:
@@ -110,11 +117,15 @@ def test_every_kind_of_joint_does_what_ours_does(kind: str, tmp_path: Path) -> N
     ("1.4", "", (0, 1, 1)), ("1.6", "", A @ [0, 1, 1]),
     ("1.6", "<use_parent_model_frame>1</use_parent_model_frame>", (0, 1, 1)), ("1.9", "", A @ [0, 1, 1]),
 ])  # fmt: skip
-def test_axes_are_in_the_frame_that_the_version_says(version: str, rest: str, direction: Any, tmp_path: Path) -> None:
+def test_axes_are_in_the_frame_that_the_version_says(
+    version: str, rest: str, direction: Any, tmp_path: Path
+) -> None:
     model, body = by_hand()
     model.revolute(model.ground, body, at=R, axis=direction)
     text = link("a", POSE) + joint("j", "revolute", "world", "a", axis("0 1 1", rest))
-    assert accelerations(loaded(tmp_path, text, version).model) == pytest.approx(accelerations(model), rel=1e-11, abs=1e-11)
+    assert accelerations(loaded(tmp_path, text, version).model) == pytest.approx(
+        accelerations(model), rel=1e-11, abs=1e-11
+    )
 
 
 def test_poses_go_through_frames_degrees_and_quaternions(tmp_path: Path) -> None:
@@ -128,7 +139,8 @@ def test_poses_go_through_frames_degrees_and_quaternions(tmp_path: Path) -> None
     )
     model = loaded(tmp_path, text).model
     q = model.compiled().q0.reshape(-1, 7)
-    # a: turned 90 degrees about z at (1, 0, 1); b: 2 m along a's x (space y), turned 180 degrees; c: 3 m along b's y
+    # a: turned 90 degrees about z at (1, 0, 1); b: 2 m along a's x (space y), turned 180 degrees; c: 3 m
+    # along b's y
     centers = [(1 - 0.2, 0.1, 1), (1 - 0.1, 2 - 0.2, 1), (1 - 0.1, 2 - 3 - 0.2, 5)]
     assert q[:, :3] == pytest.approx(np.array(centers), abs=1e-14)
 
@@ -142,14 +154,25 @@ def test_a_model_is_free_unless_it_is_joined_static_or_asked_otherwise(tmp_path:
 
 def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
     limit = "<limit><lower>-1</lower><upper>1</upper></limit>"
-    text = (link("a") + '<link name="b"/>' + link("c") + '<plugin name="p"/>' + joint("j", "revolute", "a", "b", axis("0 0 1", limit))
+    text = (link("a") + '<link name="b"/>' + link("c") + '<plugin name="p"/>'
+            + joint("j", "revolute", "a", "b", axis("0 0 1", limit))
             + joint("g", "gearbox", "b", "c", "<gearbox_ratio>3</gearbox_ratio>"))  # fmt: skip
     notes = [(note.topic, note.subject) for note in loaded(tmp_path, text).notes]
-    assert sorted(notes) == [("element", "<plugin>"), ("gearbox", "joint 'g'"), ("inertial", "link 'b'"), ("limits", "joint 'j'")]
+    assert sorted(notes) == [
+        ("element", "<plugin>"),
+        ("gearbox", "joint 'g'"),
+        ("inertial", "link 'b'"),
+        ("limits", "joint 'j'"),
+    ]
 
 
 def test_axes_of_rounded_angles_are_made_parallel_where_asked(tmp_path: Path) -> None:
-    text = link("a") + link("b", "0 0 0 0 1.57 0") + joint("j", "revolute", "world", "a", axis("1 0 0")) + joint("k", "revolute", "a", "b", axis("0 0 1"))
+    text = (
+        link("a")
+        + link("b", "0 0 0 0 1.57 0")
+        + joint("j", "revolute", "world", "a", axis("1 0 0"))
+        + joint("k", "revolute", "a", "b", axis("0 0 1"))
+    )
     imported = loaded(tmp_path, text, align_axes=1e-3)
     assert [note.subject for note in imported.notes if note.topic == "axis"] == ["joint 'k'"]
     frame = imported.model.compiled().joint_arrays()["frame"][1, 0]
@@ -166,9 +189,17 @@ WRONG = [
     ("<parent>world</parent>", "<parent>base</parent>", r":4: joint 'j' parent: no link 'base'"),
     ("<child>a</child>", "", r":4: joint 'j': child is missing"),
     ('type="revolute"', 'type="rubber"', r":4: joint 'j': type 'rubber' is not taken"),
-    ("<pose >0 0 0 0 0 0</pose>", "<pose>0 0 0</pose>", r":3: link 'a' pose: '0 0 0' is not 6 finite numbers"),
+    (
+        "<pose >0 0 0 0 0 0</pose>",
+        "<pose>0 0 0</pose>",
+        r":3: link 'a' pose: '0 0 0' is not 6 finite numbers",
+    ),
     ("<pose >0 0 0 0 0 0</pose>", '<pose relative_to="b">0 0 0 0 0 0</pose>', r"no frame 'b'"),
-    ("<pose >0 0 0 0 0 0</pose>", '<pose relative_to="j">0 0 0 0 0 0</pose>', r"is relative to itself: a -> j -> a"),
+    (
+        "<pose >0 0 0 0 0 0</pose>",
+        '<pose relative_to="j">0 0 0 0 0 0</pose>',
+        r"is relative to itself: a -> j -> a",
+    ),
     ('<link name="a">', '<link name="a"/><link name="a">', r":3: link 'a': is given twice"),
     ("</model>", '<model name="inner"/></model>', r"nested models are not taken"),
     ("</model>", "</model><model/>", r"has 2 models"),
@@ -177,7 +208,9 @@ WRONG = [
 
 
 @pytest.mark.parametrize(("part", "by", "message"), WRONG)
-def test_wrong_files_are_refused_with_line_and_field(part: str, by: str, message: str, tmp_path: Path) -> None:
+def test_wrong_files_are_refused_with_line_and_field(
+    part: str, by: str, message: str, tmp_path: Path
+) -> None:
     text = f'<?xml version="1.0"?>\n<sdf version="1.9"><model name="m">\n{GOOD}\n</model></sdf>\n'
     assert part in text
     path = tmp_path / "model.sdf"

@@ -25,7 +25,7 @@ def accelerations(model: lw.Model) -> np.ndarray:
     return lw.System(model).accelerations(0.0, core.q0, core.v0)[0].reshape(-1, 6)
 
 
-# --- an arm of two rods in a vertical plane, in closed form ------------------------------------------------------
+# --- an arm of two rods in a vertical plane, in closed form -------------------------------------------------
 #
 # Angles q1, q2 (relative) about y from the x axis; masses m, lengths l, centers at a, moments J about y:
 #   M = [J1 + m1 a1^2 + m2 l1^2 + J2 + m2 a2^2 + 2 m2 l1 a2 c2,  J2 + m2 a2^2 + m2 l1 a2 c2; ., J2 + m2 a2^2]
@@ -76,7 +76,9 @@ def test_links_are_where_the_coordinates_put_them() -> None:
 
 
 def test_coordinates_of_the_result_are_those_of_the_file() -> None:
-    result = lw.simulate(lw.import_urdf(ARM, coordinates={"shoulder": 0.3, "elbow": -0.8}).model, t_end=0.01, step=1e-3)
+    result = lw.simulate(
+        lw.import_urdf(ARM, coordinates={"shoulder": 0.3, "elbow": -0.8}).model, t_end=0.01, step=1e-3
+    )
     assert result.coordinate("shoulder").value[0] == pytest.approx(0.3, abs=1e-14)
     assert result.coordinate("elbow").value[0] == pytest.approx(-0.8, abs=1e-14)
 
@@ -91,7 +93,13 @@ def test_what_is_not_in_the_model_is_listed() -> None:
         imported.warn()
 
 
-# --- inertias and rigid groups ------------------------------------------------------------------------------------
+def turned(roll: float, pitch: float, yaw: float) -> np.ndarray:
+    x, y, z = (lw.rotation.matrix(lw.rotation.about(axis, angle))
+               for axis, angle in zip(np.eye(3), (roll, pitch, yaw), strict=True))  # fmt: skip
+    return z @ y @ x
+
+
+# --- inertias and rigid groups ------------------------------------------------------------------------------
 
 LINK = '<link name="{0}"><inertial><origin xyz="{1}" rpy="{2}"/><mass value="{3}"/>' \
        '<inertia ixx="0.3" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.15"/></inertial></link>'  # fmt: skip
@@ -102,14 +110,17 @@ def link(name: str, xyz: str = "0 0 0", rpy: str = "0 0 0", mass: float = 1.0) -
 
 
 def joint(name: str, type_: str, parent: str, child: str, inner: str = "") -> str:
-    return f'<joint name="{name}" type="{type_}"><parent link="{parent}"/><child link="{child}"/>{inner}</joint>'
+    return (
+        f'<joint name="{name}" type="{type_}"><parent link="{parent}"/><child link="{child}"/>{inner}</joint>'
+    )
 
 
 def test_the_frame_of_the_inertial_turns_the_tensor(tmp_path: Path) -> None:
-    body = link("base") + link("arm", "0.1 0.2 0.3", "0.3 -0.5 0.7") + joint("hinge", "revolute", "base", "arm")
+    body = (
+        link("base") + link("arm", "0.1 0.2 0.3", "0.3 -0.5 0.7") + joint("hinge", "revolute", "base", "arm")
+    )
     model = loaded(tmp_path, body).model
-    A = lw.rotation.matrix(lw.rotation.about((0, 0, 1), 0.7)) @ lw.rotation.matrix(
-        lw.rotation.about((0, 1, 0), -0.5)) @ lw.rotation.matrix(lw.rotation.about((1, 0, 0), 0.3))  # fmt: skip
+    A = turned(0.3, -0.5, 0.7)
     assert model.compiled().inertia[0] == pytest.approx(A @ np.diag([0.3, 0.2, 0.15]) @ A.T, abs=1e-15)
     assert model.compiled().q0[:3] == pytest.approx([0.1, 0.2, 0.3])
 
@@ -119,12 +130,12 @@ def test_fixed_links_move_as_one(merge_fixed: bool, tmp_path: Path) -> None:
     """Two links fixed to each other, against one body with the sum of their inertias (Steiner), swinging."""
     place = '<origin xyz="0.4 0.1 -0.2" rpy="0.2 0.4 -0.6"/>'
     axis = '<origin xyz="0 0 0"/><axis xyz="0 1 0"/>'
-    body = (link("base") + link("arm", "0.2 0 0", mass=2.0) + link("hand", "0 0.1 0") + joint("hinge", "revolute", "base", "arm", axis)
+    body = (link("base") + link("arm", "0.2 0 0", mass=2.0) + link("hand", "0 0.1 0")
+            + joint("hinge", "revolute", "base", "arm", axis)
             + joint("weld", "fixed", "arm", "hand", place))  # fmt: skip
     model = loaded(tmp_path, body, merge_fixed=merge_fixed, velocities={"hinge": 2.0}).model
     assert model.body_count == (1 if merge_fixed else 2)
-    A = lw.rotation.matrix(lw.rotation.about((0, 0, 1), -0.6)) @ lw.rotation.matrix(
-        lw.rotation.about((0, 1, 0), 0.4)) @ lw.rotation.matrix(lw.rotation.about((1, 0, 0), 0.2))  # fmt: skip
+    A = turned(0.2, 0.4, -0.6)
     hand = np.array([0.4, 0.1, -0.2]) + A @ [0, 0.1, 0]
     about_y = 0.2 + 2.0 * 0.2**2 + (A @ np.diag([0.3, 0.2, 0.15]) @ A.T)[1, 1] + hand[0] ** 2 + hand[2] ** 2
     moment = G * (2.0 * 0.2 + hand[0])  # about y: z x (-g) turns x toward -z
@@ -134,20 +145,26 @@ def test_fixed_links_move_as_one(merge_fixed: bool, tmp_path: Path) -> None:
 def test_massless_links_between_fixed_joints_are_frames(tmp_path: Path) -> None:
     origin = '<origin xyz="{} 0 0"/>'
     axis = '<axis xyz="0 1 0"/>'
-    body = (link("base") + link("a", "0.5 0 0") + '<link name="flange"/><link name="mount"/>' + link("b", "0.25 0 0")
-            + joint("j1", "revolute", "base", "a", axis) + joint("f1", "fixed", "a", "flange", origin.format(0.6))
-            + joint("f2", "fixed", "flange", "mount", origin.format(0.4)) + joint("j2", "revolute", "mount", "b", axis))  # fmt: skip
+    body = (link("base") + link("a", "0.5 0 0") + '<link name="flange"/><link name="mount"/>'
+            + link("b", "0.25 0 0") + joint("j1", "revolute", "base", "a", axis)
+            + joint("f1", "fixed", "a", "flange", origin.format(0.6))
+            + joint("f2", "fixed", "flange", "mount", origin.format(0.4))
+            + joint("j2", "revolute", "mount", "b", axis))  # fmt: skip
     imported = loaded(tmp_path, body)
     core = imported.model.compiled()
     assert [core.body_name(k) for k in range(core.body_count)] == ["a", "b"]
     assert core.q0.reshape(-1, 7)[:, 0] == pytest.approx([0.5, 1.25])
-    assert [note.subject for note in imported.notes if note.topic == "merged"] == ["massless link 'flange'", "massless link 'mount'"]
+    assert [note.subject for note in imported.notes if note.topic == "merged"] == [
+        "massless link 'flange'",
+        "massless link 'mount'",
+    ]
 
 
 def test_a_part_without_mass_gives_its_moments_of_inertia(tmp_path: Path) -> None:
     """A rotor that a file describes by moments alone."""
-    body = link("base") + link("arm") + link("rotor", mass=0.0) + joint("j", "revolute", "base", "arm") + joint(
-        "f", "fixed", "arm", "rotor", '<origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>')  # fmt: skip
+    turn = '<origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>'
+    body = (link("base") + link("arm") + link("rotor", mass=0.0) + joint("j", "revolute", "base", "arm")
+            + joint("f", "fixed", "arm", "rotor", turn))  # fmt: skip
     core = loaded(tmp_path, body).model.compiled()
     assert (core.body_count, core.mass[0]) == (1, 1.0)
     assert core.inertia[0] == pytest.approx(np.diag([0.5, 0.5, 0.3]), abs=1e-15)
@@ -155,7 +172,9 @@ def test_a_part_without_mass_gives_its_moments_of_inertia(tmp_path: Path) -> Non
 
 
 def test_a_floating_base_falls(tmp_path: Path) -> None:
-    body = '<link name="root"/>' + link("trunk", "0.1 0 0.3", mass=5) + joint("root", "fixed", "root", "trunk")
+    body = (
+        '<link name="root"/>' + link("trunk", "0.1 0 0.3", mass=5) + joint("root", "fixed", "root", "trunk")
+    )
     model = loaded(tmp_path, body, floating=True, gravity=(1.0, 2.0, 3.0)).model
     assert model.joint_count == 0
     assert accelerations(model)[0] == pytest.approx([1, 2, 3, 0, 0, 0], abs=1e-14)
@@ -166,14 +185,17 @@ def test_a_slider_with_damping_and_friction_slows_as_they_say(tmp_path: Path) ->
     body = link("base") + link("cart", mass=2.0) + joint("rail", "prismatic", "base", "cart", inner)
     imported = loaded(tmp_path, body, velocities={"rail": 4.0})
     along = np.array([np.cos(0.7), np.sin(0.7), 0])
-    assert accelerations(imported.model)[0, :3] == pytest.approx(-(3 * 4 + 0.5) / 2 * along, rel=1e-12, abs=1e-12)
+    assert accelerations(imported.model)[0, :3] == pytest.approx(
+        -(3 * 4 + 0.5) / 2 * along, rel=1e-12, abs=1e-12
+    )
     assert ["regularized" in note.message for note in imported.notes if note.topic == "friction"] == [True]
 
 
 def test_a_joint_that_mimics_is_listed_and_placed(tmp_path: Path) -> None:
     axis = '<axis xyz="0 0 1"/>'
     body = (link("base") + link("a") + link("b") + joint("left", "revolute", "base", "a", axis)
-            + joint("right", "revolute", "base", "b", axis + '<mimic joint="left" multiplier="-2" offset="0.1"/>'))  # fmt: skip
+            + joint("right", "revolute", "base", "b",
+                    axis + '<mimic joint="left" multiplier="-2" offset="0.1"/>'))  # fmt: skip
     imported = loaded(tmp_path, body, coordinates={"left": 0.3}, velocities={"left": 1.0})
     assert [note.subject for note in imported.notes if note.topic == "mimic"] == ["joint 'right'"]
     core = imported.model.compiled()
@@ -193,7 +215,13 @@ def test_inertias_of_no_body_are_refused_or_made_the_nearest(tmp_path: Path) -> 
 
 
 def test_moving_links_without_inertia_are_named(tmp_path: Path) -> None:
-    body = link("base") + '<link name="ghost"/>' + link("a") + joint("j1", "revolute", "base", "ghost") + joint("j2", "revolute", "ghost", "a")
+    body = (
+        link("base")
+        + '<link name="ghost"/>'
+        + link("a")
+        + joint("j1", "revolute", "base", "ghost")
+        + joint("j2", "revolute", "ghost", "a")
+    )
     with pytest.raises(lw.ModelFileError, match=r"robot.urdf:4: link 'ghost': moves but has no mass"):
         loaded(tmp_path, body.replace('<link name="ghost"/>', '\n<link name="ghost"/>'))
     imported = loaded(tmp_path, body, keep_massless=True)
@@ -201,9 +229,15 @@ def test_moving_links_without_inertia_are_named(tmp_path: Path) -> None:
     assert ("massless", "link 'ghost'") in {(note.topic, note.subject) for note in imported.notes}
 
 
-# --- wrong files --------------------------------------------------------------------------------------------------
+# --- wrong files --------------------------------------------------------------------------------------------
 
-GOOD = link("base") + "\n" + link("arm") + "\n" + joint("hinge", "revolute", "base", "arm", '<axis xyz="0 0 1"/>')
+GOOD = (
+    link("base")
+    + "\n"
+    + link("arm")
+    + "\n"
+    + joint("hinge", "revolute", "base", "arm", '<axis xyz="0 0 1"/>')
+)
 
 WRONG = [
     ('<mass value="1.0"/>', '<mass value="heavy"/>', r":3: link 'base' mass: 'heavy' is not a finite number"),
@@ -223,7 +257,11 @@ WRONG = [
     ('name="arm"', "", r":4: link: name is missing"),
     ("</link>", "</lnik>", r":3: is no XML: mismatched tag"),
     ("</robot>", "", r"is no XML: no element found"),
-    ('<robot name="test">', '<!DOCTYPE robot [<!ENTITY a "b">]><robot name="test">', r":2: DOCTYPE is not taken"),
+    (
+        '<robot name="test">',
+        '<!DOCTYPE robot [<!ENTITY a "b">]><robot name="test">',
+        r":2: DOCTYPE is not taken",
+    ),
     ('<robot name="test">', '<sdf name="test">', r"is no XML"),
     ('<link name="base">', "<link name='base'>" + "<a>" * 200, r"nested more than 100 deep"),
     ('<link name="base">', '<xacro:macro name="x"/><link name="base">', r"expand the file by xacro first"),
@@ -231,7 +269,9 @@ WRONG = [
 
 
 @pytest.mark.parametrize(("part", "by", "message"), WRONG)
-def test_wrong_files_are_refused_with_line_and_field(part: str, by: str, message: str, tmp_path: Path) -> None:
+def test_wrong_files_are_refused_with_line_and_field(
+    part: str, by: str, message: str, tmp_path: Path
+) -> None:
     text = f'<?xml version="1.0"?>\n<robot name="test">\n{GOOD}\n</robot>\n'
     assert part in text
     path = tmp_path / "robot.urdf"

@@ -1,4 +1,5 @@
-"""The robots of the package example-robot-data (a large download: `./dev test --models`): every file loads or is
+"""The robots of the package example-robot-data (a large download: `./dev test --models`): every file loads or
+is
 refused with a true reason, and what loads moves as in Pinocchio."""
 
 from __future__ import annotations
@@ -63,18 +64,23 @@ def test_every_file_loads_or_is_refused_with_the_reason(path: Path) -> None:
     assert all(1 <= fault.line <= lines for fault in refused.value.faults)
 
 
-@pytest.mark.parametrize("name", [name for name in REFUSED if name not in ("ur3.urdf", "alex_psyonic_hands.urdf")])
+@pytest.mark.parametrize(
+    "name", [name for name in REFUSED if name not in ("ur3.urdf", "alex_psyonic_hands.urdf")]
+)
 def test_files_with_wrong_inertias_load_where_that_is_asked_for(name: str) -> None:
     read = lw.import_urdf if name.endswith("urdf") else lw.import_sdf
     imported = read(named(name), repair_inertia=True, keep_massless=True)
     assert {note.topic for note in imported.notes} & {"inertia", "massless"}
 
 
-# --- against Pinocchio -------------------------------------------------------------------------------------------
+# --- against Pinocchio --------------------------------------------------------------------------------------
 
 #: Different kinds of robots: arms, legs, humanoids, with sliders, branches, damping, continuous joints.
-COMPARED = ("panda.urdf", "ur5_robot.urdf", "kinova.urdf", "solo12.urdf", "bolt.urdf", "a1.urdf", "tiago_no_hand.urdf",
-            "talos_reduced.urdf", "double_pendulum.urdf", "baxter.urdf", "anymal-kinova.urdf", "z1.urdf")  # fmt: skip
+COMPARED = (
+    "panda.urdf", "ur5_robot.urdf", "kinova.urdf", "solo12.urdf", "bolt.urdf", "a1.urdf",
+    "tiago_no_hand.urdf", "talos_reduced.urdf", "double_pendulum.urdf", "baxter.urdf", "anymal-kinova.urdf",
+    "z1.urdf",
+)  # fmt: skip
 
 STATES = 20
 
@@ -112,7 +118,7 @@ def _compare(pin: Any, theirs: Any, data: Any, core: Any, v_dot: np.ndarray) -> 
     for k in range(core.body_count):
         frame = theirs.getFrameId(core.body_name(k), pin.FrameType.BODY)
         placement, A = data.oMf[frame], lw.rotation.matrix(q[k, 3:])
-        assert A == pytest.approx(placement.rotation, abs=1e-12)
+        assert pytest.approx(placement.rotation, abs=1e-12) == A
         axes = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
         speed = pin.getFrameVelocity(theirs, data, frame, axes)
         acceleration = pin.getFrameClassicalAcceleration(theirs, data, frame, axes)
@@ -144,7 +150,7 @@ def _dissipation(path: Path) -> tuple[dict[str, float], dict[str, float]]:
     return damping, friction
 
 
-# --- closed loops ------------------------------------------------------------------------------------------------
+# --- closed loops -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("path", SDF_FILES, ids=lambda path: path.name)
