@@ -36,8 +36,8 @@ if TYPE_CHECKING:
         ViolationError,
     )
     from linkwork.events import Event, Occurrence, State
-    from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
     from linkwork.handles import Body, Force, Joint
+    from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
     from linkwork.model import Model
     from linkwork.progress import ProgressInfo
     from linkwork.result import BodyResult, Reaction, Result, SingularPose, Snapshot
@@ -106,8 +106,8 @@ _PLACES = {
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
-                        "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError", "SingularSystemError", "StepSizeError",
-                        "ViolationError"),
+                        "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
+                        "SingularSystemError", "StepSizeError", "ViolationError"),
     "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),
     "linkwork.model": ("Model",),
     "linkwork.progress": ("ProgressInfo",),

@@ -60,7 +60,15 @@ class Elements:
             else:
                 values[:, column] = parameter
         add = core.add_joints if self.info.name in KINDS["joint"] else core.add_forces
-        add(self.info.name, self.subject.names, self.bodies, self.place.origin, self.place.frame, values, signals)
+        add(
+            self.info.name,
+            self.subject.names,
+            self.bodies,
+            self.place.origin,
+            self.place.frame,
+            values,
+            signals,
+        )
         return functions
 
     def signals(self) -> list[tuple[str, TimeFunction]]:

@@ -277,14 +277,17 @@ def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
 def piecewise_polynomial(breaks: ArrayLike, coefficients: ArrayLike) -> TimeFunction:
     """f(t) = sum_k c_ik (t - t_i)^k between the times t_i and t_i+1 of `breaks` (k + 1,) [s].
 
-    coefficients (k, any number): a row c_i for each interval, ascending powers. It is defined between the first
-    and the last time only. ModelError: breaks that do not increase, no row for each interval, not finite.
+    coefficients (k, any number): a row c_i for each interval, ascending powers. It is defined between the
+    first and the last time only. ModelError: breaks that do not increase, no row for each interval, not
+    finite.
     """
     times, rows = np.array(breaks, dtype=float), np.array(coefficients, dtype=float)
     _check_samples(times, times)
     if rows.ndim != 2 or len(rows) != len(times) - 1 or not rows.size:
         shape = f"breaks {times.shape} and coefficients {rows.shape}"
-        raise ModelError(f"piecewise_polynomial: {shape}: a row for each interval is needed", code="time_function")
+        raise ModelError(
+            f"piecewise_polynomial: {shape}: a row for each interval is needed", code="time_function"
+        )
     if not np.isfinite(rows).all():
         raise ModelError("piecewise_polynomial: coefficients are not finite", code="not_finite")
     return Table(times, rows)

@@ -25,7 +25,9 @@ SUFFIXES = (".yaml", ".json")
 def bits(model: lw.Model) -> dict[str, Any]:
     """Everything in the compiled model, as bytes and names."""
     core = model.compiled()
-    out: dict[str, Any] = {what: getattr(core, what).tobytes() for what in ("gravity", "mass", "inertia", "q0", "v0")}
+    out: dict[str, Any] = {
+        what: getattr(core, what).tobytes() for what in ("gravity", "mass", "inertia", "q0", "v0")
+    }
     for role in ("joint", "force"):
         out |= {f"{role} {what}": x.tobytes() for what, x in getattr(core, f"{role}_arrays")().items()}
     out["bodies"] = [core.body_name(k) for k in range(core.body_count)]
@@ -49,9 +51,12 @@ def test_every_mechanism_comes_back_to_the_last_bit(name: str, suffix: str, tmp_
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
 @examples(15)
-@given(seed=st.integers(0, 2**32 - 1), joints=st.lists(st.sampled_from(sorted(JOINTS)), min_size=2, max_size=12))
-def test_random_mechanisms_come_back_to_the_last_bit(suffix: str, seed: int, joints: list[str],
-                                                     tmp_path_factory: pytest.TempPathFactory) -> None:  # fmt: skip
+@given(
+    seed=st.integers(0, 2**32 - 1), joints=st.lists(st.sampled_from(sorted(JOINTS)), min_size=2, max_size=12)
+)
+def test_random_mechanisms_come_back_to_the_last_bit(
+    suffix: str, seed: int, joints: list[str], tmp_path_factory: pytest.TempPathFactory
+) -> None:
     forces = [sorted(FORCES)[k] for k in np.random.default_rng(seed).integers(len(FORCES), size=4)]
     model = make(seed, joints, forces=forces).model
     assert bits(round_trip(model, tmp_path_factory.mktemp("files") / f"model{suffix}")) == bits(model)
@@ -80,8 +85,9 @@ def test_numbers_at_the_edges_come_back(suffix: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_any_printable_name_comes_back(suffix: str, tmp_path: Path) -> None:
-    names = ["null", "1e3", "true", "~", "yes", "a: b", "# no", "- x", "[0]", "{", "'", '"', "\\", "é", "车轮", "🤖",
-             "x" * 300, " lead", "trail ", "*a", "&b", "!c", "%d", "@", "`", "=", "<<", "0x1F", "1_000", "link[3]"]  # fmt: skip
+    names = ["null", "1e3", "true", "~", "yes", "a: b", "# no", "- x", "[0]", "{", "'", '"', "\\", "é",
+             "车轮", "🤖", "x" * 300, " lead", "trail ", "*a", "&b", "!c", "%d", "@", "`", "=",
+             "<<", "0x1F", "1_000", "link[3]"]  # fmt: skip
     model = lw.Model(name="two\nlines, a tab\t and \x7f")
     for name in names:
         model.body(name, mass=1.0, inertia=(1, 1, 1))
@@ -93,26 +99,32 @@ def test_any_printable_name_comes_back(suffix: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_a_loaded_model_moves_as_the_one_saved(suffix: str, tmp_path: Path) -> None:
     model = MECHANISMS["spatial_slider_crank"].function()
-    one, other = (lw.simulate(m, t_end=0.1, step=1e-3) for m in (model, round_trip(model, tmp_path / f"m{suffix}")))
+    one, other = (
+        lw.simulate(m, t_end=0.1, step=1e-3) for m in (model, round_trip(model, tmp_path / f"m{suffix}"))
+    )
     assert one.q.tobytes() == other.q.tobytes()
 
 
-# --- functions of time -----------------------------------------------------------------------------------------
+# --- functions of time --------------------------------------------------------------------------------------
 
 
 def driven(length: Any, count: int = 1) -> lw.Model:
     model = lw.Model()
-    bodies = model.bodies("b", mass=1.0, inertia=(1, 1, 1), position=np.array([[1.0, k, 0] for k in range(count)]))
+    bodies = model.bodies(
+        "b", mass=1.0, inertia=(1, 1, 1), position=np.array([[1.0, k, 0] for k in range(count)])
+    )
     at = (np.array([[0.0, k, 0] for k in range(count)]), np.array([[1.0, k, 0] for k in range(count)]))
     model.joints("distance", model.ground, bodies, at=at, length=length)
     return model
 
 
 @pytest.mark.parametrize("function", [
-    lw.functions.polynomial(1.0, 0.1, -0.2), lw.functions.constant(1.0), lw.functions.harmonic(0.1, 3.0, 0.2, 1.0),
+    lw.functions.polynomial(1.0, 0.1, -0.2), lw.functions.constant(1.0),
+    lw.functions.harmonic(0.1, 3.0, 0.2, 1.0),
     lw.functions.table([0, 0.3, 0.7, 2.0], [1.0, 1.1, 0.9, 1.3]),
     lw.functions.piecewise_polynomial([0.0, 1.0, 3.0], [[1.0, 0.1], [1.1, 0.2]]),
-    Sum((lw.functions.constant(1.0), lw.functions.cycloidal(0.3, duration=1.5, start=0.1))), lw.functions.expression("1 + 0.3 * sin(2*pi*t)**2"),
+    Sum((lw.functions.constant(1.0), lw.functions.cycloidal(0.3, duration=1.5, start=0.1))),
+    lw.functions.expression("1 + 0.3 * sin(2*pi*t)**2"),
     Sum((lw.functions.constant(1.0), lw.functions.harmonic(0.1, 3.0, 0.2, 1.0).integral().integral())),
 ], ids=repr)  # fmt: skip
 def test_functions_of_time_come_back(function: Any, tmp_path: Path) -> None:
@@ -124,7 +136,7 @@ def test_functions_of_time_come_back(function: Any, tmp_path: Path) -> None:
 
 
 def test_every_function_of_time_there_is_is_in_the_schema() -> None:
-    """Each class of linkwork.functions but the Python callback is written, as the tests above show for one of each."""
+    """Each class of linkwork.functions but the Python callback is written: above is one of each."""
     written = {"Polynomial", "Harmonic", "Table", "Cycloidal", "Expression", "Sum"}
     assert {kind.__name__ for kind in lw.functions.TimeFunction.__subclasses__()} == written | {"Callback"}
 
@@ -150,7 +162,7 @@ def test_forces_of_the_users_own_are_refused_by_name(tmp_path: Path) -> None:
         model.save(tmp_path / "model.yaml")
 
 
-# --- as people write them --------------------------------------------------------------------------------------
+# --- as people write them -----------------------------------------------------------------------------------
 
 SLIDER = """
 linkwork: 1
@@ -250,7 +262,7 @@ def test_elements_that_follow_each_other_are_as_if_added_one_by_one(tmp_path: Pa
     assert bits(lw.Model.load(path)) == bits(model)
 
 
-# --- the schema and the command line ---------------------------------------------------------------------------
+# --- the schema and the command line ------------------------------------------------------------------------
 
 
 def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
@@ -265,7 +277,11 @@ def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
 def test_saved_documents_obey_the_published_schema() -> None:
     jsonschema = pytest.importorskip("jsonschema")
     validator = jsonschema.Draft202012Validator(model_file.json_schema())
-    for model in (crank_and_rod(), make(3, sorted(JOINTS)[:8]).model, driven(lw.functions.table([0, 1], [1, 2]))):
+    for model in (
+        crank_and_rod(),
+        make(3, sorted(JOINTS)[:8]).model,
+        driven(lw.functions.table([0, 1], [1, 2])),
+    ):
         validator.validate(record_of(model, {"t_end": 1.0}))
     broken = record_of(crank_and_rod(), {})
     broken["bodies"][0]["mass"] = "heavy"
@@ -276,10 +292,14 @@ def test_yaml_and_json_hold_the_same_document() -> None:
     document = record_of(crank_and_rod(), {"t_end": 1.0})
     from linkwork.model_file.yaml_text import YamlText
 
-    assert YamlText("".join(yaml_lines(document))).data == json.loads("".join(json_lines(document))) == document
+    assert (
+        YamlText("".join(yaml_lines(document))).data == json.loads("".join(json_lines(document))) == document
+    )
 
 
-def test_settings_of_the_file_hold_on_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_settings_of_the_file_hold_on_the_command_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = tmp_path / "model.yaml"
     path.write_text(SLIDER.replace("0.2, step", "0.05, step"))
     assert run(["run", str(path), "--json"], debug=False) == 0

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Subject:
-    """A mechanism by name or file and the arguments of its function: small enough to be sent to another process."""
+    """A mechanism by name or file and the arguments of its function: small, for other processes."""
 
     mechanism: str
     parameters: Mapping[str, Any]

@@ -38,7 +38,11 @@ def _options(*options: Callable[[Any], Any]) -> Callable[[Any], Any]:
 
 
 MECHANISM = click.option(
-    "--mechanism", default="chain", show_default=True, metavar="NAME", help="A mechanism of `linkwork list`, or a file."
+    "--mechanism",
+    default="chain",
+    show_default=True,
+    metavar="NAME",
+    help="A mechanism of `linkwork list`, or a file.",
 )
 PARAMETERS = click.option(
     "--set", "parameters", multiple=True, metavar="NAME=VALUE",

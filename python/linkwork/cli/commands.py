@@ -203,11 +203,17 @@ def schema() -> None:
 @linkwork.command()
 @click.argument("source", metavar="IN")
 @click.argument("target", metavar="OUT")
-@click.option("--floating/--fixed", default=None, help="Links that nothing carries move freely, or are the ground.")
+@click.option(
+    "--floating/--fixed", default=None, help="Links that nothing carries move freely, or are the ground."
+)
 @click.option("--keep-massless", is_flag=True, help="Take moving links without inertia as massless bodies.")
-@click.option("--repair-inertia", is_flag=True, help="Give links that no real body can be the nearest that one can.")
+@click.option(
+    "--repair-inertia", is_flag=True, help="Give links that no real body can be the nearest that one can."
+)
 @click.option("--merge-fixed", is_flag=True, help="Make one body of links that are fixed to each other.")
-@click.option("--align-axes", type=float, metavar="ANGLE", help="Axes parallel to within it [rad] are made parallel.")
+@click.option(
+    "--align-axes", type=float, metavar="ANGLE", help="Axes parallel to within it [rad] are made parallel."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def convert(source: str, target: str, as_json: bool, **options: Any) -> None:
     """Write the mechanism of one file to another: from URDF, SDF, MJCF, YAML or JSON to YAML or JSON.

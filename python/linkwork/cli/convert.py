@@ -20,9 +20,11 @@ def convert_and_show(source: str, target: str, as_json: bool, options: dict[str,
         imported = importers.read(source, **options)
         model, notes, simulation = imported.model, list(imported.notes), {}
     else:
-        if not Path(source).suffix.lower() in model_file.SUFFIXES:
+        if Path(source).suffix.lower() not in model_file.SUFFIXES:
             known = ", ".join([*importers.IMPORTERS, *model_file.SUFFIXES])
-            raise FileError(f"'{source}': extension '{Path(source).suffix}' is none of {known}", code="suffix")
+            raise FileError(
+                f"'{source}': extension '{Path(source).suffix}' is none of {known}", code="suffix"
+            )
         file = model_file.read(source)
         model, simulation = file.model, dict(file.simulation)
     model.save(target, simulation=simulation)

@@ -20,7 +20,16 @@ from linkwork.importers.mjcf import import_mjcf
 from linkwork.importers.sdf import import_sdf
 from linkwork.importers.urdf import import_urdf
 
-__all__ = ["IMPORTERS", "Imported", "Note", "import_mjcf", "import_sdf", "import_urdf", "is_importable", "read"]
+__all__ = [
+    "IMPORTERS",
+    "Imported",
+    "Note",
+    "import_mjcf",
+    "import_sdf",
+    "import_urdf",
+    "is_importable",
+    "read",
+]
 
 #: By file name extension.
 IMPORTERS: Mapping[str, Callable[..., Imported]] = {
@@ -41,5 +50,7 @@ def read(path: str | os.PathLike[str], **options: Any) -> Imported:
     suffix = Path(path).suffix.lower()
     if suffix not in IMPORTERS:
         known = ", ".join(IMPORTERS)
-        raise FileError(f"'{path}': extension '{suffix}' is none of {known}{nearest(suffix, IMPORTERS)}", code="suffix")
+        raise FileError(
+            f"'{path}': extension '{suffix}' is none of {known}{nearest(suffix, IMPORTERS)}", code="suffix"
+        )
     return IMPORTERS[suffix](path, **options)

@@ -14,12 +14,12 @@ Floats = NDArray[np.float64]
 
 
 def align_axes(description: Description, tolerance: float) -> None:
-    """Give joints whose axes are parallel to within `tolerance` [rad] a common direction, at coordinates zero.
+    """Give joints whose axes are parallel to within `tolerance` [rad] a common direction.
 
-    The first of them has it, rounded to an axis of the model where it is that near.
+    At coordinates zero. The first of them has it, rounded to an axis of the model where it is that near.
     """
     states = link_states(description, {}, {})
-    known: list[Floats] = [axis for axis in np.eye(3)]
+    known: list[Floats] = list(np.eye(3))
     for joint in description.joints:
         A = states[joint.parent].frame.A @ joint.in_parent.A
         motions = []
@@ -33,6 +33,10 @@ def align_axes(description: Description, tolerance: float) -> None:
             common = near * np.sign(near @ axis)
             angle = float(np.linalg.norm(np.cross(common, axis)))
             if angle > 1e-12:
-                description.note("axis", f"joint '{joint.name}'", f"its axis is turned by {angle:.2g} rad, to be parallel to others")
+                description.note(
+                    "axis",
+                    f"joint '{joint.name}'",
+                    f"its axis is turned by {angle:.2g} rad, to be parallel to others",
+                )
             motions.append(replace(motion, axis=A.T @ common / np.linalg.norm(common)))
         joint.motions = motions

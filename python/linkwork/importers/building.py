@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, TypedDict
 
@@ -13,9 +13,9 @@ from linkwork import rotation
 from linkwork.elements import KINDS
 from linkwork.errors import Fault, LinkworkError, ModelFileError
 from linkwork.handles import Body
+from linkwork.importers.alignment import align_axes
 from linkwork.importers.description import WORLD, Description, Imported, JointDescription, LinkDescription
 from linkwork.importers.frames import Frame
-from linkwork.importers.alignment import align_axes
 from linkwork.importers.tree import LinkState, link_states
 from linkwork.model import Model
 
@@ -30,22 +30,25 @@ TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}
 class Options(TypedDict, total=False):
     """What import_urdf, import_sdf and import_mjcf take by name."""
 
-    #: links that no joint carries move freely (True) or are fixed to the ground (False); None: URDF False, else
-    #: as the file says
+    #: links that no joint carries move freely (True) or are fixed to the ground (False); None: URDF False,
+    #: else as the file says
     floating: bool | None
-    #: where the joints are at t = 0, by name: angle [rad] or displacement [m], several numbers for several freedoms
+    #: where the joints are at t = 0, by name: angle [rad] or displacement [m], several numbers for several
+    #: freedoms
     coordinates: Mapping[str, Any]
     #: their rates at t = 0 [rad/s], [m/s]
     velocities: Mapping[str, Any]
     #: acceleration (3,) [m/s2]; None: of the file, or (0, 0, -9.81)
     gravity: ArrayLike | None
-    #: take moving links without mass or inertia as massless bodies, which need the penalty or augmented Lagrangian
-    #: formulation; False: they are refused
+    #: take moving links without mass or inertia as massless bodies, which need the penalty or augmented
+    #: Lagrangian formulation; False: they are refused
     keep_massless: bool
-    #: give links whose principal moments no real body can have the nearest that one can; False: they are refused
+    #: give links whose principal moments no real body can have the nearest that one can; False: they are
+    #: refused
     repair_inertia: bool
-    #: angle [rad]: axes of joints that are parallel to within it, at coordinates zero, are made exactly parallel.
-    #: Files round angles (1.57), and a planar loop whose axes are not parallel is locked. None: as in the file
+    #: angle [rad]: axes of joints that are parallel to within it, at coordinates zero, are made exactly
+    #: parallel. Files round angles (1.57), and a planar loop whose axes are not parallel is locked. None: as
+    #: in the file
     align_axes: float | None
     #: make one body of links that are fixed to each other; False: only where one of them is massless
     merge_fixed: bool
@@ -70,7 +73,7 @@ class _Group:
 def build(description: Description, options: Options, lines: Mapping[str, int] | None = None) -> Imported:
     """The model of a description. `lines`: where each link is in the file.
 
-    ModelFileError: a moving link without inertia, or what no body or joint can be. ModelError: wrong coordinates.
+    ModelFileError: a moving link without inertia, what no body or joint can be. ModelError: coordinates.
     """
     floating = options.get("floating")
     fixed_base = description.base_is_fixed if floating is None else not floating
@@ -117,7 +120,7 @@ class _Collecting:
             self._faults.append(Fault(line, f"{what} '{name}'", reason))
 
 
-# --- rigid groups --------------------------------------------------------------------------------------------------
+# --- rigid groups -------------------------------------------------------------------------------------------
 
 
 def _grouped(
@@ -160,11 +163,15 @@ def _note_merger(
     if world in pair:
         other = child if parent is world else parent
         if other.mass:
-            description.note("merged", f"link '{other.main}'", f"is fixed to the ground by joint '{joint.name}'")
+            description.note(
+                "merged", f"link '{other.main}'", f"is fixed to the ground by joint '{joint.name}'"
+            )
         return
     light, heavy = (parent, child) if parent.is_light and not child.is_light else (child, parent)
     what = "massless link" if light.mass == 0 else "link"
-    description.note("merged", f"{what} '{light.main}'", f"is a part of '{heavy.main}', by joint '{joint.name}'")
+    description.note(
+        "merged", f"{what} '{light.main}'", f"is a part of '{heavy.main}', by joint '{joint.name}'"
+    )
 
 
 def _group(link: LinkDescription) -> _Group:
@@ -177,13 +184,13 @@ def _merged(first: _Group, second: _Group, states: Mapping[str, LinkState]) -> _
     if second.mass and not first.mass or second.main == WORLD:
         first, second = second, first
     links = [*first.links, *second.links]
-    if first.main == WORLD or second.mass == 0:
+    if first.main == WORLD:
         return _Group(links, first.main, first.mass, first.center, first.inertia)
     step = states[first.main].frame.inverse @ states[second.main].frame
     mass = first.mass + second.mass
     parts = ((first.mass, first.center, first.inertia),
              (second.mass, step.point(second.center), step.A @ second.inertia @ step.A.T))  # fmt: skip
-    center = sum(m * c for m, c, _ in parts) / mass
+    center = sum(m * c for m, c, _ in parts) / mass if mass else first.center
     inertia = sum(J + m * ((c - center) @ (c - center) * np.eye(3) - np.outer(c - center, c - center))
                   for m, c, J in parts)  # fmt: skip
     return _Group(links, first.main, mass, np.asarray(center), np.asarray(inertia))
@@ -205,14 +212,15 @@ def _check_light(
             description.note("massless", f"link '{name}'", f"moves without {lack}: a massless body")
             continue
         reason = (
-            f"moves but has no {lack}: give its inertial, or import with keep_massless (then the formulation must be "
-            "penalty or augmented_lagrangian)"
+            f"moves but has no {lack}: give its inertial, or import with keep_massless (then the formulation "
+            "must be penalty or augmented_lagrangian)"
         )
         faults.append(Fault(lines.get(f"link {name}", 1), f"link '{name}'", reason))
 
 
-# The principal moments J_k of a body follow from its second moments of mass s_k = sum m x_k^2 >= 0 along the principal
-# axes: J_1 = s_2 + s_3, ..., so s_k = (J_1 + J_2 + J_3) / 2 - J_k. Where one is negative, it is made zero.
+# The principal moments J_k of a body follow from its second moments of mass s_k = sum m x_k^2 >= 0 along the
+# principal axes: J_1 = s_2 + s_3, ..., so s_k = (J_1 + J_2 + J_3) / 2 - J_k. Where one is negative, it is
+# made zero.
 def _real_inertia(J: Floats) -> tuple[Floats, str | None]:
     """An inertia that a body can have, and the moments (text) of the one given where it had to be another."""
     moments, axes = np.linalg.eigh(J)
@@ -227,7 +235,7 @@ def _moments(J: Floats) -> str:
     return "(" + ", ".join(f"{moment:.6g}" for moment in np.linalg.eigvalsh(J)) + ")"
 
 
-# --- bodies and joints ---------------------------------------------------------------------------------------------
+# --- bodies and joints --------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -315,8 +323,8 @@ class _Builder:
 
     def _add_planar(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         normal, x = joint.motions[-1].axis, joint.motions[0].axis
-        axes = {"axis": (a.axis(normal), b.axis(normal)), "x_axis": (a.axis(x), b.axis(x))}
-        self._model.planar(a.body, b.body, **axes, **place)
+        place |= {"axis": (a.axis(normal), b.axis(normal)), "x_axis": (a.axis(x), b.axis(x))}
+        self._model.planar(a.body, b.body, **place)
 
     def _add_screw(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         self._model.screw(a.body, b.body, pitch=joint.pitch, **self._axis_place(joint, a, b), **place)
@@ -339,7 +347,11 @@ class _Builder:
             self._note("armature", joint, f"rotor inertia {joint.armature:g} is not represented")
         if joint.kind not in ("revolute", "translational"):
             if joint.damping or joint.friction or joint.stiffness:
-                self._note("damping", joint, f"damping, friction or spring of a {joint.kind} joint is not represented")
+                self._note(
+                    "damping",
+                    joint,
+                    f"damping, friction or spring of a {joint.kind} joint is not represented",
+                )
             return
         self._add_friction(joint, a, b)
         if joint.stiffness:
@@ -351,7 +363,11 @@ class _Builder:
         if not joint.damping and not joint.friction:
             return
         if kind not in KINDS["force"] or not hasattr(self._model, kind):
-            self._note("damping", joint, f"damping {joint.damping:g}, friction {joint.friction:g} are not represented")
+            self._note(
+                "damping",
+                joint,
+                f"damping {joint.damping:g}, friction {joint.friction:g} are not represented",
+            )
             return
         add = getattr(self._model, kind)
         place = {"at": (a.at, b.at), "frames": "body", **self._axis_place(joint, a, b)}
@@ -364,9 +380,15 @@ class _Builder:
 
     def _add_rotational_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         self._model.rotational_spring_damper(
-            a.body, b.body, at=(a.at, b.at), frames="body", **self._axis_place(joint, a, b), stiffness=joint.stiffness,
-            free_angle=joint.spring_reference - joint.reference, name=f"{joint.name} spring",
-        )  # fmt: skip
+            a.body,
+            b.body,
+            at=(a.at, b.at),
+            frames="body",
+            **self._axis_place(joint, a, b),
+            stiffness=joint.stiffness,
+            free_angle=joint.spring_reference - joint.reference,
+            name=f"{joint.name} spring",
+        )
 
     def _add_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         """Along the axis from a point so far back that the distance never becomes zero."""
@@ -380,5 +402,3 @@ class _Builder:
 
     def _note(self, topic: str, joint: JointDescription, message: str) -> None:
         self._description.note(topic, f"joint '{joint.name}'", message)
-
-

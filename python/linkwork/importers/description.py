@@ -1,4 +1,4 @@
-"""A robot as its file describes it: links and joints in frames of their own, before they are bodies of a model."""
+"""A robot as its file describes it: links and joints in frames of their own, before they are a model."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Imported:
             return
         topics = Counter(note.topic for note in self.notes)
         counted = ", ".join(f"{topic} ({count})" for topic, count in topics.items())
-        text = f"{self.path}: not everything is in the model as it is in the file: {counted}; `linkwork convert` lists it"
+        text = f"{self.path}: not all is in the model as in the file: {counted}; `linkwork convert` lists it"
         warnings.warn(LinkworkWarning(text), stacklevel=3)
 
 

@@ -34,7 +34,7 @@ class Frame:
 
 
 def from_rpy(xyz: ArrayLike, rpy: ArrayLike) -> Frame:
-    """Origin, and fixed-axis roll, pitch, yaw [rad]: A = A_z(yaw) A_y(pitch) A_x(roll), as in URDF and SDF."""
+    """Origin, and roll, pitch, yaw [rad] as in URDF and SDF: A = A_z(yaw) A_y(pitch) A_x(roll)."""
     (sr, sp, sy), (cr, cp, cy) = np.sin(rpy), np.cos(rpy)
     A = np.array([
         [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],

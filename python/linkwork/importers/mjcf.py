@@ -35,13 +35,14 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     """The model in an MJCF file: bodies, joints, springs, damping, and equality constraints connect and weld.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, merge_fixed. Coordinates are those of MuJoCo, zero or `ref` in the file's pose. Several joints of
-    one body are taken where one joint here does the same: two slides and a hinge across them, two hinges that meet
-    at right angles, a slide and a hinge along one axis.
+    keep_massless, merge_fixed. Coordinates are those of MuJoCo, zero or `ref` in the file's pose. Several
+    joints of one body are taken where one joint here does the same: two slides and a hinge across them, two
+    hinges that meet at right angles, a slide and a hinge along one axis.
 
-    Not represented, and listed in the notes: limits, contact, actuators, joint equalities, armature. Needs the
-    package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, joints that cannot be
-    combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco package.
+    Not represented, and listed in the notes: limits, contact, actuators, joint equalities, armature. Needs
+    the package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, joints that
+    cannot be combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco
+    package.
     """
     model = _compiled(path)
     description = _MujocoModel(os.fspath(path), model).description()
@@ -54,7 +55,8 @@ def _compiled(path: str | os.PathLike[str]) -> mujoco.MjModel:
         import mujoco
     except ImportError as error:
         raise LinkworkError(
-            f"'{os.fspath(path)}': MJCF needs the package mujoco: pip install 'linkwork[mjcf]'", code="no_mujoco"
+            f"'{os.fspath(path)}': MJCF needs the package mujoco: pip install 'linkwork[mjcf]'",
+            code="no_mujoco",
         ) from error
     try:
         return mujoco.MjModel.from_xml_path(os.fspath(path))
@@ -73,7 +75,9 @@ class _MujocoModel:
 
     def description(self) -> Description:
         model = self._model
-        links = {name: self._link(body, name) for body, name in enumerate(self._names("body", model.nbody)) if body}
+        links = {
+            name: self._link(body, name) for body, name in enumerate(self._names("body", model.nbody)) if body
+        }
         out = Description(self._path, self._model_name(), links, [], [], np.array(model.opt.gravity))
         joints = [joint for body in range(1, model.nbody) for joint in self._joints_of(body, out)]
         out.joints = joints + list(self._equalities(out))
@@ -110,7 +114,7 @@ class _MujocoModel:
     # --- joints of the tree ---
 
     def _joints_of(self, body: int, out: Description) -> Iterator[JointDescription]:
-        """What carries a body: nothing (it is free), a fixed joint, or one joint for all that the file has."""
+        """What carries a body: nothing (free), a fixed joint, or one joint for all that the file has."""
         model, name = self._model, self._body_name(body)
         parent, pose = self._body_name(int(model.body_parentid[body])), self._pose(body)
         joints = range(model.body_jntadr[body], model.body_jntadr[body] + max(model.body_jntnum[body], 0))
@@ -121,12 +125,17 @@ class _MujocoModel:
         if not types:
             yield JointDescription(f"{name} fixed", "fixed", parent, name, pose)
             return
-        motions = [Motion(t == kinds.mjJNT_HINGE, np.array(model.jnt_axis[k])) for t, k in zip(types, joints, strict=True)]
+        motions = [
+            Motion(t == kinds.mjJNT_HINGE, np.array(model.jnt_axis[k]))
+            for t, k in zip(types, joints, strict=True)
+        ]
         anchor = Frame(r=np.array(model.jnt_pos[joints[-1]]))
         labels = [self._name("joint", k) for k in joints]
         kind, motions = self._kind(types, motions, [np.array(model.jnt_pos[k]) for k in joints])
         if kind is None:
-            words = ", ".join(f"{label} ({t.name[6:].lower()})" for label, t in zip(labels, map(kinds, types), strict=True))
+            words = ", ".join(
+                f"{label} ({t.name[6:].lower()})" for label, t in zip(labels, map(kinds, types), strict=True)
+            )
             self._fault(f"body '{name}'", f"no joint here does what its joints {words} do together")
             return
         joint = JointDescription("+".join(labels), kind, parent, name, pose @ anchor, anchor, motions)
@@ -137,7 +146,9 @@ class _MujocoModel:
         self._note_limits(joints, labels, out)
         yield joint
 
-    def _kind(self, types: list[int], motions: list[Motion], anchors: list[Floats]) -> tuple[str | None, list[Motion]]:
+    def _kind(
+        self, types: list[int], motions: list[Motion], anchors: list[Floats]
+    ) -> tuple[str | None, list[Motion]]:
         """The kind of the one joint that does what several do, or None, and its motions."""
         kinds = self._mj.mjtJoint
         if types == [kinds.mjJNT_BALL]:
@@ -147,27 +158,34 @@ class _MujocoModel:
         turns, slides = ([m for m in motions if m.rotation == r] for r in (True, False))
         if len(types) == 2 and len(turns) == len(slides) == 1 and _parallel(turns[0].axis, slides[0].axis):
             return "cylindrical", motions
-        if len(turns) == 2 and len(types) == 2 and np.allclose(*anchors, atol=1e-12):
+        if len(turns) == 2 and len(types) == 2 and np.abs(anchors[0] - anchors[1]).max() < 1e-12:
             return ("universal", motions) if abs(turns[0].axis @ turns[1].axis) < 1e-6 else (None, [])
         across = len(slides) == 2 and len(turns) == 1 and motions[-1].rotation
-        if across and all(abs(turns[0].axis @ slide.axis) < 1e-9 for slide in slides):
-            if abs(slides[0].axis @ slides[1].axis) < 1e-9:
+        if across:
+            axes = np.array([motion.axis for motion in motions])
+            if np.abs(axes @ axes.T - np.eye(3)).max() < 1e-9:
                 return "planar", motions
         return None, []
 
     def _dynamics(self, k: int, joint: JointDescription) -> None:
         model = self._model
         dof, q = int(model.jnt_dofadr[k]), int(model.jnt_qposadr[k])
-        joint.damping, joint.friction = float(_first(model.dof_damping[dof])), float(model.dof_frictionloss[dof])
-        joint.armature, joint.stiffness = float(model.dof_armature[dof]), float(_first(model.jnt_stiffness[k]))
+        joint.damping, joint.friction = (
+            float(_first(model.dof_damping[dof])),
+            float(model.dof_frictionloss[dof]),
+        )
+        joint.armature, joint.stiffness = (
+            float(model.dof_armature[dof]),
+            float(_first(model.jnt_stiffness[k])),
+        )
         joint.reference, joint.spring_reference = float(model.qpos0[q]), float(model.qpos_spring[q])
 
     def _note_dynamics(self, joints: range, joint: JointDescription, out: Description) -> None:
         model = self._model
-        dofs = range(model.jnt_dofadr[joints[0]], model.jnt_dofadr[joints[0]] + len(joints) if len(joints) > 1
-                     else model.jnt_dofadr[joints[0]] + 3)  # fmt: skip
-        values = [model.dof_damping[list(dofs)], model.dof_frictionloss[list(dofs)], model.dof_armature[list(dofs)],
-                  model.jnt_stiffness[list(joints)]]  # fmt: skip
+        first = int(model.jnt_dofadr[joints[0]])
+        dofs = slice(first, first + max(3 if len(joints) == 1 else 0, len(joints)))  # a ball joint has three
+        values = [getattr(model, f"dof_{what}")[dofs] for what in ("damping", "frictionloss", "armature")]
+        values.append(model.jnt_stiffness[list(joints)])
         if any(np.any(value) for value in values):
             text = f"damping, friction, spring or armature of a {joint.kind} joint is not represented"
             out.note("damping", f"joint '{joint.name}'", text)
@@ -207,8 +225,10 @@ class _MujocoModel:
         return from_quaternion(self._model.site_pos[site], self._model.site_quat[site])
 
     def _anchors(self, weld: bool, data: Any) -> tuple[Frame, Frame]:
-        """The joint's frame in both bodies: eq_data is an anchor in each (connect), or the pose of the second body
-        in the first behind an anchor in the second (weld)."""
+        """The joint's frame in both bodies.
+
+        eq_data is an anchor in each (connect), or an anchor in the second and the second's pose in the first.
+        """
         if not weld:
             return Frame(r=np.array(data[:3])), Frame(r=np.array(data[3:6]))
         anchor = Frame(r=np.array(data[:3]))
@@ -217,7 +237,9 @@ class _MujocoModel:
     def _refuse_and_note(self, out: Description) -> None:
         model = self._model
         for k in range(model.ntendon):
-            self._fault(f"tendon '{self._name('tendon', k)}'", "tendons are not taken: remove it, or model it here")
+            self._fault(
+                f"tendon '{self._name('tendon', k)}'", "tendons are not taken: remove it, or model it here"
+            )
         for k in range(getattr(model, "nflex", 0)):
             self._fault(f"flex '{self._name('flex', k)}'", "deformable bodies are not taken")
         for k in range(model.nu):

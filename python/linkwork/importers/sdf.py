@@ -20,7 +20,7 @@ from linkwork.importers.description import (
     Note,
 )
 from linkwork.importers.frames import Frame, from_quaternion, from_rpy
-from linkwork.importers.urdf import tensor
+from linkwork.importers.urdf import inertia_matrix
 from linkwork.importers.xml_text import Node, Reader
 
 __all__ = ["import_sdf"]
@@ -43,12 +43,12 @@ def import_sdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Impo
     """The model in an SDF file, with its closed loops, at the poses of its links or at `coordinates`.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, merge_fixed. Links that nothing joins to the world move freely, unless the model is static or
-    floating=False. Joints stand where the poses of the links put them; those that close loops have no coordinates
-    of their own.
+    keep_massless, merge_fixed. Links that nothing joins to the world move freely, unless the model is static
+    or floating=False. Joints stand where the poses of the links put them; those that close loops have no
+    coordinates of their own.
 
-    Not represented, and listed in the notes: limits, gearbox joints, plugins, geometry. ModelFileError: what is
-    wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.
+    Not represented, and listed in the notes: limits, gearbox joints, plugins, geometry. ModelFileError: what
+    is wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.
     """
     reader = Reader(path, "sdf")
     model = _SdfModel(reader)
@@ -71,7 +71,9 @@ class _SdfModel:
         self._node = models[0]
         gravity = world.one("gravity") if world else None
         standard = [0.0, 0.0, -9.8]
-        self._gravity = reader.numbers(gravity or reader.root, gravity.text if gravity else None, 3, "gravity", standard)
+        self._gravity = reader.numbers(
+            gravity or reader.root, gravity.text if gravity else None, 3, "gravity", standard
+        )
         for child in world.children if world else ():
             if child.tag not in ("model", "gravity"):
                 self._note("element", f"<{child.tag}>", f"in line {child.line} is not represented")
@@ -87,7 +89,9 @@ class _SdfModel:
         links = {name: self._link(name, node, frames) for name, node in nodes["link"].items()}
         if not links:
             self._reader.add(self._node, "model", "has no links")
-        joints = [joint for name, node in nodes["joint"].items() if (joint := self._joint(name, node, frames))]
+        joints = [
+            joint for name, node in nodes["joint"].items() if (joint := self._joint(name, node, frames))
+        ]
         static = self._node.word("static") in ("1", "true")
         name = self._node.attributes.get("name", "")
         gravity = np.array(self._gravity)
@@ -101,8 +105,8 @@ class _SdfModel:
         for node in self._node.all(tag):
             name = node.attributes.get("name", "")
             if not name or name in found or name == WORLD:
-                self._reader.add(node, f"{tag} '{name}'" if name else tag, "is given twice" if name in found else
-                                 "is the name of the ground" if name else "name is missing")  # fmt: skip
+                reason = "is given twice" if name in found else "is the name of the ground"
+                self._reader.add(node, f"{tag} '{name}'", reason if name else "name is missing")
             found[name] = node
             self.lines[f"{tag} {name}"] = node.line
         return found
@@ -126,7 +130,7 @@ class _SdfModel:
         if inertia is not None:
             for key, default in entries.items():
                 entries[key] = reader.number(inertia, inertia.word(key), f"{who} inertia {key}", default)
-        link.inertia = pose.A @ tensor(entries) @ pose.A.T
+        link.inertia = pose.A @ inertia_matrix(entries) @ pose.A.T
         if inertial.one("fluid_added_mass") is not None:
             self._note("fluid_added_mass", who, "its added mass is not represented")
         return link
@@ -143,12 +147,20 @@ class _SdfModel:
             return None
         if type_ == "gearbox":
             ratio = node.word("gearbox_ratio") or "1"
-            self._note("gearbox", who, f"gearbox of '{parent}' and '{child}' with ratio {ratio} is not represented: both move freely")
+            self._note(
+                "gearbox",
+                who,
+                f"gearbox of '{parent}' and '{child}' with ratio {ratio} is not represented",
+            )
             return None
         if type_ == "revolute2":
             type_ = "universal"
         if type_ not in KINDS:
-            reader.add(node, who, f"type '{type_}' is not taken; there are {', '.join(KINDS)}" if type_ else "type is missing")
+            reader.add(
+                node,
+                who,
+                f"type '{type_}' is not taken; there are {', '.join(KINDS)}" if type_ else "type is missing",
+            )
             return None
         here = frames.pose(name)
         parent_pose = Frame() if parent == WORLD else frames.pose(parent)
@@ -172,7 +184,7 @@ class _SdfModel:
         return joint
 
     def _screw(self, node: Node, joint: JointDescription, who: str) -> None:
-        """SDF's thread_pitch is radians per meter, with the other sign; screw_thread_pitch is meters per turn."""
+        """SDF's thread_pitch is [rad/m] with the other sign; screw_thread_pitch is [m] per turn."""
         per_turn, per_meter = node.word("screw_thread_pitch"), node.word("thread_pitch")
         if per_turn is not None or per_meter is None:
             joint.pitch = self._reader.number(node, per_turn, f"{who} screw_thread_pitch")
@@ -207,8 +219,8 @@ class _SdfModel:
     def _dynamics(self, node: Node, joint: JointDescription, who: str) -> None:
         axis = node.one("axis")
         dynamics, limit = (axis.one(tag) if axis else None for tag in ("dynamics", "limit"))
-        for field, tag in (("damping", "damping"), ("friction", "friction"), ("stiffness", "spring_stiffness"),
-                           ("spring_reference", "spring_reference")):  # fmt: skip
+        for tag in ("damping", "friction", "spring_stiffness", "spring_reference"):
+            field = "stiffness" if tag == "spring_stiffness" else tag
             if dynamics is not None:
                 value = self._reader.number(dynamics, dynamics.word(tag), f"{who} {tag}", 0.0)
                 setattr(joint, field, value)
@@ -254,7 +266,9 @@ class _Frames:
             return Frame()
         if name in self._open:
             ring = " -> ".join([*self._open[self._open.index(name) :], name])
-            self._reader.add(self._nodes[name], f"{self._kinds[name]} '{name}' pose", f"is relative to itself: {ring}")
+            self._reader.add(
+                self._nodes[name], f"{self._kinds[name]} '{name}' pose", f"is relative to itself: {ring}"
+            )
             return Frame()
         if name not in self._known:
             self._open.append(name)
@@ -268,7 +282,9 @@ class _Frames:
         if pose is None:
             return Frame()
         angles = 4 if pose.attributes.get("rotation_format") == "quat_xyzw" else 3
-        values = self._reader.numbers(pose, pose.text, 3 + angles, f"{who} pose", [0.0] * 6 + [1.0] * (angles - 3))
+        values = self._reader.numbers(
+            pose, pose.text, 3 + angles, f"{who} pose", [0.0] * 6 + [1.0] * (angles - 3)
+        )
         if angles == 4:
             x, y, z, w = values[3:]
             if not any(values[3:]):
@@ -281,9 +297,17 @@ class _Frames:
     def _resolved(self, name: str) -> Frame:
         """A link is in the model by default, a joint in its child, a frame in what it is attached to."""
         node, kind = self._nodes[name], self._kinds[name]
-        usual = "" if kind == "link" else node.word("child") or "" if kind == "joint" else node.attributes.get("attached_to", "")
+        usual = (
+            ""
+            if kind == "link"
+            else node.word("child") or ""
+            if kind == "joint"
+            else node.attributes.get("attached_to", "")
+        )
         pose = node.one("pose")
-        given = (pose.attributes.get("relative_to") or pose.attributes.get("frame")) if pose is not None else None
+        given = (
+            (pose.attributes.get("relative_to") or pose.attributes.get("frame")) if pose is not None else None
+        )
         return self.pose(given or usual) @ self.own(node, f"{kind} '{name}'")
 
 

@@ -1,4 +1,4 @@
-"""Where the links of a description are: poses and velocities from joint coordinates, along a spanning tree."""
+"""Where the links of a description are: poses and velocities from joint coordinates, along a tree."""
 
 from __future__ import annotations
 
@@ -58,7 +58,9 @@ def link_states(description: Description, coordinates: Values, velocities: Value
         while stack:
             for joint in children.get(stack.pop(), []):
                 if joint.child not in states:
-                    states[joint.child] = _next(joint, states[joint.parent], q.get(joint.name), rates.get(joint.name))
+                    states[joint.child] = _next(
+                        joint, states[joint.parent], q.get(joint.name), rates.get(joint.name)
+                    )
                     used.add(joint.name)
                     stack.append(joint.child)
     for name in [*coordinates, *velocities]:
@@ -97,11 +99,9 @@ def _with_mimics(description: Description, values: dict[str, Floats], offsets: b
     return out
 
 
-# X_child = X_parent T_parent M(q) T_child^-1. Each elementary motion adds its rate to the motion of the frames
-# behind it:  omega += A a q_dot  or  v += A a q_dot.
-def _next(
-    joint: JointDescription, parent: LinkState, q: Floats | None, rates: Floats | None
-) -> LinkState:
+# X_child = X_parent T_parent M(q) T_child^-1. Each elementary motion adds its rate to the motion of the
+# frames behind it:  omega += A a q_dot  or  v += A a q_dot.
+def _next(joint: JointDescription, parent: LinkState, q: Floats | None, rates: Floats | None) -> LinkState:
     count = len(joint.motions)
     values: Sequence[float] = q.tolist() if q is not None else [0.0] * count
     speeds: Sequence[float] = rates.tolist() if rates is not None else [0.0] * count

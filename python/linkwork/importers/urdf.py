@@ -3,29 +3,41 @@
 from __future__ import annotations
 
 import os
-from typing import Unpack
+from typing import Any, Unpack
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwork.importers.building import Options, build
-from linkwork.importers.description import Description, Imported, JointDescription, LinkDescription, Motion, Note
+from linkwork.importers.description import (
+    Description,
+    Imported,
+    JointDescription,
+    LinkDescription,
+    Motion,
+    Note,
+)
 from linkwork.importers.frames import Frame, from_rpy
 from linkwork.importers.xml_text import Node, Reader
+from linkwork.rotation import perpendicular
 
 __all__ = ["import_urdf"]
 
-X, Y, Z = np.eye(3)
+Floats = NDArray[np.float64]
+
+X = np.array([1.0, 0.0, 0.0])
 
 
 def import_urdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
     """The robot in a URDF file, at joint coordinates zero or at `coordinates`.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, merge_fixed. The base is the ground, unless floating=True. Each link is a body of the same name,
-    its axes those of the link; massless links are parts of the links that they are fixed to.
+    keep_massless, merge_fixed. The base is the ground, unless floating=True. Each link is a body of the same
+    name, its axes those of the link; massless links are parts of the links that they are fixed to.
 
-    Not represented, and listed in the notes: limits, mimic, transmissions, geometry. ModelFileError: what is wrong
-    in the file, with lines; moving links without inertia. ModelError: coordinates of joints that do not exist.
+    Not represented, and listed in the notes: limits, mimic, transmissions, geometry. ModelFileError: what is
+    wrong in the file, with lines; moving links without inertia. ModelError: coordinates of joints that do not
+    exist.
     """
     reader = Reader(path, "robot")
     robot = _Robot(reader)
@@ -57,12 +69,14 @@ class _Robot:
                 self._note("element", f"<{node.tag}>", f"in line {node.line} is not represented")
         self._check_tree(links, joints)
         name = root.attributes.get("name", "")
-        return Description(self._reader.path, name, links, list(joints.values()), self._notes, base_is_fixed=True)
+        return Description(
+            self._reader.path, name, links, list(joints.values()), self._notes, base_is_fixed=True
+        )
 
     def _note(self, topic: str, subject: str, message: str) -> None:
         self._notes.append(Note(topic, subject, message))
 
-    def _once(self, known: dict[str, object], node: Node, made: LinkDescription | JointDescription) -> None:  # type: ignore[type-arg]
+    def _once(self, known: dict[str, Any], node: Node, made: LinkDescription | JointDescription) -> None:
         if made.name in known:
             self._reader.add(node, f"{node.tag} '{made.name}'", "is given twice")
         known[made.name] = made
@@ -85,17 +99,28 @@ class _Robot:
             return link
         frame = self._origin(inertial, who)
         mass = inertial.one("mass")
-        link.mass = self._reader.number(inertial, mass.attributes.get("value") if mass else None, f"{who} mass")
+        link.mass = self._reader.number(
+            inertial, mass.attributes.get("value") if mass else None, f"{who} mass"
+        )
         link.center = frame.r
         tensor = inertial.one("inertia")
         if tensor is None:
             self._reader.add(inertial, f"{who} inertia", "is missing")
             return link
         values = {
-            key: self._reader.number(tensor, tensor.attributes.get(key), f"{who} inertia {key}", default=default)
-            for key, default in (("ixx", None), ("iyy", None), ("izz", None), ("ixy", 0.0), ("ixz", 0.0), ("iyz", 0.0))
+            key: self._reader.number(
+                tensor, tensor.attributes.get(key), f"{who} inertia {key}", default=default
+            )
+            for key, default in (
+                ("ixx", None),
+                ("iyy", None),
+                ("izz", None),
+                ("ixy", 0.0),
+                ("ixz", 0.0),
+                ("iyz", 0.0),
+            )
         }
-        link.inertia = frame.A @ tensor(values) @ frame.A.T
+        link.inertia = frame.A @ inertia_matrix(values) @ frame.A.T
         return link
 
     def _origin(self, node: Node, who: str) -> Frame:
@@ -105,7 +130,9 @@ class _Robot:
         xyz = self._reader.numbers(origin, origin.attributes.get("xyz"), 3, f"{who} origin xyz", [0.0] * 3)
         if "quat_xyzw" in origin.attributes:
             self._reader.add(origin, f"{who} origin", "quat_xyzw is not taken; give rpy")
-        return from_rpy(xyz, self._reader.numbers(origin, origin.attributes.get("rpy"), 3, f"{who} origin rpy", [0.0] * 3))
+        return from_rpy(
+            xyz, self._reader.numbers(origin, origin.attributes.get("rpy"), 3, f"{who} origin rpy", [0.0] * 3)
+        )
 
     def _joint(self, node: Node) -> JointDescription | None:
         name, type_ = self._name(node), node.attributes.get("type", "")
@@ -137,22 +164,27 @@ class _Robot:
                 self._note(tag, who, f"its {tag} is not represented")
         return joint
 
-    def _axis(self, node: Node, who: str) -> np.ndarray:  # type: ignore[type-arg]
+    def _axis(self, node: Node, who: str) -> Floats:
         axis = node.one("axis")
         if axis is None:
             return X
-        given = np.array(self._reader.numbers(axis, axis.attributes.get("xyz"), 3, f"{who} axis", [1.0, 0.0, 0.0]))
+        given = np.array(
+            self._reader.numbers(axis, axis.attributes.get("xyz"), 3, f"{who} axis", [1.0, 0.0, 0.0])
+        )
         length = np.linalg.norm(given)
         if length == 0:
             self._reader.add(axis, f"{who} axis", "has no direction")
             return X
-        return given / length
+        unit: Floats = given / length
+        return unit
 
     def _dynamics(self, node: Node, joint: JointDescription, who: str) -> None:
         dynamics = node.one("dynamics")
         if dynamics is not None:
             for what in ("damping", "friction"):
-                value = self._reader.number(dynamics, dynamics.attributes.get(what), f"{who} dynamics {what}", 0.0)
+                value = self._reader.number(
+                    dynamics, dynamics.attributes.get(what), f"{who} dynamics {what}", 0.0
+                )
                 setattr(joint, what, value)
 
     def _limits(self, node: Node, joint: JointDescription, who: str, type_: str) -> None:
@@ -162,12 +194,18 @@ class _Robot:
         lower, upper = (self._reader.number(limit, limit.attributes.get(end), f"{who} limit {end}", 0.0)
                         for end in ("lower", "upper"))  # fmt: skip
         if type_ in ("revolute", "prismatic") and (lower or upper):
-            self._note("limits", who, f"limits {lower:g} to {upper:g} {'rad' if type_ == 'revolute' else 'm'} are not represented")
+            self._note(
+                "limits",
+                who,
+                f"limits {lower:g} to {upper:g} {'rad' if type_ == 'revolute' else 'm'} are not represented",
+            )
 
     def _mimic(self, node: Node, joint: JointDescription, who: str) -> None:
         mimic = node.one("mimic")
         if mimic is not None:
-            multiplier = self._reader.number(mimic, mimic.attributes.get("multiplier"), f"{who} mimic multiplier", 1.0)
+            multiplier = self._reader.number(
+                mimic, mimic.attributes.get("multiplier"), f"{who} mimic multiplier", 1.0
+            )
             offset = self._reader.number(mimic, mimic.attributes.get("offset"), f"{who} mimic offset", 0.0)
             leader = mimic.attributes.get("joint", "")
             if not leader:
@@ -196,16 +234,18 @@ class _Robot:
                 seen.add(link)
                 link = parent_of[link]
             if link == joint.child:
-                self._reader.add(by_name[name], f"joint '{name}'", "is part of a ring of joints; a URDF is a tree")
+                self._reader.add(
+                    by_name[name], f"joint '{name}'", "is part of a ring of joints; a URDF is a tree"
+                )
 
 
-def _planar(normal: np.ndarray) -> tuple[Motion, ...]:  # type: ignore[type-arg]
-    from linkwork.rotation import perpendicular
-
+def _planar(normal: Floats) -> tuple[Motion, ...]:
     x = perpendicular(normal)
     return Motion(False, x), Motion(False, np.cross(normal, x)), Motion(True, normal)
 
 
-def tensor(values: dict[str, float]) -> np.ndarray:  # type: ignore[type-arg]
-    (xx, yy, zz), (xy, xz, yz) = ((values[key] for key in keys) for keys in (("ixx", "iyy", "izz"), ("ixy", "ixz", "iyz")))
+def inertia_matrix(values: dict[str, float]) -> Floats:
+    (xx, yy, zz), (xy, xz, yz) = (
+        (values[key] for key in keys) for keys in (("ixx", "iyy", "izz"), ("ixy", "ixz", "iyz"))
+    )
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

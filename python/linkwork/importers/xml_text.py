@@ -105,7 +105,9 @@ class Reader:
         try:
             parser.Parse(content, True)
         except expat.ExpatError as error:
-            self._refuse(error.lineno, f"is no XML: {expat.ErrorString(error.code)}, column {error.offset + 1}")
+            self._refuse(
+                error.lineno, f"is no XML: {expat.ErrorString(error.code)}, column {error.offset + 1}"
+            )
         except (ValueError, LookupError) as error:  # an encoding that is not there
             self._refuse(1, f"is no XML: {error}")
         return builder.root  # type: ignore[return-value]

@@ -36,6 +36,7 @@ __all__ = [
     "four_bar",
     "heavy_top",
     "hub",
+    "is_file",
     "named",
     "net",
     "pendulum",

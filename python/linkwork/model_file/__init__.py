@@ -1,11 +1,12 @@
-"""Models in files: YAML 1.2 (.yaml, .yml) and JSON (.json) by one published schema; `linkwork schema` prints it.
+"""Models in files: YAML 1.2 (.yaml, .yml) and JSON (.json) by one published schema; `linkwork schema` prints
+it.
 
     model = lw.Model.load("crank.yaml")
     model.save("crank.json")
 
-SI units, angles in rad. Positions and velocities are inertial, `omega` and the inertia refer to body axes through
-the center of mass, orientations are Euler parameters, scalar first. A file is checked as a whole before a model is
-made of it; ModelFileError has all its faults, each with line and field.
+SI units, angles in rad. Positions and velocities are inertial, `omega` and the inertia refer to body axes
+through the center of mass, orientations are Euler parameters, scalar first. A file is checked as a whole
+before a model is made of it; ModelFileError has all its faults, each with line and field.
 """
 
 from __future__ import annotations

@@ -58,7 +58,9 @@ class Placed:
 
     def arguments(self) -> dict[str, Any]:
         """Of the kind's method, by name; the functions made."""
-        values = {name: getattr(self.record, name) for name in type(self.record).model_fields if name != "kind"}
+        values = {
+            name: getattr(self.record, name) for name in type(self.record).model_fields if name != "kind"
+        }
         own = set(self.info.parameters) | {name.removesuffix("_x") for name in self.info.parameters}
         return {name: self.quantity(value) if name in own else value for name, value in values.items()}
 

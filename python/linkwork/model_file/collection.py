@@ -1,4 +1,4 @@
-"""Reading and writing make millions of objects and no cycles: looking for cycles would take most of the time."""
+"""Reading and writing make millions of objects and no cycles: to look for them takes most of the time."""
 
 from __future__ import annotations
 

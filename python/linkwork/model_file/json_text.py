@@ -41,7 +41,9 @@ class JsonText:
         except RecursionError:
             raise Malformed([_too_deep(text)]) from None
         except json.JSONDecodeError as error:
-            raise Malformed([Fault(error.lineno, "", f"is no JSON: {error.msg}, column {error.colno}")]) from None
+            raise Malformed(
+                [Fault(error.lineno, "", f"is no JSON: {error.msg}, column {error.colno}")]
+            ) from None
         except ValueError as error:  # NaN; an integer with more digits than Python takes
             raise Malformed([_unreadable_number(text, str(error))]) from None
         if self._any_repeated:

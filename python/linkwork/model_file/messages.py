@@ -31,9 +31,8 @@ def _where(details: ErrorDetails, data: Any) -> tuple[str | int, ...]:
     location = details["loc"]
     for depth, part in enumerate(location):
         last = depth == len(location) - 1
-        if isinstance(data, dict) and part in data:
-            data = data[part]
-        elif isinstance(data, list) and isinstance(part, int) and part < len(data):
+        is_entry = isinstance(data, list) and isinstance(part, int) and part < len(data)
+        if is_entry or (isinstance(data, dict) and part in data):
             data = data[part]
         elif not (last and details["type"] == "missing"):
             continue
@@ -52,12 +51,11 @@ def _message(details: ErrorDetails, where: Where, data: Any) -> str:
     if kind in ("too_short", "too_long"):
         least, most = context.get("min_length"), context.get("max_length")
         wanted = f"at most {most}" if kind == "too_long" else f"{least} or more"
-        return f"has {context['actual_length']} entries, not {wanted}" if "name" not in where[-1:] else "is empty"
-    wanted = _WANTED.get(kind)
-    if wanted is None:
+        return f"has {context['actual_length']} entries, not {wanted}"
+    if kind not in _WANTED:
         text = details["msg"]
         return text[:1].lower() + text[1:]
-    return f"{_shown(given)} is not {wanted.format(**context)}"
+    return f"{_shown(given)} is not {_WANTED[kind].format(**context)}"
 
 
 _WANTED = {
@@ -104,7 +102,7 @@ def _known(where: Where, data: Any) -> Sequence[str]:
     if len(where) == 2 and role in KINDS:
         form = schema.form_of(data)
         if form is not None:
-            return list(schema.element_type(role, *form).model_fields)  # type: ignore[arg-type]
+            return list(schema.element_type(role, *form).model_fields)
     if where[0] == "bodies" and len(where) == 2:
         return list(schema.BodyRecord.model_fields)
     if where[-1] == "attachment":
@@ -120,5 +118,11 @@ def _shown(value: Any) -> str:
         return "a list" if value else "an empty list"
     if value is None:
         return "nothing"
-    text = repr(value) if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else str(value)
+    text = (
+        repr(value)
+        if isinstance(value, str)
+        else str(value).lower()
+        if isinstance(value, bool)
+        else str(value)
+    )
     return text if len(text) <= 60 else f"{text[:57]}..."

@@ -1,4 +1,4 @@
-"""From a file to a model: syntax, then the schema, then the mechanics; each stage tells all its faults at once."""
+"""From a file to a model: syntax, then the schema, then the mechanics; each tells all its faults at once."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from linkwork.elements import KINDS, Role
+from linkwork.elements import KINDS
 from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, nearest
 from linkwork.functions import Sum, TimeFunction, constant
 from linkwork.model import Model
 from linkwork.model_file import schema
 from linkwork.model_file.batches import Placed, add_batch, batch_key
-from linkwork.model_file.messages import faults_of_schema
 from linkwork.model_file.collection import collection_paused
+from linkwork.model_file.messages import faults_of_schema
 from linkwork.model_file.syntax import Syntax, Where, field, parse
 
 #: The most faults that are told.
@@ -112,9 +112,7 @@ def _check_names(document: schema.Document, checker: _Checker) -> None:
                     checker.add((f"{role}s", k, what), f"'{name}' is neither a number nor in functions{hint}")
 
 
-def _unique(
-    section: str, records: Sequence[Any], checker: _Checker, taken: dict[str, str]
-) -> dict[str, str]:
+def _unique(section: str, records: Sequence[Any], checker: _Checker, taken: dict[str, str]) -> dict[str, str]:
     """The names of a section, with why each is taken."""
     for k, record in enumerate(records):
         if record.name is None:
@@ -122,7 +120,9 @@ def _unique(
         if not record.name.isprintable():
             checker.add((section, k, "name"), f"name {record.name!r} is not printable text")
         if record.name in taken and not checker.full:
-            why = taken[record.name] or f"is the name of {_first(section, records, record.name, checker)}, too"
+            why = (
+                taken[record.name] or f"is the name of {_first(section, records, record.name, checker)}, too"
+            )
             checker.add((section, k, "name"), f"'{record.name}' {why}; choose another name")
         taken.setdefault(record.name, "")
     return taken
@@ -150,7 +150,7 @@ def _named_functions(record: schema.Element) -> Iterator[tuple[str, str]]:
 _QUANTITIES: dict[type, list[str]] = {}
 
 
-# --- from records to a model ---------------------------------------------------------------------------------------
+# --- from records to a model --------------------------------------------------------------------------------
 
 
 def _build(document: schema.Document, checker: _Checker) -> Model:
@@ -159,7 +159,9 @@ def _build(document: schema.Document, checker: _Checker) -> Model:
         return _built(document, _straight)
     except LinkworkError as error:
 
-        def one_by_one(where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None) -> None:
+        def one_by_one(
+            where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None
+        ) -> None:
             try:
                 if not checker.full:
                     add()
@@ -177,8 +179,8 @@ def _straight(where: Where, add: Callable[[], None], instead: Callable[[], None]
     add()
 
 
-#: attempt(where, add, instead): `add` is called; where it is refused and only faults are wanted, `instead` stands in,
-#: so that what refers to it can be checked, too.
+#: attempt(where, add, instead): `add` is called; where it is refused and only faults are wanted, `instead`
+#: stands in, so that what refers to it can be checked, too.
 Attempt = Callable[..., None]
 
 
@@ -215,7 +217,9 @@ def _add_bodies(
         _add_batch_of_bodies(model, records)
         return
     for k, record in enumerate(records):
-        stand_in = schema.BodyRecord(name=record.name, mass=1.0, inertia=[1.0, 1.0, 1.0], position=record.position)
+        stand_in = schema.BodyRecord(  # type: ignore[call-arg]
+            name=record.name, mass=1.0, inertia=[1.0, 1.0, 1.0], position=record.position
+        )
         attempt(("bodies", k), *(partial(_add_batch_of_bodies, model, [body]) for body in (record, stand_in)))
 
 

@@ -1,17 +1,20 @@
-"""What a model file may say, as pydantic models made from the registries of joints, forces and functions of time.
+"""What a model file may say, as pydantic models made from the registries of joints, forces and functions of
+time.
 
 A kind of joint or force has two forms in a file: *placed*, with the arguments of its method of `Model`
-(`model.revolute(a, b, at=..., axis=...)`), and *attached*, with its points and axes in body coordinates, which is
-how models are saved, exact to the last bit. A joint that is added to the compiled module has both at once.
+(`model.revolute(a, b, at=..., axis=...)`), and *attached*, with its points and axes in body coordinates,
+which is how models are saved, exact to the last bit. A joint that is added to the compiled module has both at
+once.
 """
 
 from __future__ import annotations
 
 import inspect
 import json
-from collections.abc import Callable, Iterator, Mapping
-from functools import cache
-from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cache, reduce
+from operator import or_
+from typing import Annotated, Any, Literal, get_origin, get_type_hints
 
 from annotated_types import Len
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_model
@@ -21,7 +24,16 @@ from linkwork.elements import KINDS, LENGTHS, Role
 from linkwork.model import Model
 from linkwork.simulation import simulate
 
-__all__ = ["VERSION", "Attached", "Document", "Element", "Record", "document_type", "element_type", "json_schema"]
+__all__ = [
+    "VERSION",
+    "Attached",
+    "Document",
+    "Element",
+    "Record",
+    "document_type",
+    "element_type",
+    "json_schema",
+]
 
 #: Of the format.
 VERSION = 1
@@ -41,6 +53,18 @@ def _either(one: Any, many: Any) -> Any:
 
 def _is_nested(value: Any) -> bool:
     return isinstance(value, list) and bool(value) and isinstance(value[0], list)
+
+
+def _union(variants: Iterable[Any]) -> Any:
+    return reduce(or_, variants)
+
+
+def _list(of: Any, least: int = 0, most: int | None = None) -> Any:
+    return Annotated[list[of], Len(least, most)]
+
+
+def _mapping(of: Any) -> Any:
+    return dict[Word, of]
 
 
 def _pair(of: Any) -> Any:
@@ -69,14 +93,18 @@ class BodyRecord(Record):
     omega: Vector = Field([0.0, 0.0, 0.0], description="angular velocity, body axes [rad/s]")
 
 
-# --- functions of time ---------------------------------------------------------------------------------------------
+# --- functions of time --------------------------------------------------------------------------------------
 
 
 def _numbers() -> Any:
     rows = list[list[Number]]
-    levels = Discriminator(lambda value: ("number", "list", "rows")[isinstance(value, list) + _is_nested(value)])
+    levels = Discriminator(
+        lambda value: ("number", "list", "rows")[isinstance(value, list) + _is_nested(value)]
+    )
     return Annotated[
-        Annotated[Number, Tag("number")] | Annotated[list[Number], Tag("list")] | Annotated[rows, Tag("rows")],
+        Annotated[Number, Tag("number")]
+        | Annotated[list[Number], Tag("list")]
+        | Annotated[rows, Tag("rows")],
         levels,
     ]
 
@@ -109,7 +137,7 @@ SUMS = 4
 
 
 def _has_one(constructor: Callable[..., Any]) -> bool:
-    """Whether a function of time takes a single argument, or any number of one kind: then it has no name in a file."""
+    """Whether a function takes one argument, or any number of one kind: it has no name in a file."""
     return len(inspect.signature(constructor).parameters) == 1
 
 
@@ -118,9 +146,9 @@ def _function_type(sums: int = SUMS) -> Any:
     """A mapping with one key, the name of a function, and its arguments; a sum has a list of functions."""
     variants = [Annotated[_variant(name), Tag(name)] for name in constructors()]
     if sums:
-        terms = Annotated[list[_function_type(sums - 1)], Len(1)]
-        summary = "The sum of functions."
-        total = create_model("sum" if sums == SUMS else f"sum {sums}", __base__=Record, __doc__=summary, sum=(terms, ...))
+        fields: dict[str, Any] = {"sum": (_list(_function_type(sums - 1), 1), ...)}
+        label = "sum" if sums == SUMS else f"sum {sums}"
+        total = create_model(label, __base__=Record, __doc__="The sum of functions.", **fields)
         variants.append(Annotated[total, Tag("sum")])
     known = {*constructors(), "sum"} if sums else set(constructors())
 
@@ -128,7 +156,7 @@ def _function_type(sums: int = SUMS) -> Any:
         names = [name for name in value if name in known] if isinstance(value, dict) else []
         return names[0] if names else None
 
-    return Annotated[Union[tuple(variants)], Discriminator(name_of)]
+    return Annotated[_union(variants), Discriminator(name_of)]
 
 
 @cache
@@ -143,7 +171,8 @@ def _variant(name: str) -> type[Record]:
         ((arguments, _),) = fields.values()
     else:
         arguments = create_model(f"{name} arguments", __base__=Record, __doc__=summary, **fields)
-    made: type[Record] = create_model(name, __base__=Record, __doc__=summary, **{name: (arguments, ...)})
+    whole: dict[str, Any] = {name: (arguments, ...)}
+    made: type[Record] = create_model(name, __base__=Record, __doc__=summary, **whole)
     return made
 
 
@@ -160,12 +189,14 @@ def _quantity_type() -> Any:
         return "name" if isinstance(value, str) else "function" if isinstance(value, dict) else "number"
 
     return Annotated[
-        Annotated[Number, Tag("number")] | Annotated[Word, Tag("name")] | Annotated[_function_type(), Tag("function")],
+        Annotated[Number, Tag("number")]
+        | Annotated[Word, Tag("name")]
+        | Annotated[_function_type(), Tag("function")],
         Discriminator(form),
     ]
 
 
-# --- joints and forces ---------------------------------------------------------------------------------------------
+# --- joints and forces --------------------------------------------------------------------------------------
 
 
 class Element(Record):
@@ -176,7 +207,7 @@ class Element(Record):
 
 
 class AttachmentRecord(Record):
-    """Where an element sits on its two bodies a and b, in body coordinates: the exact form of `at` and axes."""
+    """Where an element sits on its bodies a and b, in body coordinates: the exact form of `at` and axes."""
 
     origin: _pair(Vector) = Field(description="its point in a and its point in b [m]")  # type: ignore[valid-type]
     frame: _pair(Matrix) = Field(  # type: ignore[valid-type]
@@ -240,7 +271,7 @@ def _field_type(kind: Any, name: str, hint: Any) -> Any:
     if name in kind.parameters:
         return _quantity_type()
     if f"{name}_x" in kind.parameters:
-        return Annotated[list[_quantity_type()], Len(3, 3)]
+        return _list(_quantity_type(), 3, 3)
     if name in _PLACES:
         return _PLACES[name]
     if get_origin(hint) is Literal or hint in (str, bool, int):
@@ -298,10 +329,10 @@ def _elements_type(role: Role) -> Any:
         for attached in (False, True)
         if attached or hasattr(Model, METHODS.get(kind, kind))
     ]
-    return Annotated[Union[tuple(variants)], Discriminator(tag)]
+    return Annotated[_union(variants), Discriminator(tag)]
 
 
-# --- the whole -----------------------------------------------------------------------------------------------------
+# --- the whole ----------------------------------------------------------------------------------------------
 
 Setting = Annotated[bool | int | float | str | dict[str, float], Field(union_mode="smart")]
 
@@ -318,14 +349,16 @@ def setting_names() -> list[str]:
 
 
 class Document(Record):
-    """A mechanism. SI units: m, kg, s, N, rad. Positions and velocities are inertial unless said otherwise."""
+    """A mechanism. SI units: m, kg, s, N, rad. Positions and velocities are inertial unless it is said."""
 
     linkwork: Literal[1] = Field(description="version of the format")
     units: Literal["SI"] = Field("SI", description="of everything in the file; there is no other choice")
     name: str = ""
     gravity: Vector = Field([0.0, 0.0, -9.81], description="acceleration, inertial [m/s2]")
     simulation: dict[str, Setting] = Field({}, description="recommended arguments of linkwork.simulate")
-    functions: dict[Word, Any] = Field({}, description="functions of time by name, for use by several elements")
+    functions: dict[Word, Any] = Field(
+        {}, description="functions of time by name, for use by several elements"
+    )
     bodies: list[BodyRecord] = []
     joints: list[Any] = []
     forces: list[Any] = []
@@ -334,10 +367,11 @@ class Document(Record):
 @cache
 def document_type() -> type[Document]:
     """The record of a whole file, with every registered kind."""
-    roles: dict[str, Any] = {f"{role}s": (list[_elements_type(role)], []) for role in KINDS}
-    named = (dict[Word, _function_type()], Field({}, description=Document.model_fields["functions"].description))
+    fields: dict[str, Any] = {f"{role}s": (_list(_elements_type(role)), []) for role in KINDS}
+    description = Document.model_fields["functions"].description
+    fields["functions"] = (_mapping(_function_type()), Field({}, description=description))
     made: type[Document] = create_model(
-        "linkwork model", __base__=Document, __doc__=Document.__doc__, functions=named, **roles
+        "linkwork model", __base__=Document, __doc__=Document.__doc__, **fields
     )
     return made
 

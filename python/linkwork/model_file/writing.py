@@ -28,8 +28,9 @@ from linkwork.model_file.syntax import check_suffix
 Floats = NDArray[np.float64]
 
 _COMMENT = """\
-# SI units, angles in rad. Positions and velocities are inertial; omega and the inertia refer to body axes through the
-# center of mass; orientations are unit Euler parameters, scalar first, body axes to inertial. `linkwork schema` has all.
+# SI units, angles in rad. Positions and velocities are inertial; omega and the inertia refer to body axes
+# through the center of mass; orientations are unit Euler parameters, scalar first, body axes to inertial.
+# `linkwork schema` has all.
 """
 
 
@@ -40,7 +41,9 @@ def write(model: Model, path: str | os.PathLike[str], simulation: Mapping[str, A
         if name not in (known := schema.setting_names()):
             raise OptionError(f"simulation: no option '{name}'{nearest(name, known)}", code="option")
     for name, _ in model._user_forces:
-        raise ModelError(f"'{name}' is a function of the user's own, which a file cannot hold", code="not_data")
+        raise ModelError(
+            f"'{name}' is a function of the user's own, which a file cannot hold", code="not_data"
+        )
     with collection_paused():
         document = record_of(model, simulation)
         lines = json_lines(document) if suffix == ".json" else yaml_lines(document)
@@ -72,7 +75,7 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
     """Each body; the state only where it is not that of a body at rest in the origin."""
     count = core.body_count
     q, v, J = core.q0.reshape(count, 7), core.v0.reshape(count, 6), core.inertia
-    diagonal = (J == J * np.eye(3)).all(axis=(1, 2)) & ~np.signbit(J).any(axis=(1, 2))
+    diagonal = (J * np.eye(3) == J).all(axis=(1, 2)) & ~np.signbit(J).any(axis=(1, 2))
     moments = np.diagonal(J, axis1=1, axis2=2).tolist()
     state = {
         "position": q[:, :3],
@@ -85,12 +88,17 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
     given = {what: ((x != usual[what]) | np.signbit(x)).any(axis=1).tolist() for what, x in state.items()}
     columns = {what: x.tolist() for what, x in state.items()}
     for k, mass in enumerate(core.mass.tolist()):
-        record = {"name": core.body_name(k), "mass": mass, "inertia": moments[k] if diagonal[k] else J[k].tolist()}
+        record = {
+            "name": core.body_name(k),
+            "mass": mass,
+            "inertia": moments[k] if diagonal[k] else J[k].tolist(),
+        }
         yield record | {what: columns[what][k] for what in columns if given[what][k]}
 
 
-# The model normalizes the Euler parameters that it is given, which changes a few of those that are unit already in the
-# last bit. For these another p is looked for near by, from which normalization gives exactly the p of the model.
+# The model normalizes the Euler parameters that it is given, which changes a few of those that are unit
+# already in the last bit. For these another p is looked for near by, from which normalization gives exactly
+# the p of the model.
 def _normalized_from(p: Floats) -> Floats:
     out = p.copy()
     wrong = np.arange(len(p))
@@ -119,7 +127,9 @@ def _elements(model: Model, role: Role, names: Mapping[int, str]) -> Iterator[di
     kinds = list(KINDS[role].values())
     origin, frame = arrays["origin"].tolist(), arrays["frame"].tolist()
     values, signals = arrays["parameters"].tolist(), arrays["signals"].tolist()
-    each = zip(arrays["kind"].tolist(), arrays["bodies"].tolist(), arrays["first_parameter"].tolist(), strict=True)
+    each = zip(
+        arrays["kind"].tolist(), arrays["bodies"].tolist(), arrays["first_parameter"].tolist(), strict=True
+    )
     for k, (kind, (a, b), first) in enumerate(each):
         info, name = kinds[kind], name_of(k)
         record = {
@@ -160,16 +170,18 @@ def _function_record(function: TimeFunction, who: str) -> dict[str, Any]:
     name = re.sub(r"(?<!^)(?=[A-Z])", "_", type(function).__name__).lower()
     if name not in schema.constructors() or not dataclasses.is_dataclass(function):
         raise ModelError(
-            f"{who} is a Python function, which a file cannot hold: give it as one of linkwork.functions, such as "
-            "table(t, values) of its samples",
+            f"{who} is a Python function, which a file cannot hold: give it as one of linkwork.functions, "
+            "such as table(t, values) of its samples",
             code="not_data",
         )
     values = {field.name: getattr(function, field.name) for field in dataclasses.fields(function)}
-    plain = {what: np.asarray(x).tolist() if isinstance(x, tuple | np.ndarray) else x for what, x in values.items()}
+    plain = {
+        what: np.asarray(x).tolist() if isinstance(x, tuple | np.ndarray) else x for what, x in values.items()
+    }
     return {name: plain if len(plain) > 1 else next(iter(plain.values()))}
 
 
-# --- text ----------------------------------------------------------------------------------------------------------
+# --- text ---------------------------------------------------------------------------------------------------
 
 
 def json_lines(document: Mapping[str, Any]) -> Iterator[str]:
@@ -179,7 +191,9 @@ def json_lines(document: Mapping[str, Any]) -> Iterator[str]:
         yield f"{lead}\n  {json.dumps(key)}: "
         lead = ","
         if isinstance(value, list) and value and isinstance(value[0], dict):
-            yield from (f"{start}    {json.dumps(item)}" for start, item in zip(_starts(), value, strict=False))
+            yield from (
+                f"{start}    {json.dumps(item)}" for start, item in zip(_starts(), value, strict=False)
+            )
             yield "\n  ]"
         else:
             yield json.dumps(value)

@@ -112,7 +112,9 @@ class YamlText:
             if node is not None:
                 self._refuse(line, parent.where, "a key must be a word, no list or mapping")
             if value in parent.data:
-                self._faults.append(Fault(line, f"{parent.where}.{value}".removeprefix("."), "is given twice"))
+                self._faults.append(
+                    Fault(line, f"{parent.where}.{value}".removeprefix("."), "is given twice")
+                )
             parent.key, parent.key_line = value, line
             return
         else:
@@ -125,9 +127,11 @@ class YamlText:
             node.where = f"{parent.where}{part}".removeprefix(".")
             parent.nodes[key] = node
 
-    def _check_plain(self, event: events.NodeEvent, line: int) -> None:
+    def _check_plain(self, event: Any, line: int) -> None:
         if event.anchor is not None:
-            self._refuse(line, "", f"anchor &{event.anchor}: anchors are not taken; write the value where it is")
+            self._refuse(
+                line, "", f"anchor &{event.anchor}: anchors are not taken; write the value where it is"
+            )
         if event.tag is not None:
             self._refuse(line, "", f"tag {event.tag}: tags are not taken")
 

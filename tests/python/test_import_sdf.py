@@ -1,0 +1,219 @@
+"""SDF files: frames, every kind of joint, and loops, against models that are built by hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+
+FOUR_BAR = Path(__file__).parent / "robots" / "four_bar.sdf"
+
+
+def accelerations(model: lw.Model) -> np.ndarray:
+    """v_dot of each body at t = 0 (n, 6)."""
+    core = model.compiled()
+    return lw.System(model).accelerations(0.0, core.q0, core.v0)[0].reshape(-1, 6)
+
+
+def about_y(angle: float) -> np.ndarray:
+    return lw.rotation.matrix(lw.rotation.about((0, 1, 0), angle))
+
+
+def four_bar() -> lw.Model:
+    """The mechanism of four_bar.sdf, by hand."""
+    model = lw.Model(gravity=(0, 0, -9.8))
+    A = about_y(-1.2)
+    pin = A @ [0.4, 0, 0]
+    B = about_y(-0.3)
+    crank = model.body("crank", mass=1, inertia=(0.001, 0.02, 0.02), position=A @ [0.2, 0, 0],
+                       orientation=lw.rotation.from_matrix(A))  # fmt: skip
+    rocker = model.body("rocker", mass=2, inertia=(0.06, 0.06, 0.002), position=(1, 0, 0.3))
+    tensor = about_y(0.1) @ np.diag([0.01, 0.1, 0.1]) @ about_y(0.1).T
+    coupler = model.body("coupler", mass=1.5, inertia=tensor, position=pin + B @ [0.4, 0, 0.05],
+                         orientation=lw.rotation.from_matrix(B))  # fmt: skip
+    model.revolute(model.ground, crank, at=(0, 0, 0), axis=(0, 1, 0))
+    model.revolute(model.ground, rocker, at=(1, 0, 0), axis=(0, 1, 0))
+    model.revolute(crank, coupler, at=pin, axis=(0, 1, 0))
+    model.revolute(coupler, rocker, at=(1, 0, 0.6), axis=(0, 1, 0))
+    model.rotational_spring_damper(
+        model.ground, rocker, at=(1, 0, 0), axis=(0, 1, 0), stiffness=3, free_angle=0.2
+    )
+    return model
+
+
+def test_a_closed_loop_moves_as_the_same_mechanism_by_hand() -> None:
+    imported = lw.import_sdf(FOUR_BAR)
+    assert not imported.notes
+    model, own = imported.model, four_bar()
+    assert model.compiled().q0 == pytest.approx(own.compiled().q0, abs=1e-14)
+    one, other = (lw.simulate(m, t_end=1.0, step=1e-3) for m in (model, own))
+    assert np.ptp(one.q[:, 2, 5]) > 0.01  # it moves
+    assert np.abs(one.q - other.q).max() < 1e-10
+
+
+def loaded(tmp_path: Path, body: str, version: str = "1.9", **options: Any) -> lw.Imported:
+    path = tmp_path / "model.sdf"
+    path.write_text(
+        f'<?xml version="1.0"?>\n<sdf version="{version}"><model name="m">\n{body}\n</model></sdf>\n'
+    )
+    return lw.import_sdf(path, **options)
+
+
+def link(name: str, pose: str = "0 0 0 0 0 0", attributes: str = "") -> str:
+    return (f'<link name="{name}"><pose {attributes}>{pose}</pose>'
+            "<inertial><pose>0.1 0.2 0 0 0 0</pose><mass>2</mass>"
+            "<inertia><ixx>0.2</ixx><iyy>0.3</iyy><izz>0.25</izz></inertia></inertial></link>")  # fmt: skip
+
+
+def joint(name: str, type_: str, parent: str, child: str, inner: str = "") -> str:
+    return (
+        f'<joint name="{name}" type="{type_}"><parent>{parent}</parent><child>{child}</child>{inner}</joint>'
+    )
+
+
+def axis(xyz: str, rest: str = "", tag: str = "axis", attributes: str = "") -> str:
+    return f"<{tag}><xyz {attributes}>{xyz}</xyz>{rest}</{tag}>"
+
+
+POSE = "0.3 0.1 0.5 0.3 0.4 0.5"
+A = (lw.rotation.matrix(lw.rotation.about((0, 0, 1), 0.5)) @ about_y(0.4)
+     @ lw.rotation.matrix(lw.rotation.about((1, 0, 0), 0.3)))  # fmt: skip
+R = np.array([0.3, 0.1, 0.5])
+
+
+def by_hand() -> tuple[lw.Model, lw.Body]:
+    model = lw.Model(gravity=(0, 0, -9.8))
+    body = model.body("a", mass=2, inertia=(0.2, 0.3, 0.25), position=R + A @ [0.1, 0.2, 0],
+                      orientation=lw.rotation.from_matrix(A))  # fmt: skip
+    return model, body
+
+
+KINDS = {
+    "revolute": (axis("0 1 1"), lambda m, b: m.revolute(m.ground, b, at=R, axis=A @ [0, 1, 1])),
+    "prismatic": (axis("1 1 0"), lambda m, b: m.translational(m.ground, b, at=R, axis=A @ [1, 1, 0])),
+    "ball": ("", lambda m, b: m.spherical(m.ground, b, at=R)),
+    "universal": (axis("1 0 0") + axis("0 1 1", tag="axis2"),
+                  lambda m, b: m.universal(m.ground, b, at=R, axes=(A @ [1, 0, 0], A @ [0, 1, 1]))),
+    "revolute2": (axis("1 0 0") + axis("0 0 1", tag="axis2"),
+                  lambda m, b: m.universal(m.ground, b, at=R, axes=(A @ [1, 0, 0], A @ [0, 0, 1]))),
+    "screw": (axis("0 0 1") + "<screw_thread_pitch>0.5</screw_thread_pitch>",
+              lambda m, b: m.screw(m.ground, b, at=R, axis=A @ [0, 0, 1], pitch=0.5)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_of_joint_does_what_ours_does(kind: str, tmp_path: Path) -> None:
+    inner, add = KINDS[kind]
+    model, body = by_hand()
+    add(model, body)
+    found = loaded(tmp_path, link("a", POSE) + joint("j", kind, "world", "a", inner)).model
+    assert accelerations(found) == pytest.approx(accelerations(model), rel=1e-11, abs=1e-11)
+
+
+@pytest.mark.parametrize(("version", "rest", "direction"), [
+    ("1.4", "", (0, 1, 1)), ("1.6", "", A @ [0, 1, 1]),
+    ("1.6", "<use_parent_model_frame>1</use_parent_model_frame>", (0, 1, 1)), ("1.9", "", A @ [0, 1, 1]),
+])  # fmt: skip
+def test_axes_are_in_the_frame_that_the_version_says(
+    version: str, rest: str, direction: Any, tmp_path: Path
+) -> None:
+    model, body = by_hand()
+    model.revolute(model.ground, body, at=R, axis=direction)
+    text = link("a", POSE) + joint("j", "revolute", "world", "a", axis("0 1 1", rest))
+    assert accelerations(loaded(tmp_path, text, version).model) == pytest.approx(
+        accelerations(model), rel=1e-11, abs=1e-11
+    )
+
+
+def test_poses_go_through_frames_degrees_and_quaternions(tmp_path: Path) -> None:
+    half = np.sqrt(0.5)
+    text = (
+        "<pose>0 0 1 0 0 0</pose>"
+        + link("a", "1 0 0 0 0 90", 'degrees="true"')
+        + link("b", f"2 0 0 0 0 {half} {half}", 'relative_to="a" rotation_format="quat_xyzw"')
+        + link("c", "0 3 0 0 0 0", 'relative_to="mark"')
+        + '<frame name="mark" attached_to="b"><pose>0 0 4 0 0 0</pose></frame>'
+    )
+    model = loaded(tmp_path, text).model
+    q = model.compiled().q0.reshape(-1, 7)
+    # a: turned 90 degrees about z at (1, 0, 1); b: 2 m along a's x (space y), turned 180 degrees; c: 3 m
+    # along b's y
+    centers = [(1 - 0.2, 0.1, 1), (1 - 0.1, 2 - 0.2, 1), (1 - 0.1, 2 - 3 - 0.2, 5)]
+    assert q[:, :3] == pytest.approx(np.array(centers), abs=1e-14)
+
+
+def test_a_model_is_free_unless_it_is_joined_static_or_asked_otherwise(tmp_path: Path) -> None:
+    free = loaded(tmp_path, link("a"))
+    assert accelerations(free.model)[0] == pytest.approx([0, 0, -9.8, 0, 0, 0])
+    assert loaded(tmp_path, link("a"), floating=False).model.body_count == 0
+    assert loaded(tmp_path, "<static>true</static>" + link("a")).model.body_count == 0
+
+
+def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
+    limit = "<limit><lower>-1</lower><upper>1</upper></limit>"
+    text = (link("a") + '<link name="b"/>' + link("c") + '<plugin name="p"/>'
+            + joint("j", "revolute", "a", "b", axis("0 0 1", limit))
+            + joint("g", "gearbox", "b", "c", "<gearbox_ratio>3</gearbox_ratio>"))  # fmt: skip
+    notes = [(note.topic, note.subject) for note in loaded(tmp_path, text).notes]
+    assert sorted(notes) == [
+        ("element", "<plugin>"),
+        ("gearbox", "joint 'g'"),
+        ("inertial", "link 'b'"),
+        ("limits", "joint 'j'"),
+    ]
+
+
+def test_axes_of_rounded_angles_are_made_parallel_where_asked(tmp_path: Path) -> None:
+    text = (
+        link("a")
+        + link("b", "0 0 0 0 1.57 0")
+        + joint("j", "revolute", "world", "a", axis("1 0 0"))
+        + joint("k", "revolute", "a", "b", axis("0 0 1"))
+    )
+    imported = loaded(tmp_path, text, align_axes=1e-3)
+    assert [note.subject for note in imported.notes if note.topic == "axis"] == ["joint 'k'"]
+    frame = imported.model.compiled().joint_arrays()["frame"][1, 0]
+    assert np.abs(frame[:, 2]) == pytest.approx([1, 0, 0], abs=1e-15)
+    assert np.abs(loaded(tmp_path, text).model.compiled().joint_arrays()["frame"][1, 0][:, 2])[2] > 5e-4
+
+
+GOOD = link("a") + "\n" + joint("j", "revolute", "world", "a", axis("0 0 1"))
+
+WRONG = [
+    ("<mass>2</mass>", "<mass>two</mass>", r":3: link 'a' mass: 'two' is not a finite number"),
+    ("<xyz >0 0 1</xyz>", "<xyz>0 0 0</xyz>", r":4: joint 'j' axis: has no direction"),
+    ("<xyz >0 0 1</xyz>", "<xyz>0 0</xyz>", r":4: joint 'j' axis: '0 0' is not 3"),
+    ("<parent>world</parent>", "<parent>base</parent>", r":4: joint 'j' parent: no link 'base'"),
+    ("<child>a</child>", "", r":4: joint 'j': child is missing"),
+    ('type="revolute"', 'type="rubber"', r":4: joint 'j': type 'rubber' is not taken"),
+    (
+        "<pose >0 0 0 0 0 0</pose>",
+        "<pose>0 0 0</pose>",
+        r":3: link 'a' pose: '0 0 0' is not 6 finite numbers",
+    ),
+    ("<pose >0 0 0 0 0 0</pose>", '<pose relative_to="b">0 0 0 0 0 0</pose>', r"no frame 'b'"),
+    (
+        "<pose >0 0 0 0 0 0</pose>",
+        '<pose relative_to="j">0 0 0 0 0 0</pose>',
+        r"is relative to itself: a -> j -> a",
+    ),
+    ('<link name="a">', '<link name="a"/><link name="a">', r":3: link 'a': is given twice"),
+    ("</model>", '<model name="inner"/></model>', r"nested models are not taken"),
+    ("</model>", "</model><model/>", r"has 2 models"),
+    ('<?xml version="1.0"?>', '<!DOCTYPE sdf SYSTEM "file:///etc/passwd">', r":1: DOCTYPE is not taken"),
+]
+
+
+@pytest.mark.parametrize(("part", "by", "message"), WRONG)
+def test_wrong_files_are_refused_with_line_and_field(
+    part: str, by: str, message: str, tmp_path: Path
+) -> None:
+    text = f'<?xml version="1.0"?>\n<sdf version="1.9"><model name="m">\n{GOOD}\n</model></sdf>\n'
+    assert part in text
+    path = tmp_path / "model.sdf"
+    path.write_text(text.replace(part, by, 1))
+    with pytest.raises(lw.ModelFileError, match=message):
+        lw.import_sdf(path)

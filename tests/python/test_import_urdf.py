@@ -1,0 +1,297 @@
+"""URDF files: the mechanism that comes out moves by the equations of the robot that the file describes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+
+ROBOTS = Path(__file__).parent / "robots"
+G = 9.81
+
+
+def loaded(tmp_path: Path, body: str, **options: Any) -> lw.Imported:
+    path = tmp_path / "robot.urdf"
+    path.write_text(f'<?xml version="1.0"?>\n<robot name="test">\n{body}\n</robot>\n')
+    return lw.import_urdf(path, **options)
+
+
+def accelerations(model: lw.Model) -> np.ndarray:
+    """v_dot of each body at t = 0 (n, 6)."""
+    core = model.compiled()
+    return lw.System(model).accelerations(0.0, core.q0, core.v0)[0].reshape(-1, 6)
+
+
+# --- an arm of two rods in a vertical plane, in closed form -------------------------------------------------
+#
+# Angles q1, q2 (relative) about y from the x axis; masses m, lengths l, centers at a, moments J about y:
+#   M = [J1 + m1 a1^2 + m2 l1^2 + J2 + m2 a2^2 + 2 m2 l1 a2 c2,  J2 + m2 a2^2 + m2 l1 a2 c2; ., J2 + m2 a2^2]
+#   h = m2 l1 a2 s2 [-(2 w1 w2 + w2^2), w1^2],   heights z = -a sin q:  tau_g = -dV/dq
+
+ARM = ROBOTS / "arm.urdf"
+M1, L1, A1, J1 = 2.0, 0.8, 0.3, 0.05
+M2, A2, J2 = 1.5, 0.45, 0.04
+D1, D2 = 0.0, 0.7
+
+
+def closed_form(q: np.ndarray, w: np.ndarray) -> np.ndarray:
+    c2, s2 = np.cos(q[1]), np.sin(q[1])
+    m12 = J2 + M2 * A2**2 + M2 * L1 * A2 * c2
+    M = np.array([[J1 + M1 * A1**2 + M2 * (L1**2 + L1 * A2 * c2) + m12, m12], [m12, J2 + M2 * A2**2]])
+    h = M2 * L1 * A2 * s2 * np.array([-(2 * w[0] * w[1] + w[1] ** 2), w[0] ** 2])
+    both = M2 * G * A2 * np.cos(q[0] + q[1])
+    gravity = np.array([(M1 * A1 + M2 * L1) * G * np.cos(q[0]) + both, both])
+    return np.linalg.solve(M, gravity - h - np.array([D1, D2]) * w)
+
+
+@pytest.mark.parametrize("q", [(0.0, 0.0), (0.4, -1.1), (-2.0, 2.5)])
+@pytest.mark.parametrize("w", [(0.0, 0.0), (3.0, -5.0)])
+def test_an_arm_accelerates_as_its_equations_say(q: tuple[float, float], w: tuple[float, float]) -> None:
+    names = ("shoulder", "elbow")
+    model = lw.import_urdf(ARM, coordinates=dict(zip(names, q, strict=True)),
+                           velocities=dict(zip(names, w, strict=True))).model  # fmt: skip
+    expected = closed_form(np.array(q), np.array(w))
+    v_dot = accelerations(model)
+    upper, lower = model.find("upper").index, model.find("lower").index
+    # body axes of both have y along the joints
+    found = np.array([v_dot[upper, 4], v_dot[lower, 4] - v_dot[upper, 4]])
+    assert found == pytest.approx(expected, rel=1e-10, abs=1e-10)
+
+
+def test_links_are_where_the_coordinates_put_them() -> None:
+    q, w = np.array([0.3, 0.9]), np.array([1.0, -2.0])
+    model = lw.import_urdf(ARM, coordinates={"shoulder": q[0], "elbow": q[1]},
+                           velocities={"shoulder": w[0], "elbow": w[1]}).model  # fmt: skip
+    k = model.find("lower").index
+    angle, rate = q.sum(), w.sum()
+    x_1, x_2 = np.array([np.cos(q[0]), 0, -np.sin(q[0])]), np.array([np.cos(angle), 0, -np.sin(angle)])
+    z_1, z_2 = np.array([-np.sin(q[0]), 0, -np.cos(q[0])]), np.array([-np.sin(angle), 0, -np.cos(angle)])
+    core = model.compiled()
+    assert core.q0.reshape(-1, 7)[k, :3] == pytest.approx([0, 0, 1] + L1 * x_1 + A2 * x_2, abs=1e-14)
+    velocity = L1 * w[0] * z_1 + A2 * rate * z_2
+    assert core.v0.reshape(-1, 6)[k] == pytest.approx([*velocity, 0, rate, 0], abs=1e-13)
+
+
+def test_coordinates_of_the_result_are_those_of_the_file() -> None:
+    result = lw.simulate(
+        lw.import_urdf(ARM, coordinates={"shoulder": 0.3, "elbow": -0.8}).model, t_end=0.01, step=1e-3
+    )
+    assert result.coordinate("shoulder").value[0] == pytest.approx(0.3, abs=1e-14)
+    assert result.coordinate("elbow").value[0] == pytest.approx(-0.8, abs=1e-14)
+
+
+def test_what_is_not_in_the_model_is_listed() -> None:
+    imported = lw.import_urdf(ARM)
+    assert sorted((note.topic, note.subject) for note in imported.notes) == [
+        ("base", "link 'base'"), ("collision", "link 'lower'"), ("element", "<transmission>"),
+        ("limits", "joint 'elbow'"), ("merged", "massless link 'tool'"), ("visual", "link 'upper'"),
+    ]  # fmt: skip
+    with pytest.warns(lw.LinkworkWarning, match=r"limits \(1\)"):
+        imported.warn()
+
+
+def turned(roll: float, pitch: float, yaw: float) -> np.ndarray:
+    x, y, z = (lw.rotation.matrix(lw.rotation.about(axis, angle))
+               for axis, angle in zip(np.eye(3), (roll, pitch, yaw), strict=True))  # fmt: skip
+    return z @ y @ x
+
+
+# --- inertias and rigid groups ------------------------------------------------------------------------------
+
+LINK = '<link name="{0}"><inertial><origin xyz="{1}" rpy="{2}"/><mass value="{3}"/>' \
+       '<inertia ixx="0.3" ixy="0" ixz="0" iyy="0.2" iyz="0" izz="0.15"/></inertial></link>'  # fmt: skip
+
+
+def link(name: str, xyz: str = "0 0 0", rpy: str = "0 0 0", mass: float = 1.0) -> str:
+    return LINK.format(name, xyz, rpy, mass)
+
+
+def joint(name: str, type_: str, parent: str, child: str, inner: str = "") -> str:
+    return (
+        f'<joint name="{name}" type="{type_}"><parent link="{parent}"/><child link="{child}"/>{inner}</joint>'
+    )
+
+
+def test_the_frame_of_the_inertial_turns_the_tensor(tmp_path: Path) -> None:
+    body = (
+        link("base") + link("arm", "0.1 0.2 0.3", "0.3 -0.5 0.7") + joint("hinge", "revolute", "base", "arm")
+    )
+    model = loaded(tmp_path, body).model
+    A = turned(0.3, -0.5, 0.7)
+    assert model.compiled().inertia[0] == pytest.approx(A @ np.diag([0.3, 0.2, 0.15]) @ A.T, abs=1e-15)
+    assert model.compiled().q0[:3] == pytest.approx([0.1, 0.2, 0.3])
+
+
+@pytest.mark.parametrize("merge_fixed", [False, True])
+def test_fixed_links_move_as_one(merge_fixed: bool, tmp_path: Path) -> None:
+    """Two links fixed to each other, against one body with the sum of their inertias (Steiner), swinging."""
+    place = '<origin xyz="0.4 0.1 -0.2" rpy="0.2 0.4 -0.6"/>'
+    axis = '<origin xyz="0 0 0"/><axis xyz="0 1 0"/>'
+    body = (link("base") + link("arm", "0.2 0 0", mass=2.0) + link("hand", "0 0.1 0")
+            + joint("hinge", "revolute", "base", "arm", axis)
+            + joint("weld", "fixed", "arm", "hand", place))  # fmt: skip
+    model = loaded(tmp_path, body, merge_fixed=merge_fixed, velocities={"hinge": 2.0}).model
+    assert model.body_count == (1 if merge_fixed else 2)
+    A = turned(0.2, 0.4, -0.6)
+    hand = np.array([0.4, 0.1, -0.2]) + A @ [0, 0.1, 0]
+    about_y = 0.2 + 2.0 * 0.2**2 + (A @ np.diag([0.3, 0.2, 0.15]) @ A.T)[1, 1] + hand[0] ** 2 + hand[2] ** 2
+    moment = G * (2.0 * 0.2 + hand[0])  # about y: z x (-g) turns x toward -z
+    assert accelerations(model)[0, 4] == pytest.approx(moment / about_y, rel=1e-11)
+
+
+def test_massless_links_between_fixed_joints_are_frames(tmp_path: Path) -> None:
+    origin = '<origin xyz="{} 0 0"/>'
+    axis = '<axis xyz="0 1 0"/>'
+    body = (link("base") + link("a", "0.5 0 0") + '<link name="flange"/><link name="mount"/>'
+            + link("b", "0.25 0 0") + joint("j1", "revolute", "base", "a", axis)
+            + joint("f1", "fixed", "a", "flange", origin.format(0.6))
+            + joint("f2", "fixed", "flange", "mount", origin.format(0.4))
+            + joint("j2", "revolute", "mount", "b", axis))  # fmt: skip
+    imported = loaded(tmp_path, body)
+    core = imported.model.compiled()
+    assert [core.body_name(k) for k in range(core.body_count)] == ["a", "b"]
+    assert core.q0.reshape(-1, 7)[:, 0] == pytest.approx([0.5, 1.25])
+    assert [note.subject for note in imported.notes if note.topic == "merged"] == [
+        "massless link 'flange'",
+        "massless link 'mount'",
+    ]
+
+
+def test_a_part_without_mass_gives_its_moments_of_inertia(tmp_path: Path) -> None:
+    """A rotor that a file describes by moments alone."""
+    turn = '<origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>'
+    body = (link("base") + link("arm") + link("rotor", mass=0.0) + joint("j", "revolute", "base", "arm")
+            + joint("f", "fixed", "arm", "rotor", turn))  # fmt: skip
+    core = loaded(tmp_path, body).model.compiled()
+    assert (core.body_count, core.mass[0]) == (1, 1.0)
+    assert core.inertia[0] == pytest.approx(np.diag([0.5, 0.5, 0.3]), abs=1e-15)
+    assert core.q0[:3] == pytest.approx([0, 0, 0])
+
+
+def test_a_floating_base_falls(tmp_path: Path) -> None:
+    body = (
+        '<link name="root"/>' + link("trunk", "0.1 0 0.3", mass=5) + joint("root", "fixed", "root", "trunk")
+    )
+    model = loaded(tmp_path, body, floating=True, gravity=(1.0, 2.0, 3.0)).model
+    assert model.joint_count == 0
+    assert accelerations(model)[0] == pytest.approx([1, 2, 3, 0, 0, 0], abs=1e-14)
+
+
+def test_a_slider_with_damping_and_friction_slows_as_they_say(tmp_path: Path) -> None:
+    inner = '<origin rpy="0 0 0.7"/><axis xyz="2 0 0"/><dynamics damping="3" friction="0.5"/>'
+    body = link("base") + link("cart", mass=2.0) + joint("rail", "prismatic", "base", "cart", inner)
+    imported = loaded(tmp_path, body, velocities={"rail": 4.0})
+    along = np.array([np.cos(0.7), np.sin(0.7), 0])
+    assert accelerations(imported.model)[0, :3] == pytest.approx(
+        -(3 * 4 + 0.5) / 2 * along, rel=1e-12, abs=1e-12
+    )
+    assert ["regularized" in note.message for note in imported.notes if note.topic == "friction"] == [True]
+
+
+def test_a_joint_that_mimics_is_listed_and_placed(tmp_path: Path) -> None:
+    axis = '<axis xyz="0 0 1"/>'
+    body = (link("base") + link("a") + link("b") + joint("left", "revolute", "base", "a", axis)
+            + joint("right", "revolute", "base", "b",
+                    axis + '<mimic joint="left" multiplier="-2" offset="0.1"/>'))  # fmt: skip
+    imported = loaded(tmp_path, body, coordinates={"left": 0.3}, velocities={"left": 1.0})
+    assert [note.subject for note in imported.notes if note.topic == "mimic"] == ["joint 'right'"]
+    core = imported.model.compiled()
+    angle = -2 * 0.3 + 0.1
+    assert core.q0.reshape(-1, 7)[1, 3:] == pytest.approx([np.cos(angle / 2), 0, 0, np.sin(angle / 2)])
+    assert core.v0.reshape(-1, 6)[1, 5] == pytest.approx(-2.0)
+
+
+def test_inertias_of_no_body_are_refused_or_made_the_nearest(tmp_path: Path) -> None:
+    bad = link("arm").replace('izz="0.15"', 'izz="0.9"')
+    body = link("base") + bad + joint("hinge", "revolute", "base", "arm")
+    with pytest.raises(lw.ModelFileError, match=r"link 'arm': .*triangle inequality.*repair_inertia"):
+        loaded(tmp_path, body)
+    imported = loaded(tmp_path, body, repair_inertia=True)
+    assert np.diag(imported.model.compiled().inertia[0]) == pytest.approx([0.5, 0.4, 0.9])
+    assert [note.topic for note in imported.notes].count("inertia") == 1
+
+
+def test_moving_links_without_inertia_are_named(tmp_path: Path) -> None:
+    body = (
+        link("base")
+        + '<link name="ghost"/>'
+        + link("a")
+        + joint("j1", "revolute", "base", "ghost")
+        + joint("j2", "revolute", "ghost", "a")
+    )
+    with pytest.raises(lw.ModelFileError, match=r"robot.urdf:4: link 'ghost': moves but has no mass"):
+        loaded(tmp_path, body.replace('<link name="ghost"/>', '\n<link name="ghost"/>'))
+    imported = loaded(tmp_path, body, keep_massless=True)
+    assert imported.model.body_count == 2
+    assert ("massless", "link 'ghost'") in {(note.topic, note.subject) for note in imported.notes}
+
+
+# --- wrong files --------------------------------------------------------------------------------------------
+
+GOOD = (
+    link("base")
+    + "\n"
+    + link("arm")
+    + "\n"
+    + joint("hinge", "revolute", "base", "arm", '<axis xyz="0 0 1"/>')
+)
+
+WRONG = [
+    ('<mass value="1.0"/>', '<mass value="heavy"/>', r":3: link 'base' mass: 'heavy' is not a finite number"),
+    ('<mass value="1.0"/>', '<mass value="nan"/>', r":3: link 'base' mass: 'nan' is not a finite number"),
+    ('<mass value="1.0"/>', '<mass value="1e400"/>', r":3: link 'base' mass"),
+    ('<mass value="1.0"/>', "", r":3: link 'base' mass: is missing"),
+    ('ixx="0.3"', "", r":3: link 'base' inertia ixx: is missing"),
+    ('xyz="0 0 0"', 'xyz="0 0"', r":3: link 'base' origin xyz: '0 0' is not 3 finite numbers"),
+    ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 0"/>', r":5: joint 'hinge' axis: has no direction"),
+    ('<axis xyz="0 0 1"/>', '<axis xyz="z"/>', r":5: joint 'hinge' axis: 'z' is not 3 finite numbers"),
+    ('type="revolute"', 'type="hinge"', r":5: joint 'hinge': type 'hinge' does not exist"),
+    ('type="revolute"', "", r":5: joint 'hinge': type is missing"),
+    ('<child link="arm"/>', '<child link="leg"/>', r":5: joint 'hinge' child: no link 'leg'"),
+    ('<child link="arm"/>', "", r":5: joint 'hinge': child is missing"),
+    ('<child link="arm"/>', '<child link="base"/>', r":5: joint 'hinge': is part of a ring"),
+    ('name="arm"', 'name="base"', r":4: link 'base': is given twice"),
+    ('name="arm"', "", r":4: link: name is missing"),
+    ("</link>", "</lnik>", r":3: is no XML: mismatched tag"),
+    ("</robot>", "", r"is no XML: no element found"),
+    (
+        '<robot name="test">',
+        '<!DOCTYPE robot [<!ENTITY a "b">]><robot name="test">',
+        r":2: DOCTYPE is not taken",
+    ),
+    ('<robot name="test">', '<sdf name="test">', r"is no XML"),
+    ('<link name="base">', "<link name='base'>" + "<a>" * 200, r"nested more than 100 deep"),
+    ('<link name="base">', '<xacro:macro name="x"/><link name="base">', r"expand the file by xacro first"),
+]
+
+
+@pytest.mark.parametrize(("part", "by", "message"), WRONG)
+def test_wrong_files_are_refused_with_line_and_field(
+    part: str, by: str, message: str, tmp_path: Path
+) -> None:
+    text = f'<?xml version="1.0"?>\n<robot name="test">\n{GOOD}\n</robot>\n'
+    assert part in text
+    path = tmp_path / "robot.urdf"
+    path.write_text(text.replace(part, by, 1))
+    with pytest.raises(lw.ModelFileError, match=message):
+        lw.import_urdf(path)
+
+
+def test_the_file_that_the_wrong_ones_are_made_of_is_right(tmp_path: Path) -> None:
+    assert loaded(tmp_path, GOOD).model.body_count == 1
+
+
+def test_a_ring_of_joints_is_no_tree(tmp_path: Path) -> None:
+    ring = link("a") + link("b") + joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "a")
+    with pytest.raises(lw.ModelFileError, match="ring of joints"):
+        loaded(tmp_path, ring)
+
+
+def test_coordinates_are_checked() -> None:
+    with pytest.raises(lw.ModelError, match="no joint 'elbo'; the nearest is 'elbow'"):
+        lw.import_urdf(ARM, coordinates={"elbo": 0.1})
+    with pytest.raises(lw.ModelError, match="takes 1 finite numbers"):
+        lw.import_urdf(ARM, coordinates={"elbow": (0.1, 0.2)})
