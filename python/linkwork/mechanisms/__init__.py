@@ -18,7 +18,14 @@ from linkwork.mechanisms.net import NET, net
 from linkwork.mechanisms.pendulum import PENDULUM, pendulum
 from linkwork.mechanisms.rod_pendulum import ROD_PENDULUM, rod_pendulum
 from linkwork.mechanisms.rods import square_rod, thin_rod
+from linkwork.mechanisms.six_bars import (
+    STEPHENSON_SIX_BAR,
+    WATT_SIX_BAR,
+    stephenson_six_bar,
+    watt_six_bar,
+)
 from linkwork.mechanisms.spatial_slider_crank import SPATIAL_SLIDER_CRANK, spatial_slider_crank
+from linkwork.mechanisms.strandbeest_leg import STRANDBEEST_LEG, strandbeest_leg
 from linkwork.mechanisms.torque_free_top import TORQUE_FREE_TOP, torque_free_top
 
 __all__ = [
@@ -39,8 +46,11 @@ __all__ = [
     "rod_pendulum",
     "spatial_slider_crank",
     "square_rod",
+    "stephenson_six_bar",
+    "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
+    "watt_six_bar",
 ]
 
 MECHANISMS: dict[str, Mechanism] = {
@@ -59,5 +69,8 @@ MECHANISMS: dict[str, Mechanism] = {
         FLYBALL_GOVERNOR,
         SPATIAL_SLIDER_CRANK,
         NET,
+        WATT_SIX_BAR,
+        STEPHENSON_SIX_BAR,
+        STRANDBEEST_LEG,
     )
 }
