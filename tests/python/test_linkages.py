@@ -109,7 +109,7 @@ def test_the_foot_of_a_strandbeest_is_where_its_lengths_put_it() -> None:
 
 
 def test_a_strandbeest_takes_level_steps() -> None:
-    """On the ground it stays within 2 cm of height, half of the time, and steps more than 60 cm; it lifts 20 cm."""
+    """Half of the time within 2 cm of the ground, over more than 60 cm; on the way back it lifts 20 cm."""
     result, path = foot_path()
     height = path[:, 1] - path[:, 1].min()
     down = height < 0.02

@@ -6,6 +6,7 @@ lw.simulate(lw.mechanisms.chain(100), t_end=1.0, step=1e-3)
 from __future__ import annotations
 
 from linkwork.mechanisms.andrews import ANDREWS, andrews
+from linkwork.mechanisms.bennett import BENNETT, bennett
 from linkwork.mechanisms.binary_tree import BINARY_TREE, binary_tree
 from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
@@ -50,6 +51,7 @@ __all__ = [
     "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
+    "bennett",
     "watt_six_bar",
 ]
 
@@ -72,5 +74,6 @@ MECHANISMS: dict[str, Mechanism] = {
         WATT_SIX_BAR,
         STEPHENSON_SIX_BAR,
         STRANDBEEST_LEG,
+        BENNETT,
     )
 }

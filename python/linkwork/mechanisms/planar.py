@@ -58,7 +58,7 @@ def tube_link(
     mass, middle = density * length, pairs.mean(axis=1)
     center = mass @ middle / mass.sum()
     J = np.zeros((3, 3))
-    for m, l, u, d in zip(mass, length, along / length[:, None], middle - center, strict=True):
-        own, across = np.outer(u, u), m * (radius**2 / 2 + l**2 / 12)
+    for m, long, u, d in zip(mass, length, along / length[:, None], middle - center, strict=True):
+        own, across = np.outer(u, u), m * (radius**2 / 2 + long**2 / 12)
         J += m * radius**2 * own + across * (np.eye(3) - own) + m * (d @ d * np.eye(3) - np.outer(d, d))
     return model.body(name, mass=float(mass.sum()), inertia=J, position=center, omega=(0.0, 0.0, omega))

@@ -51,10 +51,11 @@ def watt_six_bar(mode: int = 1, speed: float = 12.0) -> Model:
     """Watt's six-bar linkage (II): two four-bars in a row, the rocker of one drives the other.
 
     Two links of the chain have three hinges, and they are neighbors: the ground and the rocker. The crank of
-    12 cm, with a flywheel, turns all the way round, free after the start; the output of 30 cm swings. For each
-    angle of the crank there are four assembly modes, and a motion stays in the one in which it begins. Seven
-    revolutes with parallel axes: 35 equations of rank 29 on 30 coordinates. Gravity along -y. Classes of
-    linkages as in McCarthy and Soh, Geometric Design of Linkages, 2nd ed., Springer 2011; dimensions our own.
+    12 cm, with a flywheel, turns all the way round, free after the start; the output of 30 cm swings. For
+    each angle of the crank there are four assembly modes, and a motion stays in the one in which it begins.
+    Seven revolutes with parallel axes: 35 equations of rank 29 on 30 coordinates. Gravity along -y. Classes
+    of linkages as in McCarthy and Soh, Geometric Design of Linkages, 2nd ed., Springer 2011; dimensions our
+    own.
 
     mode   of assembly, 1 to 4: first loop left or right, second loop left or right
     speed  of the crank at the start [rad/s]
@@ -83,9 +84,13 @@ def _six_bar(
     name: str, points: Mapping[str, Floats], links: Mapping[str, str], joints: Sequence[str], speed: float
 ) -> Model:
     model = Model(gravity=(0, -9.81, 0), name=name)
-    mass, axial = DENSITY * CRANK, DENSITY * CRANK * RADIUS**2
-    model.body("crank", mass=mass, inertia=(axial, FLYWHEEL, FLYWHEEL), position=(points["A"] + points["B"]) / 2,
-               omega=(0, 0, speed))  # fmt: skip
+    model.body(
+        "crank",
+        mass=DENSITY * CRANK,
+        inertia=(FLYWHEEL / 2, FLYWHEEL / 2, FLYWHEEL),
+        position=(points["A"] + points["B"]) / 2,
+        omega=(0, 0, speed),
+    )
     for link, corners in links.items():
         tube_link(model, link, [points[corner] for corner in corners], DENSITY, RADIUS)
     for joint in ("A ground crank", *joints, "F rod output", "G ground output"):
