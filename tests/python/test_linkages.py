@@ -6,6 +6,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.mechanisms import planar, six_bars
+from linkwork.mechanisms.bennett import START, follower_angle, hinges
 from linkwork.mechanisms.strandbeest_leg import leg_points
 from numpy.typing import NDArray
 
@@ -118,3 +119,36 @@ def test_a_strandbeest_takes_level_steps() -> None:
     assert 0.2 < height.max() < 0.25
     velocity = np.gradient(path[:, 0], result.t)
     assert velocity[down][20:-20].min() * velocity[down][20:-20].max() > 0  # one way on the ground
+
+
+# --- Bennett ------------------------------------------------------------------------------------------------
+
+
+def angle_about(axis: Floats, a: Floats, b: Floats) -> float:
+    """From a to b, both perpendicular to the axis [rad]."""
+    return float(np.arctan2(np.cross(a, b) @ axis, a @ b))
+
+
+def test_bennett_closes_at_every_angle_of_its_crank() -> None:
+    """Each foot lies on its own axis at equal distance from the neighbors' as the links are long."""
+    for crank_angle in np.linspace(-3, 3, 13):
+        points, axes = hinges(crank_angle)
+        along = np.roll(points, -1, axis=0) - points
+        assert np.linalg.norm(along, axis=1) == pytest.approx([1.0, 0.5, 1.0, 0.5], rel=1e-14)
+        assert np.abs(np.sum(along * axes, axis=1)).max() < 1e-14
+        assert np.abs(np.sum(along * np.roll(axes, -1, axis=0), axis=1)).max() < 1e-14
+
+
+def test_bennett_turns_as_its_closure_says() -> None:
+    """Two turns of the crank under gravity: tan(t1 / 2) tan(t2 / 2) stays, the energy as well."""
+    model = lw.mechanisms.bennett()
+    result = lw.simulate(model, t_end=3.0, step=5e-4, progress=False)
+    points, axes = hinges(START)
+    pin, knee = (point_of(model, result, body, points[k]) for body, k in (("crank", 1), ("coupler", 2)))
+    hinge = point_of(model, result, "crank", points[1] + axes[1]) - pin
+    first = [angle_about(axes[0], points[0] - points[3], p - points[0]) for p in pin]
+    second = [angle_about(z, p - points[0], k - p) for z, p, k in zip(hinge, pin, knee, strict=True)]
+    expected = np.array([follower_angle(angle) for angle in first])
+    assert np.abs(np.angle(np.exp(1j * (np.array(second) - expected)))).max() < 1e-7
+    assert np.unwrap(first)[-1] - first[0] > 4 * np.pi
+    assert np.abs(result.energy_error).max() < 1e-8

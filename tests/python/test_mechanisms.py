@@ -67,6 +67,7 @@ FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
     "flyball_governor": ({}, 4, 0),
     "spatial_slider_crank": ({}, 1, 0),
     "net": ({"n": 4}, 36, 0),
+    "bennett": ({}, 1, 3),  # where Gruebler counts 6 * 3 - 5 * 4 = -2
     "watt_six_bar": ({}, 1, 6),
     "stephenson_six_bar": ({"mode": 3}, 1, 6),
     "strandbeest_leg": ({}, 0, 9),

@@ -35,6 +35,7 @@ __all__ = [
     "Parameter",
     "Size",
     "andrews",
+    "bennett",
     "binary_tree",
     "bricard",
     "chain",
@@ -51,7 +52,6 @@ __all__ = [
     "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
-    "bennett",
     "watt_six_bar",
 ]
 

@@ -14,7 +14,7 @@ from linkwork.rotation import from_axes
 Floats = NDArray[np.float64]
 
 #: Twists between the axes of a link, of the ground and of the crank [rad]; opposite links are alike.
-ALPHA, BETA = np.radians(30.0), np.radians(75.0)
+ALPHA, BETA = np.radians(30.0), np.radians(90.0)
 BASE = 0.5  # length of the ground and the coupler [m]
 CRANK = BASE * np.sin(BETA) / np.sin(ALPHA)  # Bennett's condition: a / sin(alpha) = b / sin(beta)
 
@@ -50,7 +50,7 @@ def bennett(speed: float = 6.0) -> Model:
     """Bennett's linkage: four hinges in space that move although the count forbids it.
 
     Three rods and the ground, opposite ones alike: lengths a = 0.5 m with a twist of 30 degrees between the
-    axes of their ends, and b = 0.966 m with 75 degrees, in Bennett's condition a / sin(alpha) = b /
+    axes of their ends, and b = 1 m with 90 degrees, in Bennett's condition a / sin(alpha) = b /
     sin(beta). Rods of 1 kg/m, 4 cm square; gravity along -z. 20 equations on 18 coordinates are of rank 17:
     one degree of freedom, where Gruebler's formula counts -2, and three redundant equations. G. T. Bennett,
     A new mechanism, Engineering 76, 1903; closure as in Hunt, Kinematic Geometry of Mechanisms, 1978.
@@ -90,4 +90,4 @@ def _link(theta: float, length: float, twist: float) -> Floats:
     )
 
 
-BENNETT = Mechanism(bennett, t_end=5.0, step=1e-3)
+BENNETT = Mechanism(bennett, t_end=5.0, step=5e-4)
