@@ -86,11 +86,6 @@ def test_a_six_bar_keeps_its_energy(name: str) -> None:
     assert np.abs(result.energy_error).max() < 1e-8
 
 
-def test_a_mode_that_does_not_exist_is_refused() -> None:
-    with pytest.raises(lw.ModelError, match="mode 5 does not exist: 1 to 4"):
-        lw.mechanisms.watt_six_bar(mode=5)
-
-
 # --- strandbeest --------------------------------------------------------------------------------------------
 
 

@@ -12,13 +12,16 @@ from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
 from linkwork.mechanisms.flyball_governor import FLYBALL_GOVERNOR, flyball_governor
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
+from linkwork.mechanisms.gyroscope import GYROSCOPE, gyroscope
 from linkwork.mechanisms.heavy_top import HEAVY_TOP, heavy_top
 from linkwork.mechanisms.hub import HUB, hub
 from linkwork.mechanisms.mechanism import Mechanism, Parameter, Size
 from linkwork.mechanisms.net import NET, net
 from linkwork.mechanisms.pendulum import PENDULUM, pendulum
+from linkwork.mechanisms.planetary_gear import PLANETARY_GEAR, planetary_gear
 from linkwork.mechanisms.rod_pendulum import ROD_PENDULUM, rod_pendulum
 from linkwork.mechanisms.rods import square_rod, thin_rod
+from linkwork.mechanisms.rolling_disc import ROLLING_DISC, rolling_disc
 from linkwork.mechanisms.six_bars import (
     STEPHENSON_SIX_BAR,
     WATT_SIX_BAR,
@@ -52,6 +55,9 @@ __all__ = [
     "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
+    "rolling_disc",
+    "planetary_gear",
+    "gyroscope",
     "watt_six_bar",
 ]
 
@@ -75,5 +81,8 @@ MECHANISMS: dict[str, Mechanism] = {
         STEPHENSON_SIX_BAR,
         STRANDBEEST_LEG,
         BENNETT,
+        GYROSCOPE,
+        PLANETARY_GEAR,
+        ROLLING_DISC,
     )
 }
