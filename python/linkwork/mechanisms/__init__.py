@@ -10,6 +10,7 @@ from linkwork.mechanisms.bennett import BENNETT, bennett
 from linkwork.mechanisms.binary_tree import BINARY_TREE, binary_tree
 from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
+from linkwork.mechanisms.delta_robot import DELTA_ROBOT, delta_robot
 from linkwork.mechanisms.flyball_governor import FLYBALL_GOVERNOR, flyball_governor
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
 from linkwork.mechanisms.gyroscope import GYROSCOPE, gyroscope
@@ -29,6 +30,7 @@ from linkwork.mechanisms.six_bars import (
     watt_six_bar,
 )
 from linkwork.mechanisms.spatial_slider_crank import SPATIAL_SLIDER_CRANK, spatial_slider_crank
+from linkwork.mechanisms.stewart_platform import STEWART_PLATFORM, stewart_platform
 from linkwork.mechanisms.strandbeest_leg import STRANDBEEST_LEG, strandbeest_leg
 from linkwork.mechanisms.torque_free_top import TORQUE_FREE_TOP, torque_free_top
 
@@ -55,6 +57,8 @@ __all__ = [
     "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
+    "delta_robot",
+    "stewart_platform",
     "rolling_disc",
     "planetary_gear",
     "gyroscope",
@@ -84,5 +88,7 @@ MECHANISMS: dict[str, Mechanism] = {
         GYROSCOPE,
         PLANETARY_GEAR,
         ROLLING_DISC,
+        STEWART_PLATFORM,
+        DELTA_ROBOT,
     )
 }

@@ -44,7 +44,7 @@ def gyroscope(spin: float = 100.0, tilt: float = 1.0) -> Model:
     pulls the axis down, which therefore goes round the vertical at the rate that keeps its tilt. Three
     revolutes that meet in a point, three degrees of freedom. Gravity along -z; dimensions our own, of a
     demonstration model. With "rk4" and a step of 0.2 ms the axis
-    stays where it should be to 1e-10 for 10 s.
+    stays where it should be to 1e-8 for 10 s.
 
     spin  angular velocity of the rotor about its axis [rad/s]
     tilt  of the axis from the vertical [rad], from 0.3 to 2.8
