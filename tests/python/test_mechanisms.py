@@ -71,6 +71,7 @@ FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
     "gyroscope": ({}, 3, 0),
     "planetary_gear": ({"planets": 3}, 2, 2),  # each further planet closes a loop
     "rolling_disc": ({}, 3, 0),
+    "double_wishbone": ({}, 3, 0),
     "stewart_platform": ({}, 0, 0),
     "delta_robot": ({}, 0, 0),
     "watt_six_bar": ({}, 1, 6),

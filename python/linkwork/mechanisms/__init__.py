@@ -11,6 +11,7 @@ from linkwork.mechanisms.binary_tree import BINARY_TREE, binary_tree
 from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
 from linkwork.mechanisms.delta_robot import DELTA_ROBOT, delta_robot
+from linkwork.mechanisms.double_wishbone import DOUBLE_WISHBONE, double_wishbone
 from linkwork.mechanisms.flyball_governor import FLYBALL_GOVERNOR, flyball_governor
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
 from linkwork.mechanisms.gyroscope import GYROSCOPE, gyroscope
@@ -57,6 +58,7 @@ __all__ = [
     "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
+    "double_wishbone",
     "delta_robot",
     "stewart_platform",
     "rolling_disc",
@@ -90,5 +92,6 @@ MECHANISMS: dict[str, Mechanism] = {
         ROLLING_DISC,
         STEWART_PLATFORM,
         DELTA_ROBOT,
+        DOUBLE_WISHBONE,
     )
 }
