@@ -67,6 +67,16 @@ FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
     "flyball_governor": ({}, 4, 0),
     "spatial_slider_crank": ({}, 1, 0),
     "net": ({"n": 4}, 36, 0),
+    "bennett": ({}, 1, 3),  # where Gruebler counts 6 * 3 - 5 * 4 = -2
+    "gyroscope": ({}, 3, 0),
+    "planetary_gear": ({"planets": 3}, 2, 2),  # each further planet closes a loop
+    "rolling_disc": ({}, 3, 0),
+    "double_wishbone": ({}, 3, 0),
+    "stewart_platform": ({}, 0, 0),
+    "delta_robot": ({}, 0, 0),
+    "watt_six_bar": ({}, 1, 6),
+    "stephenson_six_bar": ({"mode": 3}, 1, 6),
+    "strandbeest_leg": ({}, 0, 9),
 }
 
 
@@ -181,6 +191,11 @@ def test_a_chain_can_have_several_joints(joint: str) -> None:
         ("hub", {"arms": 0}, ["arms 0"]),
         ("hub", {"arms": 2, "loops": True}, ["arms 2", "3"]),
         ("four_bar", {"n": 0}, ["n 0"]),
+        ("watt_six_bar", {"mode": 5}, ["mode 5", "1 to 4"]),
+        ("gyroscope", {"spin": 10.0}, ["10 rad/s", "too slow"]),
+        ("gyroscope", {"tilt": 3.0}, ["tilt 3", "2.8"]),
+        ("planetary_gear", {"planets": 5}, ["5 planets", "30", "78"]),
+        ("rolling_disc", {"tilt": 1.5}, ["tilt 1.5", "1.3"]),
         ("net", {"n": 2}, ["n 2", "3"]),
     ],
 )

@@ -159,5 +159,5 @@ class _Stepped:
 
 
 def _simulate(subject: Subject, model: Model, t_end: float, step: float, **how: Any) -> Result:
-    settings = {**subject.record.settings, "t_end": t_end, "step": step}
-    return simulate(model, integrator="rk4", **settings, **how)
+    settings = {**subject.record.settings, "integrator": "rk4", "t_end": t_end, "step": step}
+    return simulate(model, **settings, **how)

@@ -7,20 +7,34 @@ from __future__ import annotations
 
 from linkwork.errors import OptionError, nearest
 from linkwork.mechanisms.andrews import ANDREWS, andrews
+from linkwork.mechanisms.bennett import BENNETT, bennett
 from linkwork.mechanisms.binary_tree import BINARY_TREE, binary_tree
 from linkwork.mechanisms.bricard import BRICARD, bricard
 from linkwork.mechanisms.chain import CHAIN, chain
+from linkwork.mechanisms.delta_robot import DELTA_ROBOT, delta_robot
+from linkwork.mechanisms.double_wishbone import DOUBLE_WISHBONE, double_wishbone
 from linkwork.mechanisms.flyball_governor import FLYBALL_GOVERNOR, flyball_governor
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
 from linkwork.mechanisms.from_file import is_file, mechanism_of_file
+from linkwork.mechanisms.gyroscope import GYROSCOPE, gyroscope
 from linkwork.mechanisms.heavy_top import HEAVY_TOP, heavy_top
 from linkwork.mechanisms.hub import HUB, hub
 from linkwork.mechanisms.mechanism import Mechanism, Parameter, Size
 from linkwork.mechanisms.net import NET, net
 from linkwork.mechanisms.pendulum import PENDULUM, pendulum
+from linkwork.mechanisms.planetary_gear import PLANETARY_GEAR, planetary_gear
 from linkwork.mechanisms.rod_pendulum import ROD_PENDULUM, rod_pendulum
 from linkwork.mechanisms.rods import square_rod, thin_rod
+from linkwork.mechanisms.rolling_disc import ROLLING_DISC, rolling_disc
+from linkwork.mechanisms.six_bars import (
+    STEPHENSON_SIX_BAR,
+    WATT_SIX_BAR,
+    stephenson_six_bar,
+    watt_six_bar,
+)
 from linkwork.mechanisms.spatial_slider_crank import SPATIAL_SLIDER_CRANK, spatial_slider_crank
+from linkwork.mechanisms.stewart_platform import STEWART_PLATFORM, stewart_platform
+from linkwork.mechanisms.strandbeest_leg import STRANDBEEST_LEG, strandbeest_leg
 from linkwork.mechanisms.torque_free_top import TORQUE_FREE_TOP, torque_free_top
 
 __all__ = [
@@ -29,6 +43,7 @@ __all__ = [
     "Parameter",
     "Size",
     "andrews",
+    "bennett",
     "binary_tree",
     "bricard",
     "chain",
@@ -43,8 +58,17 @@ __all__ = [
     "rod_pendulum",
     "spatial_slider_crank",
     "square_rod",
+    "stephenson_six_bar",
+    "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
+    "double_wishbone",
+    "delta_robot",
+    "stewart_platform",
+    "rolling_disc",
+    "planetary_gear",
+    "gyroscope",
+    "watt_six_bar",
 ]
 
 MECHANISMS: dict[str, Mechanism] = {
@@ -63,6 +87,16 @@ MECHANISMS: dict[str, Mechanism] = {
         FLYBALL_GOVERNOR,
         SPATIAL_SLIDER_CRANK,
         NET,
+        WATT_SIX_BAR,
+        STEPHENSON_SIX_BAR,
+        STRANDBEEST_LEG,
+        BENNETT,
+        GYROSCOPE,
+        PLANETARY_GEAR,
+        ROLLING_DISC,
+        STEWART_PLATFORM,
+        DELTA_ROBOT,
+        DOUBLE_WISHBONE,
     )
 }
 
