@@ -18,8 +18,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
+    from linkwork.analyses.equilibrium import Equilibrium, equilibrium
+    from linkwork.analyses.inverse_dynamics import Drive, InverseDynamics, inverse_dynamics
     from linkwork.analyses.kinematics import kinematics
     from linkwork.analyses.linearization import Linearization, linearize
+    from linkwork.analyses.sensitivity import Sensitivity, sensitivity
     from linkwork.assembly import Assembly, JointResidual, assemble
     from linkwork.comparison import Comparison, compare
     from linkwork.contact import contact_hysteresis
@@ -48,9 +51,12 @@ __all__ = [
     "Body",
     "BodyResult",
     "Comparison",
+    "Drive",
+    "Equilibrium",
     "Event",
     "FileError",
     "Force",
+    "InverseDynamics",
     "Joint",
     "JointResidual",
     "Linearization",
@@ -65,6 +71,7 @@ __all__ = [
     "ProgressInfo",
     "Reaction",
     "Result",
+    "Sensitivity",
     "SingularPose",
     "SingularSystemError",
     "Snapshot",
@@ -76,12 +83,15 @@ __all__ = [
     "assemble",
     "compare",
     "contact_hysteresis",
+    "equilibrium",
     "functions",
     "integrators",
+    "inverse_dynamics",
     "kinematics",
     "linearize",
     "mechanisms",
     "rotation",
+    "sensitivity",
     "simulate",
 ]
 
@@ -89,8 +99,11 @@ logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until th
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
+    "linkwork.analyses.equilibrium": ("Equilibrium", "equilibrium"),
+    "linkwork.analyses.inverse_dynamics": ("Drive", "InverseDynamics", "inverse_dynamics"),
     "linkwork.analyses.kinematics": ("kinematics",),
     "linkwork.analyses.linearization": ("Linearization", "linearize"),
+    "linkwork.analyses.sensitivity": ("Sensitivity", "sensitivity"),
     "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
     "linkwork.contact": ("contact_hysteresis",),
