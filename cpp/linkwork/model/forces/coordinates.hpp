@@ -61,4 +61,45 @@ void act(const Equation<Real>& row, Real force, Wrenches<Real>& out) {
   out.torque_j += force * Row(row.D_j + 3);
 }
 
+/// Spring and damper by their characteristics: parameters 0 and 1, functions of extension and rate; 2 is where the
+/// spring is free. All of its power counts as work.
+template <class Coordinate, class Real>
+void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                           const BodyState<Real>& i, const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+  Equation<Real> along;
+  const Real x = Coordinate::evaluate(at, i, j, memory, along) - parameters[2].value, rate = along.rate(i, j);
+  const Real pull = parameters.at(0, x) + parameters.at(1, rate);
+  act(along, -pull, out);
+  out.power = -pull * rate;
+}
+
+/// Coulomb friction, regularized below a speed, and viscous friction: parameters coulomb, viscous, transition.
+template <class Coordinate, class Real>
+void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+              const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+  Equation<Real> along;
+  Coordinate::evaluate(at, i, j, memory, along);
+  const Real rate = along.rate(i, j);
+  const Real force = -parameters[0].value * std::tanh(rate / parameters[2].value) - parameters[1].value * rate;
+  act(along, force, out);
+  out.power = force * rate;
+}
+
+/// End stops: parameters lower, upper, stiffness, damping. They never pull back.
+template <class Coordinate, class Real>
+void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
+          const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+  Equation<Real> along;
+  const Real x = Coordinate::evaluate(at, i, j, memory, along), rate = along.rate(i, j);
+  const bool above = x > parameters[1].value, below = x < parameters[0].value;
+  if (!above && !below) return;
+  const Signal<Real> limit = parameters[above ? 1 : 0];
+  const Real depth = x - limit.value;  // negative below
+  const Real spring = parameters[2].value * depth, damper = parameters[3].value * std::abs(depth) * rate;
+  const Real force = (spring + damper) * depth > Real(0) ? -(spring + damper) : Real(0);
+  act(along, force, out);
+  out.potential = Real(0.5) * spring * depth;
+  out.power = (force + spring) * rate - spring * limit.rate + Real(0.5) * parameters[2].rate * depth * depth;
+}
+
 }  // namespace linkwork

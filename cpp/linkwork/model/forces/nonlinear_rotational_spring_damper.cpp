@@ -22,11 +22,7 @@ struct NonlinearRotationalSpringDamper {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    Equation<Real> along;
-    const Real x = Angle::evaluate(at, i, j, memory, along) - parameters[2].value, rate = along.rate(i, j);
-    const Real pull = parameters.at(0, x) + parameters.at(1, rate);
-    act(along, -pull, out);
-    out.power = -pull * rate;
+    characteristic_spring<Angle>(at, parameters, i, j, memory, out);
   }
 };
 

@@ -21,12 +21,7 @@ struct RotationalFriction {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    Equation<Real> along;
-    Angle::evaluate(at, i, j, memory, along);
-    const Real rate = along.rate(i, j);
-    const Real force = -parameters[0].value * std::tanh(rate / parameters[2].value) - parameters[1].value * rate;
-    act(along, force, out);
-    out.power = force * rate;
+    friction<Angle>(at, parameters, i, j, memory, out);
   }
 };
 

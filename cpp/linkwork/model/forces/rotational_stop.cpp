@@ -21,17 +21,7 @@ struct RotationalStop {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    Equation<Real> along;
-    const Real x = Angle::evaluate(at, i, j, memory, along), rate = along.rate(i, j);
-    const bool above = x > parameters[1].value, below = x < parameters[0].value;
-    if (!above && !below) return;
-    const Signal<Real> limit = parameters[above ? 1 : 0];
-    const Real depth = x - limit.value;  // negative below
-    const Real spring = parameters[2].value * depth, damper = parameters[3].value * std::abs(depth) * rate;
-    const Real force = (spring + damper) * depth > Real(0) ? -(spring + damper) : Real(0);  // never pulls back
-    act(along, force, out);
-    out.potential = Real(0.5) * spring * depth;
-    out.power = (force + spring) * rate - spring * limit.rate + Real(0.5) * parameters[2].rate * depth * depth;
+    stop<Angle>(at, parameters, i, j, memory, out);
   }
 };
 
