@@ -193,7 +193,11 @@ def completion(shell: str) -> None:
 
 @linkwork.command()
 def schema() -> None:
-    """Print the JSON schema of model files, which YAML files follow, too."""
+    """Print the JSON schema of model files, which YAML files follow, too.
+
+    \b
+    linkwork schema > linkwork.schema.json
+    """
     from linkwork import model_file
     from linkwork.cli.output import print_json
 
