@@ -64,6 +64,7 @@ forces:
 
 #: Lines of it that are changed often.
 DRIVE = "  drive: {harmonic: {amplitude: 0.1, frequency: 3, offset: 1}}"
+PUSH = "    force: [1, drive, 0]"
 ATTACHMENT = next(line for line in YAML.splitlines() if line.startswith("    attachment"))
 
 #: (line to be changed, what is there then, line of the fault, its field, words of the message)
@@ -248,6 +249,16 @@ CASES: list[Case] = [
     ("    length: drive", "    length: drvie", 30, "joints[1].length", "the nearest is 'drive'"),
     ("    force: [1, drive, 0]", "    force: [1, 2, pull]",
      46, "forces[1].force", "'pull' is neither a number nor in functions"),
+    # --- shapes ---
+    (PUSH, PUSH + "\nshapes: [{bodies: [rdo], shapes: [{kind: sphere, radius: 1}]}]", 47,
+     "shapes[0].bodies[0]", "the nearest is 'rod'"),
+    (PUSH, PUSH + "\nshapes: [{bodies: [rod], shapes: [{kind: ball, radius: 1}]}]", 47, "shapes[0].shapes[0]",
+     "'ball' is no kind of shape"),
+    (PUSH, PUSH + "\nshapes: [{bodies: [rod], shapes: [{kind: sphere}]}]", 47, "shapes[0].shapes[0].radius",
+     "is missing"),
+    (PUSH, PUSH + "\nshapes: [{bodies: [rod], shapes: [{kind: sphere, radius: -1}]}]", 47,
+     "shapes[0].shapes[0]", "is not a positive number"),
+    (PUSH, PUSH + "\nshapes: [{bodies: [], shapes: []}]", 47, "shapes[0].bodies", "has 0 entries"),
     # --- YAML that is no data ---
     ("  - name: rod", "  - name: &rod rod", 14, "", "anchor &rod"),
     ("    body: rod", "    body: *rod", 45, "", "alias *rod"),

@@ -162,6 +162,28 @@ def test_forces_of_the_users_own_are_refused_by_name(tmp_path: Path) -> None:
         model.save(tmp_path / "model.yaml")
 
 
+def test_shapes_come_back(tmp_path: Path) -> None:
+    model = crank_and_rod()
+    turn = lw.rotation.about((1, 2, 3), 0.7)
+    tetrahedron = lw.shapes.Mesh(np.eye(4)[:, :3], [[0, 1, 2], [1, 2, 3]], color="red")
+    model.shape("crank", lw.shapes.Box((1, 0.1, 0.2), orientation=turn), tetrahedron)
+    model.shape(["rod", model.ground], lw.shapes.Rod((0, 0, 0), (0, 0, 1)),
+                lw.shapes.Cylinder(0.1, 0.3, axis=(1, 1, 0), position=(1, 2, 3)))  # fmt: skip
+    for suffix in SUFFIXES:
+        again = round_trip(model, tmp_path / f"model{suffix}")
+        assert shape_bits(again) == shape_bits(model)
+
+
+def shape_bits(model: lw.Model) -> list[Any]:
+    return [
+        (
+            bodies,
+            [{what: np.asarray(x).tolist() for what, x in shape.description().items()} for shape in shapes],
+        )
+        for bodies, shapes in model.shapes
+    ]
+
+
 # --- as people write them -----------------------------------------------------------------------------------
 
 SLIDER = """

@@ -196,7 +196,7 @@ def schema() -> None:
     """Print the JSON schema of model files, which YAML files follow, too.
 
     \b
-    linkwork schema
+    linkwork schema > linkwork.schema.json
     """
     from linkwork import model_file
     from linkwork.cli.output import print_json

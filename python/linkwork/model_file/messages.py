@@ -12,6 +12,7 @@ from linkwork.elements import KINDS
 from linkwork.errors import nearest
 from linkwork.model_file import schema
 from linkwork.model_file.syntax import Where
+from linkwork.shapes import KINDS as SHAPES
 
 
 def faults_of_schema(error: ValidationError, data: Any) -> Iterator[tuple[Where, str]]:
@@ -78,6 +79,9 @@ _WANTED = {
 def _unknown_form(where: Where, given: Any) -> str:
     """Of an element or a function."""
     role = str(where[0]).removesuffix("s")
+    if role == "shape":
+        kind = _shown(given.get("kind")) if isinstance(given, dict) else _shown(given)
+        return f"{kind} is no kind of shape; there are {', '.join(SHAPES)}"
     if len(where) != 2 or role not in KINDS:
         names = ", ".join(given) if isinstance(given, dict) and given else None
         hint = nearest(names.split(", ")[0], schema.constructors()) if names else ""

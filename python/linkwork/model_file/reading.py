@@ -21,6 +21,7 @@ from linkwork.model_file.batches import Placed, add_batch, batch_key
 from linkwork.model_file.collection import collection_paused
 from linkwork.model_file.messages import faults_of_schema
 from linkwork.model_file.syntax import Syntax, Where, field, parse
+from linkwork.shapes import Shape
 
 #: The most faults that are told.
 MOST = 100
@@ -103,13 +104,20 @@ def _check_names(document: schema.Document, checker: _Checker) -> None:
         for k, record in enumerate(records):
             for side in ("a", "b", "body"):
                 body = getattr(record, side, None)
-                if isinstance(body, str) and body != "ground" and body not in bodies and not checker.full:
-                    known = islice(bodies, 10_000)
-                    checker.add((f"{role}s", k, side), f"no body named '{body}'{nearest(body, known)}")
+                if isinstance(body, str):
+                    _check_body(body, (f"{role}s", k, side), bodies, checker)
             for what, name in _named_functions(record):
                 if name not in document.functions and not checker.full:
                     hint = nearest(name, document.functions)
                     checker.add((f"{role}s", k, what), f"'{name}' is neither a number nor in functions{hint}")
+    for k, shapes in enumerate(document.shapes):
+        for j, name in enumerate(shapes.bodies):
+            _check_body(name, ("shapes", k, "bodies", j), bodies, checker)
+
+
+def _check_body(name: str, where: Where, bodies: dict[str, str], checker: _Checker) -> None:
+    if name != "ground" and name not in bodies and not checker.full:
+        checker.add(where, f"no body named '{name}'{nearest(name, islice(bodies, 10_000))}")
 
 
 def _unique(section: str, records: Sequence[Any], checker: _Checker, taken: dict[str, str]) -> dict[str, str]:
@@ -204,7 +212,20 @@ def _built(document: schema.Document, attempt: Attempt, batches: bool = True) ->
             continue
         for _, batch in groupby(numbered, key=lambda pair: batch_key(*pair)):
             add_batch(model, [element for _, element in batch])
+    for k, shapes in enumerate(document.shapes):
+        for j, shape in enumerate(shapes.shapes):
+            attempt(("shapes", k, "shapes", j), partial(_shape_of, shape))
+        attempt(("shapes", k), partial(_add_shapes, model, shapes))
     return model
+
+
+def _shape_of(record: schema.Record) -> Shape:
+    """ModelError: what no shape can be."""
+    return Shape.of(record.model_dump(exclude_unset=True))
+
+
+def _add_shapes(model: Model, record: schema.ShapesRecord) -> None:
+    model.shape(record.bodies, *map(_shape_of, record.shapes))
 
 
 def _add_bodies(
@@ -257,7 +278,9 @@ def function_of(record: Any) -> TimeFunction:
 def _place(document: schema.Document, where: Where, error: LinkworkError) -> tuple[Where, str]:
     """The field that a refusal is about, by the first word behind the object's name, and the reason."""
     reason = error.message
-    section, key = where
+    section, key, *inner = where
+    if inner:  # a shape
+        return where, reason
     record = getattr(document, str(section))[key]
     for start in (f"body '{getattr(record, 'name', None)}': ", f"{getattr(record, 'kind', None)} '"):
         if reason.startswith(start):

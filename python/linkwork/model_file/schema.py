@@ -22,6 +22,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_mo
 from linkwork import functions
 from linkwork.elements import KINDS, LENGTHS, Role
 from linkwork.model import Model
+from linkwork.shapes import KINDS as SHAPES
 from linkwork.simulation import simulate
 
 __all__ = [
@@ -332,6 +333,40 @@ def _elements_type(role: Role) -> Any:
     return Annotated[_union(variants), Discriminator(tag)]
 
 
+# --- shapes -------------------------------------------------------------------------------------------------
+
+
+class ShapesRecord(Record):
+    """What bodies look like; it has no influence on the motion."""
+
+    bodies: Annotated[list[Word], Len(1)] = Field(description="names of bodies, or ground")
+    shapes: list[Any]
+
+
+@cache
+def _shapes_type() -> type[ShapesRecord]:
+    """With every kind of linkwork.shapes."""
+    variants = [Annotated[_shape_type(kind), Tag(kind)] for kind in SHAPES]
+
+    def kind_of(value: Any) -> str | None:
+        kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
+        return kind if isinstance(kind, str) and kind in SHAPES else None
+
+    each: Any = Annotated[_union(variants), Discriminator(kind_of)]
+    fields: dict[str, Any] = {"shapes": (_list(each, 1), ...)}
+    return create_model("shapes of bodies", __base__=ShapesRecord, __doc__=ShapesRecord.__doc__, **fields)
+
+
+def _shape_type(kind: str) -> type[Record]:
+    """The arguments of the shape's class, by name."""
+    fields: dict[str, Any] = {"kind": (Literal[kind], ...)}
+    for parameter in inspect.signature(SHAPES[kind]).parameters.values():
+        type_ = Word if "str" in str(parameter.annotation) else Numbers
+        default = ... if parameter.default is parameter.empty else _plain(parameter.default)
+        fields[parameter.name] = (type_ if default is not None else type_ | None, default)
+    return create_model(f"{kind} shape", __base__=Record, __doc__=SHAPES[kind].__doc__, **fields)
+
+
 # --- the whole ----------------------------------------------------------------------------------------------
 
 Setting = Annotated[bool | int | float | str | dict[str, float], Field(union_mode="smart")]
@@ -362,6 +397,7 @@ class Document(Record):
     bodies: list[BodyRecord] = []
     joints: list[Any] = []
     forces: list[Any] = []
+    shapes: list[Any] = Field([], description="what bodies look like; without influence on the motion")
 
 
 @cache
@@ -369,6 +405,8 @@ def document_type() -> type[Document]:
     """The record of a whole file, with every registered kind."""
     fields: dict[str, Any] = {f"{role}s": (_list(_elements_type(role)), []) for role in KINDS}
     description = Document.model_fields["functions"].description
+    shapes = Document.model_fields["shapes"].description
+    fields["shapes"] = (_list(_shapes_type()), Field([], description=shapes))
     fields["functions"] = (_mapping(_function_type()), Field({}, description=description))
     made: type[Document] = create_model(
         "linkwork model", __base__=Document, __doc__=Document.__doc__, **fields

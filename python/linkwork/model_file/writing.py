@@ -8,7 +8,7 @@ import os
 import re
 import tempfile
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from itertools import repeat
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from linkwork.model import Model
 from linkwork.model_file import schema
 from linkwork.model_file.collection import collection_paused
 from linkwork.model_file.syntax import check_suffix
+from linkwork.shapes import Shape
 
 Floats = NDArray[np.float64]
 
@@ -67,6 +68,7 @@ def record_of(model: Model, simulation: Mapping[str, Any]) -> dict[str, Any]:
         "functions": functions,
         "bodies": list(_bodies(core)),
         **elements,
+        "shapes": list(_shapes(model)),
     }
     return {key: value for key, value in parts.items() if value or key in ("linkwork", "gravity", "bodies")}
 
@@ -79,7 +81,7 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
     moments = np.diagonal(J, axis1=1, axis2=2).tolist()
     state = {
         "position": q[:, :3],
-        "orientation": _normalized_from(q[:, 3:]),
+        "orientation": _normalized_from(q[:, 3:], _normalized),
         "velocity": v[:, :3],
         "omega": v[:, 3:],
     }
@@ -96,14 +98,33 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
         yield record | {what: columns[what][k] for what in columns if given[what][k]}
 
 
+def _shapes(model: Model) -> Iterator[dict[str, Any]]:
+    """Each run of bodies with the same shapes."""
+    for bodies, shapes in model.shapes:
+        names = [model.compiled().body_name(body) for body in bodies]
+        yield {"bodies": names, "shapes": [_shape_record(shape) for shape in shapes]}
+
+
+def _shape_record(shape: Shape) -> dict[str, Any]:
+    record = {what: x.tolist() if isinstance(x, np.ndarray) else x for what, x in shape.description().items()}
+    if "orientation" in record:
+        record["orientation"] = _normalized_from(shape.orientation[None], _scaled)[0].tolist()
+    return record
+
+
+def _scaled(p: Floats) -> Floats:
+    """As Shape does it."""
+    return np.array([one / float(np.linalg.norm(one)) for one in p]).reshape(p.shape)
+
+
 # The model normalizes the Euler parameters that it is given, which changes a few of those that are unit
 # already in the last bit. For these another p is looked for near by, from which normalization gives exactly
 # the p of the model.
-def _normalized_from(p: Floats) -> Floats:
+def _normalized_from(p: Floats, normalized: Callable[[Floats], Floats]) -> Floats:
     out = p.copy()
     wrong = np.arange(len(p))
     for attempt in range(1000):
-        wrong = wrong[(_normalized(out[wrong]) != p[wrong]).any(axis=1)]
+        wrong = wrong[(normalized(out[wrong]) != p[wrong]).any(axis=1)]
         if not len(wrong):
             return out
         out[wrong] = p[wrong] * (1 + 1e-9 * (attempt + 1))
