@@ -38,11 +38,15 @@ def test_a_mechanism_starts_on_its_constraints(mechanism: Mechanism) -> None:
     assert velocity.max(initial=0) < 1e-12
 
 
+#: Relative energy error where it is not 1e-8: contacts begin within steps.
+ENERGY = {"tracked_chain": 2e-6}
+
+
 @pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=MECHANISMS)
 def test_a_mechanism_runs_with_its_own_settings(mechanism: Mechanism) -> None:
     result = lw.simulate(mechanism.function(), **{**mechanism.settings, "t_end": 0.05})
     scale = max(1.0, float(np.abs(result.kinetic_energy).max()))
-    assert np.abs(result.energy_error).max() < 1e-8 * scale
+    assert np.abs(result.energy_error).max() < ENERGY.get(mechanism.name, 1e-8) * scale
     assert result.violation[:, 0].max() < 1e-8
 
 
@@ -71,6 +75,7 @@ FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
     "gyroscope": ({}, 3, 0),
     "planetary_gear": ({"planets": 3}, 2, 2),  # each further planet closes a loop
     "rolling_disc": ({}, 3, 0),
+    "tracked_chain": ({"shoes": 60}, 60 + 3 + 2, 3),  # shoes; wheels and slide; rollers
     "double_wishbone": ({}, 3, 0),
     "stewart_platform": ({}, 0, 0),
     "delta_robot": ({}, 0, 0),
@@ -196,6 +201,7 @@ def test_a_chain_can_have_several_joints(joint: str) -> None:
         ("gyroscope", {"tilt": 3.0}, ["tilt 3", "2.8"]),
         ("planetary_gear", {"planets": 5}, ["5 planets", "30", "78"]),
         ("rolling_disc", {"tilt": 1.5}, ["tilt 1.5", "1.3"]),
+        ("tracked_chain", {"shoes": 41}, ["shoes 41", "even", "40"]),
         ("net", {"n": 2}, ["n 2", "3"]),
     ],
 )

@@ -36,6 +36,7 @@ from linkwork.mechanisms.spatial_slider_crank import SPATIAL_SLIDER_CRANK, spati
 from linkwork.mechanisms.stewart_platform import STEWART_PLATFORM, stewart_platform
 from linkwork.mechanisms.strandbeest_leg import STRANDBEEST_LEG, strandbeest_leg
 from linkwork.mechanisms.torque_free_top import TORQUE_FREE_TOP, torque_free_top
+from linkwork.mechanisms.tracked_chain import TRACKED_CHAIN, tracked_chain
 
 __all__ = [
     "MECHANISMS",
@@ -62,6 +63,7 @@ __all__ = [
     "strandbeest_leg",
     "thin_rod",
     "torque_free_top",
+    "tracked_chain",
     "double_wishbone",
     "delta_robot",
     "stewart_platform",
@@ -97,6 +99,7 @@ MECHANISMS: dict[str, Mechanism] = {
         STEWART_PLATFORM,
         DELTA_ROBOT,
         DOUBLE_WISHBONE,
+        TRACKED_CHAIN,
     )
 }
 

@@ -20,8 +20,8 @@ TIE_INNER, TIE_OUTER = np.array([-0.25, 0.448, 0.054]), np.array([-0.176, 0.821,
 STRUT_TOP, STRUT_FOOT = np.array([0.104, 0.498, 0.323]), np.array([0.097, 0.543, -0.047])
 WHEEL_CENTER = np.array([-0.04, 0.91, -0.026])
 
-#: Mass [kg], moments of inertia [kg m2], center [m]. The flat arms have half the moment about z across:
-#: the source has less, which no body can have.
+#: Mass [kg], moments of inertia [kg m2], center [m]. The flat arms have half the moment about z across: the
+#: source has less, which no body can have.
 ARMS = {
     "lower arm": (23.965, (0.447, 0.447, 0.8938), (0.0, 0.547, -0.059)),
     "upper arm": (5.813, (0.0314, 0.0314, 0.06276), (-0.106, 0.589, 0.218)),
@@ -39,10 +39,10 @@ def double_wishbone(amplitude: float = 0.02, rate: float = 8.0) -> Model:
 
     A quarter of the chassis that goes up and down, two wishbones hinged to it, the upright in ball joints at
     their ends, a massless tie rod that steers it, a strut, a wheel; the tire, a sphere that presses on the
-    post, carries all. Points and masses of the front suspension of the HMMWV as in Project Chrono's model of
-    it (HMMWV_DoubleWishboneFront.json); spring, tire and chassis our own. 33 equations on 36 coordinates
-    leave three degrees of freedom: the chassis, the suspension, and the wheel's spin. Gravity along -z; it
-    starts at rest in equilibrium, and the post goes as amplitude (1 - cos(rate t)).
+    post, carries all. Points and masses of the front suspension of the HMMWV as in Project Chrono's model
+    (HMMWV_DoubleWishboneFront.json); spring, tire and chassis our own. 33 equations on 36 coordinates leave
+    three degrees of freedom: the chassis, the suspension, and the wheel's spin. Gravity along -z; it starts
+    at rest in equilibrium, and the post goes as amplitude (1 - cos(rate t)).
 
     amplitude  of the post [m], up to 0.05
     rate       of the post [rad/s]
