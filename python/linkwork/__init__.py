@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
+    from linkwork.analyses.kinematics import kinematics
     from linkwork.assembly import Assembly, JointResidual, assemble
     from linkwork.comparison import Comparison, compare
     from linkwork.contact import contact_hysteresis
@@ -91,6 +92,7 @@ __all__ = [
     "import_sdf",
     "import_urdf",
     "integrators",
+    "kinematics",
     "mechanisms",
     "rotation",
     "simulate",
@@ -100,6 +102,7 @@ logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until th
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
+    "linkwork.analyses.kinematics": ("kinematics",),
     "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
     "linkwork.contact": ("contact_hysteresis",),

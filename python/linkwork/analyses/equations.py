@@ -1,0 +1,138 @@
+"""The terms of a model's equations of motion, as sparse matrices over small motions in inertial axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import _core, checks, rotation
+from linkwork.model import Model
+
+__all__ = ["Equations", "Terms", "Sparse"]
+
+Floats = NDArray[np.float64]
+
+#: A matrix of scipy.sparse.
+Sparse = Any
+
+#: Joints or motions that a message names.
+LISTED = 4
+
+
+@dataclass(frozen=True)
+class Terms:
+    """At one state. Torques and angular velocities in inertial axes: M x'' - D^T lambda = g where v = 0."""
+
+    D: Sparse  # (m, 6n) compressed rows
+    Phi: Floats  # (m,) [m] or [1]
+    Phi_t: Floats  # (m,)
+    Phi_dot: Floats  # (m,)
+    gamma: Floats  # (m,) of D v_dot = gamma
+    g: Floats  # (6n,)
+    potential: float  # [J]
+    force_power: float  # [W]
+
+
+class Equations:
+    """A model with what analyses need of it beside the terms: rank, names, the length that scales rotations.
+
+    ModelError: no bodies.
+    """
+
+    def __init__(self, model: Model) -> None:
+        checks.check_bodies(model)
+        self.model, self.core = model, model.compiled()
+        options = _core.Options()
+        options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too
+        self.dynamics = _core.Dynamics(self.core, options)
+        self.rank = self.dynamics.rank()
+        self.independent = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
+        self.length = _size(self.core)
+        self.joint_of_row = np.repeat(np.arange(self.core.joint_count), np.diff(self.core.joint_rows))
+        self.holonomic = self._holonomic()
+        self._still = np.zeros(6 * self.core.body_count)
+        self.scale = np.tile([1.0] * 3 + [1 / self.length] * 3, self.core.body_count)
+
+    def terms(self, t: float, q: Floats, v: Floats | None = None) -> Terms:
+        """At t [s], q (7n,), v (6n,) as the model has it (omega in body axes), at rest without v."""
+        from scipy.sparse import csr_array
+
+        found = self.dynamics.evaluate(t, q, self._still if v is None else v)
+        entries, columns, starts = (found["D"][part] for part in ("data", "indices", "indptr"))
+        shape = (self.core.row_count, len(self._still))
+        in_body = csr_array((entries, columns, starts), shape=shape)
+        turn = self.turn(q)
+        return Terms(
+            D=(in_body @ turn).tocsr(),
+            Phi=found["Phi"],
+            Phi_t=found["Phi_t"],
+            Phi_dot=found["Phi_dot"],
+            gamma=found["gamma"],
+            g=turn.T @ found["g"],
+            potential=found["potential"],
+            force_power=found["force_power"],
+        )
+
+    def Phi(self, t: float, q: Floats) -> Floats:
+        """(m,) [m] or [1]"""
+        found: Floats = self.dynamics.evaluate(t, q, self._still)["Phi"]
+        return found
+
+    def turn(self, q: Floats) -> Sparse:
+        """T = diag(I, A^T) (6n, 6n): velocities with omega in inertial axes to those with omega in the body."""
+        from scipy.sparse import bsr_array
+
+        n = self.core.body_count
+        blocks = np.zeros((n, 6, 6))
+        blocks[:, range(3), range(3)] = 1.0
+        blocks[:, 3:, 3:] = np.swapaxes(rotation.matrix(q.reshape(-1, 7)[:, 3:]), 1, 2)
+        return bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=(6 * n, 6 * n)).tocsr()
+
+    def mass(self, q: Floats) -> Sparse:
+        """diag(m I, A J A^T) (6n, 6n)."""
+        from scipy.sparse import bsr_array
+
+        n = self.core.body_count
+        A = rotation.matrix(q.reshape(-1, 7)[:, 3:])
+        blocks = np.zeros((n, 6, 6))
+        blocks[:, range(3), range(3)] = np.asarray(self.core.mass)[:, None]
+        blocks[:, 3:, 3:] = A @ self.core.inertia @ np.swapaxes(A, 1, 2)
+        return bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=(6 * n, 6 * n)).tocsr()
+
+    def joints(self, rows: Sequence[int] | NDArray[np.integer[Any]]) -> list[str]:
+        """The names of the joints to which these rows belong."""
+        found = dict.fromkeys(int(joint) for joint in self.joint_of_row[rows])
+        return [self.core.joint_name(joint) for joint in found]
+
+    def motion(self, x: Floats) -> str:
+        """The largest part of a small motion x (6n,), in words: `body 'rod' turns about (0, 1, 0)`."""
+        parts = x.reshape(-1, 2, 3)
+        size = np.linalg.norm(parts, axis=2) * (1.0, self.length)
+        size[size > (1 - 1e-9) * size.max()] = size.max()  # of equals the first
+        body, kind = divmod(int(np.argmax(size)), 2)
+        direction = parts[body, kind] / np.linalg.norm(parts[body, kind])
+        direction *= np.sign(direction[np.argmax(np.abs(direction) > 1e-6)])
+        where = ", ".join(f"{c:.3g}" for c in np.round(direction, 3) + 0.0)
+        return f"body '{self.core.body_name(body)}' {'turns about' if kind else 'moves along'} ({where})"
+
+    def _holonomic(self) -> NDArray[np.bool_]:
+        """Per row: whether it restricts positions, not velocities only."""
+        rows = np.ones(self.core.row_count, dtype=bool)
+        counts = {info.name: info.velocity_rows for info in _core.joint_kinds() if info.velocity_rows}
+        if counts:
+            for joint in range(self.core.joint_count):
+                end = self.core.joint_rows[joint + 1]
+                rows[end - counts.get(self.core.joint_kind(joint), 0) : end] = False
+        return rows
+
+
+def _size(core: _core.Model) -> float:
+    """The largest distance of a body or a joint's point on it from the middle of all bodies [m]; 1 for none."""
+    r = core.q0.reshape(-1, 7)[:, :3]
+    arms = np.abs(core.joint_arrays()["origin"]).max(initial=0.0) if core.joint_count else 0.0
+    spread = np.linalg.norm(r - r.mean(axis=0), axis=1).max(initial=0.0)
+    return float(max(arms, spread)) or 1.0

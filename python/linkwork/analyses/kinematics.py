@@ -1,0 +1,439 @@
+"""Kinematic analysis: the motion of a mechanism whose freedoms are all fixed by drivers."""
+
+from __future__ import annotations
+
+import time
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core, checks
+from linkwork.analyses.constraint_solver import DENSE, Constraints, null_space
+from linkwork.analyses.equations import LISTED, Equations
+from linkwork.analyses.tangent import displaced, turned_in, turned_out
+from linkwork.errors import LinkworkError, LinkworkWarning, ModelError, NotConvergedError, OptionError
+from linkwork.errors import SingularSystemError
+from linkwork.header import Header
+from linkwork.manifest import manifest
+from linkwork.model import Model
+from linkwork.result import Result, Snapshot
+from linkwork.system import System
+
+__all__ = ["kinematics"]
+
+Floats = NDArray[np.float64]
+
+#: A pose whose scaled constraints have a singular value below this is singular, or as good as that.
+SINGULAR = 1e-6
+
+#: Minima of that value below this are looked at more closely: they may hide a singular pose.
+SUSPICIOUS = 0.05
+
+#: The most a predictor may move a body [rad, sizes of the mechanism], and the correction as a part of it.
+LONGEST_STEP, LARGEST_CORRECTION = 0.2, 0.1
+
+#: The shortest step, as a part of the time between two frames.
+SHORTEST_STEP = 2.0**-40
+
+#: Corrections relative to the size of the mechanism at which Newton's method ends.
+CONVERGED, ITERATIONS = 1e-14, 30
+
+
+def kinematics(
+    model: Model, times: ArrayLike, *, on_singular: Literal["pass", "warn", "stop"] = "warn"
+) -> Result:
+    """Positions, velocities and accelerations at `times` of a mechanism that drivers move.
+
+        motion = lw.kinematics(model, np.linspace(0, 2, 201))
+        motion.body("piston").acceleration
+
+    The joints and drivers alone decide: Phi(q, t) = 0 by Newton's method, from frame to frame with the
+    velocity and acceleration as predictor, so that the mechanism stays on its branch; D v = -Phi_t and
+    D v_dot = gamma. The model's own initial velocities do not matter, its initial pose says which branch.
+    Redundant equations do no harm. Multipliers and reactions are those that the motion needs (inverse
+    dynamics); `Result.work` is that of the drivers and of forces without a potential.
+
+    times        increasing, at least two, from 0 on [s]
+    on_singular  where branches meet (dead points, toggles) or nearly so: "pass", "warn" or "stop". In any case
+                 `Result.singular_poses` has them, found between the times as well, with the joints whose
+                 equations depend on each other there; `pivot` is the smallest singular value of D, scaled
+
+    ModelError: freedoms are left, which the message names, or joints that restrict velocities only.
+    NotConvergedError: the drivers ask for what the joints do not allow: at the start, or after a dead point,
+    which the message names with its time; the error's `result` is the motion up to there.
+    SingularSystemError: a singular pose with on_singular="stop". OptionError: times, or a function of time
+    that is not known there. LinkworkWarning: a singular pose was passed.
+    """
+    began = time.perf_counter()
+    t = _times(times)
+    if on_singular not in ("pass", "warn", "stop"):
+        raise OptionError(
+            f"on_singular '{on_singular}' does not exist: pass, warn or stop", code="unknown_option"
+        )
+    checks.check_bodies(model)
+    checks.check_tables(model, float(t[-1]))
+    follower = _Follower(Equations(model))
+    follower.begin()
+    frames = _Frames(model)
+    try:
+        previous = follower.at
+        for moment in t:
+            follower.go_to(float(moment))
+            _watch(follower, previous, on_singular)
+            previous = follower.at
+            frames.add(follower)
+    except LinkworkError as error:
+        error.result = frames.result(follower, t, began, failed=True) if frames.moments else None
+        error.state = Snapshot(follower.at.t, follower.at.q.reshape(-1, 7), follower.at.v.reshape(-1, 6))
+        raise
+    return frames.result(follower, t, began)
+
+
+def _times(times: ArrayLike) -> Floats:
+    """OptionError: not two or more increasing finite numbers from 0 on."""
+    t = np.asarray(times, dtype=float)
+    if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or t[0] < 0 or (np.diff(t) <= 0).any():
+        raise OptionError(
+            f"times of shape {t.shape} must be two or more finite numbers [s] that increase, from 0 on",
+            code="times",
+        )
+    return t
+
+
+@dataclass(frozen=True)
+class _Moment:
+    """The mechanism at one time. v and a: omega and its rate in body axes; x_dot, x_ddot: in inertial axes."""
+
+    t: float
+    q: Floats
+    v: Floats
+    a: Floats
+    constraints: Constraints
+
+    @property
+    def x_dot(self) -> Floats:
+        return turned_out(self.q, self.v)
+
+    @property
+    def x_ddot(self) -> Floats:
+        return turned_out(self.q, self.a)
+
+
+@dataclass
+class _Follower:
+    """Follows the motion in steps that the predictor can answer for."""
+
+    equations: Equations
+    at: _Moment = field(init=False)
+    passages: list[dict[str, Any]] = field(default_factory=list)
+    counts: dict[str, int] = field(default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0})
+
+    @property
+    def freedoms(self) -> int:
+        return 6 * self.equations.core.body_count
+
+    def begin(self) -> None:
+        """Onto the constraints at t = 0. ModelError, NotConvergedError."""
+        eq = self.equations
+        if eq.core.body_count * 6 > DENSE:
+            raise OptionError(
+                f"kinematics: {eq.core.body_count} bodies are more than the {DENSE // 6} that it takes; use "
+                "simulate, which follows drivers as well",
+                code="too_large",
+            )
+        q0 = np.array(eq.core.q0)
+        self._refuse_velocity_rows()
+        terms = eq.terms(0.0, q0)
+        start = Constraints.of(eq, terms.D)
+        if eq.rank.degrees_of_freedom > 0:
+            self._refuse_freedoms(q0)
+        q = self._corrected(0.0, q0, start)
+        if q is None:
+            self._refuse_start()
+        self.at = self._moment(0.0, q, None)
+
+    def go_to(self, t: float) -> None:
+        """NotConvergedError: there is no way to go on."""
+        start, h = self.at.t, t - self.at.t
+        smallest = SHORTEST_STEP * h
+        while self.at.t < t:
+            last = self.at.t + h >= t - smallest
+            found = self._step(t if last else self.at.t + h)
+            if found is None:
+                h /= 2
+                if h < smallest:
+                    self._refuse_to_go_on(start, t)
+            else:
+                self.at = found
+                self.counts["steps"] += 1
+                h *= 2
+
+    def between(self, first: _Moment, t: float) -> _Moment | None:
+        """The mechanism soon after `first`, without going there."""
+        kept = self.at
+        self.at = first
+        try:
+            self.go_to(t)
+            return self.at
+        except NotConvergedError:
+            return None
+        finally:
+            self.at = kept
+
+    def _step(self, t: float) -> _Moment | None:
+        """q + h v + h^2 v_dot / 2, corrected; None: the step is too long for the predictor to be trusted."""
+        at, h = self.at, t - self.at.t
+        length = self.equations.length
+        x = h * at.x_dot + h * h / 2 * at.x_ddot
+        moved = _reach(x, length)
+        if moved > LONGEST_STEP:
+            return None
+        predicted = displaced(at.q, x)
+        q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * moved, 1e-9))
+        return None if q is None else self._moment(t, q, at)
+
+    # Newton's method with the D of the last moment, renewed where it converges slowly
+    def _corrected(
+        self, t: float, q: Floats, constraints: Constraints, largest: float = np.inf
+    ) -> Floats | None:
+        eq, total, before = self.equations, 0.0, np.inf
+        for _ in range(ITERATIONS):
+            Phi = eq.Phi(t, q)
+            self.counts["evaluations"] += 1
+            x = constraints.solve(-Phi)
+            size = _reach(x, eq.length)
+            total += size
+            if not np.isfinite(size) or total > largest:
+                return None
+            if size > 0.1 * before:
+                if before < 1e-11:  # rounding
+                    return displaced(q, x) if self._closed(Phi) else None
+                constraints = Constraints.of(eq, eq.terms(t, q).D)
+                self.counts["factorizations"] += 1
+                x = constraints.solve(-Phi)
+                size = _reach(x, eq.length)
+            q, before = displaced(q, x), size
+            if size < CONVERGED:
+                return q if self._closed(eq.Phi(t, q)) else None
+        return q if before < 1e-10 and self._closed(eq.Phi(t, q)) else None
+
+    def _closed(self, Phi: Floats) -> bool:
+        """Whether redundant equations hold as well as the others."""
+        return bool(np.abs(Phi).max(initial=0.0) < 1e-10 * max(1.0, self.equations.length))
+
+    def _moment(self, t: float, q: Floats, last: _Moment | None) -> _Moment:
+        """With velocities and accelerations; what a singular pose leaves open goes on as before."""
+        eq = self.equations
+        terms = eq.terms(t, q)
+        constraints = Constraints.of(eq, terms.D)
+        self.counts["factorizations"] += 1
+        h = 0.0 if last is None else t - last.t
+        x_dot = np.zeros(self.freedoms) if last is None else last.x_dot + h * last.x_ddot
+        x_dot = x_dot - constraints.solve(terms.D @ x_dot + terms.Phi_t)
+        v = turned_in(q, x_dot)
+        gamma = eq.terms(t, q, v).gamma
+        x_ddot = np.zeros(self.freedoms) if last is None else last.x_ddot
+        x_ddot = x_ddot - constraints.solve(terms.D @ x_ddot - gamma)
+        self.counts["evaluations"] += 2
+        return _Moment(t, q, v, turned_in(q, x_ddot), constraints)
+
+    # --- what cannot be done ---
+
+    def _refuse_velocity_rows(self) -> None:
+        eq = self.equations
+        names = eq.joints(np.flatnonzero(~eq.holonomic))
+        if names:
+            raise ModelError(
+                f"kinematics: {_named(names)} restrict velocities only, so that positions follow from their "
+                "integration; use simulate",
+                code="velocity_constraints",
+                joints=names,
+            )
+
+    def _refuse_freedoms(self, q: Floats) -> None:
+        eq = self.equations
+        Z = null_space(eq, eq.terms(0.0, q).D)
+        left = [eq.motion(z) for z in Z.T[:LISTED]]
+        count = eq.rank.degrees_of_freedom
+        what = "1 freedom is" if count == 1 else f"{count} freedoms are"
+        raise ModelError(
+            f"kinematics: {what} left to the model '{eq.model.name}': {'; '.join(left)}"
+            f"{'; ...' if count > LISTED else ''}; add drivers (angle_driver, displacement_driver), or simulate",
+            code="freedoms",
+        )
+
+    def _refuse_start(self) -> None:
+        eq = self.equations
+        residuals = np.abs(eq.Phi(0.0, np.array(eq.core.q0)))
+        rows = np.argsort(-residuals)[: 2 * LISTED]
+        names = eq.joints(rows[residuals[rows] > 1e-9])
+        raise NotConvergedError(
+            f"kinematics: no pose satisfies joints and drivers at t = 0 near the initial one; at the initial "
+            f"one these do not hold: {_named(names)} (at most {residuals.max():.3g} m or 1)",
+            code="no_start",
+            joints=names,
+            time=0.0,
+        )
+
+    def _refuse_to_go_on(self, start: float, t: float) -> None:
+        eq, at = self.equations, self.at
+        sigma = at.constraints.smallest(self.freedoms)
+        names = eq.joints(at.constraints.weakest_rows(self.freedoms))
+        dead = "a dead point" if sigma < SUSPICIOUS else "a pose"
+        raise NotConvergedError(
+            f"kinematics: the mechanism cannot follow its drivers beyond t = {at.t:.9g} s (asked for "
+            f"{t:.9g} s): {dead} where the equations of {_named(names)} depend on each other (smallest "
+            f"singular value {sigma:.2g}); at most the branches meet there: drive another joint",
+            code="dead_point",
+            joints=names,
+            time=at.t,
+            residuals={"smallest_singular_value": sigma},
+        )
+
+
+def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
+    """Note a singular pose between two frames, or at the second one."""
+    eq, second, count = follower.equations, follower.at, follower.freedoms
+    values = [moment.constraints.smallest(count) for moment in (first, second)]
+    crossed = first is not second and _orientation(first, second) < 0
+    found: _Moment | None = None
+    if values[1] < SINGULAR:
+        found = second
+    elif crossed and values[0] >= SINGULAR:
+        found = _crossing(follower, first, second)
+    if found is None:
+        return
+    rows = found.constraints.weakest_rows(count)
+    names = eq.joints(rows)
+    pivot = found.constraints.smallest(count)
+    follower.passages.append(
+        {"t": found.t, "joints": names[:16], "pivot": pivot, "taken_over": int(found is second),
+         "rows_changed": False}
+    )  # fmt: skip
+    if on_singular == "pass":
+        return
+    message = (
+        f"kinematics: singular pose at t = {found.t:.6g} s: the equations of {_named(names)} depend on each "
+        "other for a moment, where the motion could go on in several ways"
+    )
+    if on_singular == "stop":
+        raise SingularSystemError(message, code="singular_pose", joints=names, time=found.t)
+    warnings.warn(message, LinkworkWarning, stacklevel=3)
+
+
+def _orientation(first: _Moment, second: _Moment) -> float:
+    """The sign of det(D_1^T D_2): negative where D has lost its rank between two poses that are near."""
+    a, b = first.constraints, second.constraints
+    sign, _ = np.linalg.slogdet(a.U.T @ b.scaled @ a.V)
+    return float(sign)
+
+
+def _crossing(follower: _Follower, first: _Moment, second: _Moment) -> _Moment:
+    """The pose between two moments where D comes nearest to losing its rank, by bisection of the time."""
+    low, high, best = first, second, second
+    for _ in range(40):
+        middle = follower.between(low, (low.t + high.t) / 2)
+        if middle is None:
+            break
+        best = middle
+        if middle.constraints.smallest(follower.freedoms) < SINGULAR:
+            break
+        low, high = (low, middle) if _orientation(low, middle) < 0 else (middle, high)
+    return best
+
+
+def _reach(x: Floats, length: float) -> float:
+    """The largest shift in sizes of the mechanism, or angle [rad]."""
+    parts = np.abs(x.reshape(-1, 2, 3)).max(axis=(0, 2))
+    return float(max(parts[0] / length, parts[1]))
+
+
+def _named(names: list[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names[:LISTED]) + (", ..." if len(names) > LISTED else "")
+
+
+class _Frames:
+    """The frames of a Result."""
+
+    def __init__(self, model: Model) -> None:
+        self.model = model
+        massless = (np.asarray(model.compiled().mass) == 0).any()
+        formulation = "augmented_lagrangian" if massless else "standard"
+        self.system = System(model, formulation=formulation)
+        self.moments: list[_Moment] = []
+
+    def add(self, follower: _Follower) -> None:
+        self.moments.append(follower.at)
+
+    def result(self, follower: _Follower, t: Floats, began: float, failed: bool = False) -> Result:
+        fields, dynamics = self._fields(), self.system.compiled()
+        given = {"times": f"{t[0]:g} to {t[-1]:g} s, {len(t)}"}
+        facts = manifest(self.model, given, {"analysis": "kinematics", "integrator": "kinematics"})
+        header = Header.of(self.model.compiled(), dynamics, facts)
+        passages = follower.passages
+        statistics = {**follower.counts, "singular_poses": len(passages), "passages": passages,
+                      "seconds": time.perf_counter() - began, **({"failed": True} if failed else {})}  # fmt: skip
+        return Result(fields, header, statistics)
+
+    def _fields(self) -> Mapping[str, Floats]:
+        dynamics, mass = self.system.compiled(), np.asarray(self.model.compiled().mass)
+        rows: dict[str, list[Any]] = {name: [] for name in ("lambda", "potential", "power", "violation")}
+        for it in self.moments:
+            found = dynamics.evaluate(it.t, it.q, it.v)
+            multipliers = _multipliers(dynamics, it)
+            residual = self._rates(found["D"], it.a) - found["gamma"]
+            rows["lambda"].append(multipliers)
+            rows["potential"].append(found["potential"])
+            rows["power"].append(found["force_power"] - multipliers @ found["Phi_t"])
+            rows["violation"].append(
+                [float(np.abs(x).max(initial=0.0)) for x in (found["Phi"], found["Phi_dot"], residual)]
+            )
+        arrays = {name: np.array(values, dtype=float) for name, values in rows.items()}
+        t = np.array([it.t for it in self.moments])
+        v = np.array([it.v for it in self.moments])
+        parts = v.reshape(len(t), -1, 6)
+        w = parts[..., 3:]
+        kinetic = (mass * (parts[..., :3] ** 2).sum(axis=-1)).sum(axis=-1)
+        kinetic = (kinetic + np.einsum("kni,nij,knj->k", w, self.model.compiled().inertia, w)) / 2
+        return {
+            "q": np.array([it.q for it in self.moments]),
+            "v": v,
+            "vdot": np.array([it.a for it in self.moments]),
+            "kinetic": kinetic,
+            "work": _integral(t, arrays.pop("power")),
+            **arrays,
+            "t": t,
+        }
+
+    def _rates(self, D: Mapping[str, Any], a: Floats) -> Floats:
+        from scipy.sparse import csr_array
+
+        matrix = csr_array((D["data"], D["indices"], D["indptr"]), shape=(self.model.row_count, len(a)))
+        rates: Floats = matrix @ a
+        return rates
+
+
+def _multipliers(dynamics: _core.Dynamics, it: _Moment) -> Floats:
+    """Those that the motion needs; NaN where a singular pose leaves them without bound."""
+    try:
+        multipliers: Floats = dynamics.accelerations(it.t, it.q, it.v)[1]
+        return multipliers
+    except LinkworkError:
+        return np.full(dynamics.row_count, np.nan)
+
+
+def _integral(t: Floats, power: Floats) -> Floats:
+    """Of the cubic spline through the powers, from the first time on."""
+    from scipy.interpolate import CubicSpline
+
+    if len(t) < 2 or not np.isfinite(power).all():
+        known = np.where(np.isfinite(power), power, 0.0)
+        steps = np.diff(t) * (known[1:] + known[:-1]) / 2
+        return np.concatenate([[0.0], np.cumsum(steps)])
+    spline = CubicSpline(t, power).antiderivative()
+    work: Floats = spline(t) - spline(t[0])
+    return work

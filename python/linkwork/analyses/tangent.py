@@ -1,0 +1,61 @@
+"""Small motions of bodies: x (n, 6) is a shift of the center of mass and a rotation vector, inertial axes."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import rotation
+
+__all__ = ["between", "displaced", "turned_in", "turned_out"]
+
+Floats = NDArray[np.float64]
+
+
+def displaced(q: Floats, x: Floats) -> Floats:
+    """q (7n,) after the motion x (6n,): r + dr, and A turned by the rotation vector, exp(phi~) A."""
+    pose, x = q.reshape(-1, 7), x.reshape(-1, 6)
+    out = np.empty_like(pose)
+    out[:, :3] = pose[:, :3] + x[:, :3]
+    out[:, 3:] = _product(_exponential(x[:, 3:]), pose[:, 3:])
+    return out.ravel()
+
+
+def between(q: Floats, other: Floats) -> Floats:
+    """The motion x (6n,) that takes q (7n,) to `other`: the inverse of `displaced`."""
+    a, b = q.reshape(-1, 7), other.reshape(-1, 7)
+    turn = _product(b[:, 3:], a[:, 3:] * (1, -1, -1, -1))
+    turn *= np.where(turn[:, :1] < 0, -1.0, 1.0)
+    sine = np.linalg.norm(turn[:, 1:], axis=1, keepdims=True)
+    angle = 2 * np.arctan2(sine, turn[:, :1])
+    scale = np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0)
+    return np.hstack([b[:, :3] - a[:, :3], scale * turn[:, 1:]]).ravel()
+
+
+def turned_in(q: Floats, x: Floats) -> Floats:
+    """x (6n,) with the rotations, velocities or torques in body axes instead of inertial ones: A^T phi."""
+    out = x.reshape(-1, 6).copy()
+    out[:, 3:] = np.einsum("nji,nj->ni", rotation.matrix(q.reshape(-1, 7)[:, 3:]), out[:, 3:])
+    return out.ravel()
+
+
+def turned_out(q: Floats, x: Floats) -> Floats:
+    """x (6n,) with the rotations, velocities or torques in inertial axes instead of body axes: A phi."""
+    out = x.reshape(-1, 6).copy()
+    out[:, 3:] = np.einsum("nij,nj->ni", rotation.matrix(q.reshape(-1, 7)[:, 3:]), out[:, 3:])
+    return out.ravel()
+
+
+def _exponential(phi: Floats) -> Floats:
+    """Euler parameters (n, 4) of rotation vectors (n, 3)."""
+    half = np.linalg.norm(phi, axis=1, keepdims=True) / 2
+    return np.hstack([np.cos(half), np.sinc(half / np.pi) / 2 * phi])
+
+
+def _product(a: Floats, b: Floats) -> Floats:
+    """Of Euler parameters (n, 4): first the turn b, then a; of unit length."""
+    a0, b0, ae, be = a[:, :1], b[:, :1], a[:, 1:], b[:, 1:]
+    scalar = a0 * b0 - np.sum(ae * be, axis=1, keepdims=True)
+    p = np.hstack([scalar, a0 * be + b0 * ae + np.cross(ae, be)])
+    unit: Floats = p / np.linalg.norm(p, axis=1, keepdims=True)
+    return unit
