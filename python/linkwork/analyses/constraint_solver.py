@@ -70,7 +70,7 @@ class Constraints:
 
 
 def null_space(equations: Equations, D: Sparse) -> Floats:
-    """A basis Z (6n, f) of the motions with D x = 0, orthonormal in scaled columns; each shows a body's motion."""
+    """Z (6n, f): a basis of the motions with D x = 0, orthonormal in scaled columns."""
     from scipy.linalg import qr
 
     scaled = np.asarray(D.todense()) * equations.scale

@@ -83,7 +83,7 @@ class Equations:
         return found
 
     def turn(self, q: Floats) -> Sparse:
-        """T = diag(I, A^T) (6n, 6n): velocities with omega in inertial axes to those with omega in the body."""
+        """T = diag(I, A^T) (6n, 6n): what has omega in inertial axes to what has it in body axes."""
         from scipy.sparse import bsr_array
 
         n = self.core.body_count
@@ -131,7 +131,7 @@ class Equations:
 
 
 def _size(core: _core.Model) -> float:
-    """The largest distance of a body or a joint's point on it from the middle of all bodies [m]; 1 for none."""
+    """The largest arm of a joint, or distance of a body from the middle of all [m]; 1 for none."""
     r = core.q0.reshape(-1, 7)[:, :3]
     arms = np.abs(core.joint_arrays()["origin"]).max(initial=0.0) if core.joint_count else 0.0
     spread = np.linalg.norm(r - r.mean(axis=0), axis=1).max(initial=0.0)

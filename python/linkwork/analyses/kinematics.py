@@ -15,8 +15,14 @@ from linkwork import _core, checks
 from linkwork.analyses.constraint_solver import DENSE, Constraints, null_space
 from linkwork.analyses.equations import LISTED, Equations
 from linkwork.analyses.tangent import displaced, turned_in, turned_out
-from linkwork.errors import LinkworkError, LinkworkWarning, ModelError, NotConvergedError, OptionError
-from linkwork.errors import SingularSystemError
+from linkwork.errors import (
+    LinkworkError,
+    LinkworkWarning,
+    ModelError,
+    NotConvergedError,
+    OptionError,
+    SingularSystemError,
+)
 from linkwork.header import Header
 from linkwork.manifest import manifest
 from linkwork.model import Model
@@ -35,6 +41,9 @@ SUSPICIOUS = 0.05
 
 #: The most a predictor may move a body [rad, sizes of the mechanism], and the correction as a part of it.
 LONGEST_STEP, LARGEST_CORRECTION = 0.2, 0.1
+
+#: From where a singular pose takes the velocity that it leaves open, as a part of the step.
+NEARBY = 1e-2
 
 #: The shortest step, as a part of the time between two frames.
 SHORTEST_STEP = 2.0**-40
@@ -58,7 +67,7 @@ def kinematics(
     dynamics); `Result.work` is that of the drivers and of forces without a potential.
 
     times        increasing, at least two, from 0 on [s]
-    on_singular  where branches meet (dead points, toggles) or nearly so: "pass", "warn" or "stop". In any case
+    on_singular  where branches meet (dead points, toggles): "pass", "warn" or "stop". In any case
                  `Result.singular_poses` has them, found between the times as well, with the joints whose
                  equations depend on each other there; `pivot` is the smallest singular value of D, scaled
 
@@ -76,7 +85,7 @@ def kinematics(
         )
     checks.check_bodies(model)
     checks.check_tables(model, float(t[-1]))
-    follower = _Follower(Equations(model))
+    follower = _Follower(Equations(model), float(t[-1]))
     follower.begin()
     frames = _Frames(model)
     try:
@@ -106,7 +115,7 @@ def _times(times: ArrayLike) -> Floats:
 
 @dataclass(frozen=True)
 class _Moment:
-    """The mechanism at one time. v and a: omega and its rate in body axes; x_dot, x_ddot: in inertial axes."""
+    """The mechanism at one time; omega and its rate in body axes in v and a, inertial in x_dot and x_ddot."""
 
     t: float
     q: Floats
@@ -128,9 +137,12 @@ class _Follower:
     """Follows the motion in steps that the predictor can answer for."""
 
     equations: Equations
+    t_end: float
     at: _Moment = field(init=False)
     passages: list[dict[str, Any]] = field(default_factory=list)
-    counts: dict[str, int] = field(default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0})
+    counts: dict[str, int] = field(
+        default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
+    )
 
     @property
     def freedoms(self) -> int:
@@ -153,7 +165,7 @@ class _Follower:
             self._refuse_freedoms(q0)
         q = self._corrected(0.0, q0, start)
         if q is None:
-            self._refuse_start()
+            raise self._no_start()
         self.at = self._moment(0.0, q, None)
 
     def go_to(self, t: float) -> None:
@@ -172,7 +184,7 @@ class _Follower:
                 self.counts["steps"] += 1
                 h *= 2
 
-    def between(self, first: _Moment, t: float) -> _Moment | None:
+    def soon_after(self, first: _Moment, t: float) -> _Moment | None:
         """The mechanism soon after `first`, without going there."""
         kept = self.at
         self.at = first
@@ -194,7 +206,28 @@ class _Follower:
             return None
         predicted = displaced(at.q, x)
         q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * moved, 1e-9))
-        return None if q is None else self._moment(t, q, at)
+        if q is None:
+            return None
+        moment = self._moment(t, q, at)
+        if moment.constraints.rank < self.freedoms and h > NEARBY * max(t, 1e-3):
+            return self._singular(moment, h)
+        return moment
+
+    def _singular(self, moment: _Moment, h: float) -> _Moment | None:
+        """The same, with the velocity and acceleration that it leaves open from both sides of it.
+
+        Hermite's interpolation: f(t) = (f_1 + f_2) / 2 + (t_2 - t_1) (f_1' - f_2') / 8 in the middle.
+        """
+        d = NEARBY * h
+        before = self.soon_after(self.at, moment.t - d)
+        if before is None:
+            return None
+        after = self.soon_after(before, moment.t + d) if moment.t + d <= self.t_end else None
+        if after is None:
+            return self._moment(moment.t, moment.q, before)
+        x_ddot = (before.x_ddot + after.x_ddot) / 2
+        x_dot = (before.x_dot + after.x_dot) / 2 + d / 4 * (before.x_ddot - after.x_ddot)
+        return self._completed(moment.t, moment.q, x_dot, x_ddot)
 
     # Newton's method with the D of the last moment, renewed where it converges slowly
     def _corrected(
@@ -227,19 +260,20 @@ class _Follower:
 
     def _moment(self, t: float, q: Floats, last: _Moment | None) -> _Moment:
         """With velocities and accelerations; what a singular pose leaves open goes on as before."""
-        eq = self.equations
-        terms = eq.terms(t, q)
-        constraints = Constraints.of(eq, terms.D)
+        if last is None:
+            return self._completed(t, q, np.zeros(self.freedoms), np.zeros(self.freedoms))
+        return self._completed(t, q, last.x_dot + (t - last.t) * last.x_ddot, last.x_ddot)
+
+    def _completed(self, t: float, q: Floats, x_dot: Floats, x_ddot: Floats) -> _Moment:
+        """With the velocities and accelerations nearest to these."""
+        terms = self.equations.terms(t, q)
+        constraints = Constraints.of(self.equations, terms.D)
+        v = turned_in(q, x_dot - constraints.solve(terms.D @ x_dot + terms.Phi_t))
+        gamma = self.equations.terms(t, q, v).gamma
+        a = turned_in(q, x_ddot - constraints.solve(terms.D @ x_ddot - gamma))
         self.counts["factorizations"] += 1
-        h = 0.0 if last is None else t - last.t
-        x_dot = np.zeros(self.freedoms) if last is None else last.x_dot + h * last.x_ddot
-        x_dot = x_dot - constraints.solve(terms.D @ x_dot + terms.Phi_t)
-        v = turned_in(q, x_dot)
-        gamma = eq.terms(t, q, v).gamma
-        x_ddot = np.zeros(self.freedoms) if last is None else last.x_ddot
-        x_ddot = x_ddot - constraints.solve(terms.D @ x_ddot - gamma)
         self.counts["evaluations"] += 2
-        return _Moment(t, q, v, turned_in(q, x_ddot), constraints)
+        return _Moment(t, q, v, a, constraints)
 
     # --- what cannot be done ---
 
@@ -262,16 +296,17 @@ class _Follower:
         what = "1 freedom is" if count == 1 else f"{count} freedoms are"
         raise ModelError(
             f"kinematics: {what} left to the model '{eq.model.name}': {'; '.join(left)}"
-            f"{'; ...' if count > LISTED else ''}; add drivers (angle_driver, displacement_driver), or simulate",
+            f"{'; ...' if count > LISTED else ''}; add drivers (angle_driver, "
+            "displacement_driver), or simulate",
             code="freedoms",
         )
 
-    def _refuse_start(self) -> None:
+    def _no_start(self) -> NotConvergedError:
         eq = self.equations
         residuals = np.abs(eq.Phi(0.0, np.array(eq.core.q0)))
         rows = np.argsort(-residuals)[: 2 * LISTED]
         names = eq.joints(rows[residuals[rows] > 1e-9])
-        raise NotConvergedError(
+        return NotConvergedError(
             f"kinematics: no pose satisfies joints and drivers at t = 0 near the initial one; at the initial "
             f"one these do not hold: {_named(names)} (at most {residuals.max():.3g} m or 1)",
             code="no_start",
@@ -287,7 +322,7 @@ class _Follower:
         raise NotConvergedError(
             f"kinematics: the mechanism cannot follow its drivers beyond t = {at.t:.9g} s (asked for "
             f"{t:.9g} s): {dead} where the equations of {_named(names)} depend on each other (smallest "
-            f"singular value {sigma:.2g}); at most the branches meet there: drive another joint",
+            f"singular value {sigma:.2g}); end before it, or drive another joint",
             code="dead_point",
             joints=names,
             time=at.t,
@@ -336,7 +371,7 @@ def _crossing(follower: _Follower, first: _Moment, second: _Moment) -> _Moment:
     """The pose between two moments where D comes nearest to losing its rank, by bisection of the time."""
     low, high, best = first, second, second
     for _ in range(40):
-        middle = follower.between(low, (low.t + high.t) / 2)
+        middle = follower.soon_after(low, (low.t + high.t) / 2)
         if middle is None:
             break
         best = middle
@@ -376,7 +411,7 @@ class _Frames:
         header = Header.of(self.model.compiled(), dynamics, facts)
         passages = follower.passages
         statistics = {**follower.counts, "singular_poses": len(passages), "passages": passages,
-                      "seconds": time.perf_counter() - began, **({"failed": True} if failed else {})}  # fmt: skip
+                      "seconds": time.perf_counter() - began, "failed": failed}  # fmt: skip
         return Result(fields, header, statistics)
 
     def _fields(self) -> Mapping[str, Floats]:
