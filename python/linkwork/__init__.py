@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
     from linkwork.analyses.kinematics import kinematics
+    from linkwork.analyses.linearization import Linearization, linearize
     from linkwork.assembly import Assembly, JointResidual, assemble
     from linkwork.comparison import Comparison, compare
     from linkwork.contact import contact_hysteresis
@@ -60,6 +61,7 @@ __all__ = [
     "Imported",
     "Joint",
     "JointResidual",
+    "Linearization",
     "LinkworkError",
     "LinkworkWarning",
     "Mesh",
@@ -93,6 +95,7 @@ __all__ = [
     "import_urdf",
     "integrators",
     "kinematics",
+    "linearize",
     "mechanisms",
     "rotation",
     "simulate",
@@ -103,6 +106,7 @@ logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until th
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
     "linkwork.analyses.kinematics": ("kinematics",),
+    "linkwork.analyses.linearization": ("Linearization", "linearize"),
     "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
     "linkwork.contact": ("contact_hysteresis",),

@@ -209,7 +209,7 @@ class _Follower:
         if q is None:
             return None
         moment = self._moment(t, q, at)
-        if moment.constraints.rank < self.freedoms and h > NEARBY * max(t, 1e-3):
+        if moment.constraints.rank < self.freedoms and h > 1e-6 * max(t, 1e-3):
             return self._singular(moment, h)
         return moment
 

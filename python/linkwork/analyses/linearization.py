@@ -1,0 +1,374 @@
+"""Linearization: small vibrations of a mechanism about a pose at rest, or about steady motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.analyses.constraint_solver import DENSE, null_space
+from linkwork.analyses.equations import Equations, Sparse
+from linkwork.analyses.stiffness import damping, stiffness
+from linkwork.analyses.tangent import displaced, turned_out
+from linkwork.errors import ModelError, NotConvergedError, OptionError
+from linkwork.model import Model
+from linkwork.result import Snapshot
+from linkwork.system import System
+
+__all__ = ["Linearization", "linearize"]
+
+Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+#: Forces that are not in balance, relative to the largest one.
+BALANCE = 1e-6
+
+#: Squares of eigenvalues below this part of the largest are zero: neutral motions.
+NEUTRAL = 1e-12
+
+#: What damping, asymmetric stiffness and coefficients that change with time may be, relative, and count as none.
+SMALL = 1e-7
+
+#: Modes of models that are too large for dense matrices, where no number is given.
+MODES = 10
+
+
+@dataclass(frozen=True, eq=False)
+class Linearization:
+    """M x'' + C x' + K x = D^T mu, D x = 0, and the motions x = Re(shape exp(s t)) that it has.
+
+    x (6n,): of each body a shift of its center of mass [m] and a rotation vector [rad], inertial axes. K has
+    the geometric stiffness, C the gyroscopic terms.
+    """
+
+    model: Model
+    snapshot: Snapshot  #: the state about which it holds
+    M: Sparse  #: (6n, 6n) compressed rows
+    C: Sparse
+    K: Sparse
+    D: Sparse  #: (m, 6n), redundant rows left out
+    eigenvalues: Complex  #: s (k,) [1/s], one of each conjugate pair, slow ones first
+    shapes: Complex  #: (k, n, 6) of the bodies, the largest motion 1 (of rotations: angle times size)
+    _equations: Equations = field(repr=False)
+
+    @property
+    def frequencies(self) -> Floats:
+        """|s| (k,) [rad/s]; undamped vibrations have this frequency."""
+        return np.abs(self.eigenvalues)
+
+    @property
+    def damping_ratios(self) -> Floats:
+        """-Re(s) / |s| (k,); 1 and -1 for motions that do not vibrate, 0 for neutral ones."""
+        size = self.frequencies
+        return np.divide(-self.eigenvalues.real, size, out=np.zeros_like(size), where=size > 0)
+
+    @property
+    def stable(self) -> bool:
+        """False where a motion among those found grows."""
+        largest = self.frequencies.max(initial=0.0)
+        return bool((self.eigenvalues.real <= 1e-6 * largest).all())
+
+    def describe(self, mode: int) -> str:
+        """The largest part of a mode in words: `body 'rod' turns about (0, 1, 0)`."""
+        shape = self.shapes[mode].ravel()
+        turned = shape * np.exp(-1j * np.angle(shape[np.argmax(np.abs(shape))]))
+        return self._equations.motion(turned.real)
+
+    def displaced(self, mode: int, amplitude: float, phase: float = 0.0) -> Model:
+        """The model in a pose of a mode: q displaced by amplitude Re(shape exp(i phase)), for pictures.
+
+        `lw.assemble(...)` makes it exact where the amplitude is large.
+        """
+        x = amplitude * (self.shapes[mode] * np.exp(1j * phase)).real.ravel()
+        return self.model.with_initial_state(displaced(self.snapshot.q.ravel(), x), self.snapshot.v)
+
+    def __repr__(self) -> str:
+        slow = ", ".join(f"{f:.6g}" for f in self.frequencies[:5])
+        more = ", ..." if len(self.eigenvalues) > 5 else ""
+        return f"<Linearization of '{self.model.name}': {slow}{more} rad/s, {self._verdict()}>"
+
+    def _verdict(self) -> str:
+        return "stable" if self.stable else "unstable"
+
+
+def linearize(
+    model: Model, *, start: Snapshot | None = None, modes: int | None = None, near: float = 0.0
+) -> Linearization:
+    """Frequencies, damping and shapes of the small motions that the joints allow.
+
+        vibration = lw.linearize(lw.equilibrium(model).model)
+        vibration.frequencies, vibration.damping_ratios, vibration.describe(0)
+
+    About the model's initial state, or `start`: at rest in balance, or in motion that looks the same at all
+    times, such as that of a spinning top. M, C, K over the motions of all bodies, sparse, and restricted to
+    D x = 0: exactly by a null space for small models; for large ones with the constraints in the matrix that
+    is factorized, by shift and inversion (Lanczos, Arnoldi), so that nothing is lost to a penalty.
+
+    start  another state: `Result.snapshot()`; functions of time have the values that they have then
+    modes  how many; all of a small model, 10 of a large one
+    near   for large models: those whose frequency is nearest to this [rad/s]
+
+    ModelError: the state is not in balance, is singular, has coefficients that change with time, or a massless
+    motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
+    """
+    if modes is not None and (not isinstance(modes, int) or modes < 1):
+        raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
+    if not np.isfinite(near) or near < 0:
+        raise OptionError(f"near {near!r} rad/s must be a finite number, zero or positive", code="near")
+    eq = Equations(model)
+    at = start if start is not None else Snapshot(0.0, *_initial(model))
+    coefficients = _coefficients(eq, at)
+    M, C, K, D = coefficients
+    moving = np.abs(at.v).max(initial=0.0) > 0
+    if moving:
+        _refuse_velocity_rows(eq)
+    if D.shape[1] <= DENSE:
+        Z = null_space(eq, D)
+        if moving:
+            _refuse_change(eq, at, coefficients, Z)
+        eigenvalues, shapes = _dense(M, C, K, Z)
+        eigenvalues, shapes = eigenvalues[:modes], shapes[:, :modes]
+    else:
+        if moving:
+            raise OptionError(
+                f"linearize: {model.body_count} bodies in motion are more than the {DENSE // 6} that it takes; "
+                "at rest there is no limit",
+                code="too_large",
+            )
+        eigenvalues, shapes = _sparse(M, C, K, D, modes or MODES, near)
+    n = model.body_count
+    size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
+    shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, n, 6)
+    return Linearization(model, at, M, C, K, D, eigenvalues, shapes, eq)
+
+
+def _initial(model: Model) -> tuple[Floats, Floats]:
+    core = model.compiled()
+    return np.array(core.q0).reshape(-1, 7), np.array(core.v0).reshape(-1, 6)
+
+
+def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> tuple[Sparse, Sparse, Sparse, Sparse]:
+    """M, C, K and the independent rows of D. ModelError: no balance."""
+    q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
+    v_dot, multipliers = _accelerations(eq, at.t, q, v)
+    terms, M = eq.terms(at.t, q, v), eq.mass(q)
+    if check:
+        _check_balance(eq, terms.g, M @ turned_out(q, v_dot))
+        _check_rank(eq)
+    K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
+    return M, C, K, terms.D[eq.independent]
+
+
+def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Floats, Floats]:
+    massless = (np.asarray(eq.core.mass) == 0).any()
+    formulation = "augmented_lagrangian" if massless else "standard"
+    return System(eq.model, formulation=formulation).accelerations(t, q, v)
+
+
+def _check_balance(eq: Equations, g: Floats, unbalanced: Floats) -> None:
+    """ModelError: forces in the directions that the joints leave."""
+    scale = float(np.abs(g * eq.scale).max(initial=0.0)) or 1.0
+    size = np.abs(unbalanced * eq.scale)
+    if size.max() > BALANCE * scale:
+        body, k = divmod(int(size.argmax()), 6)
+        value = f"{unbalanced.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
+        raise ModelError(
+            f"linearize: the model '{eq.model.name}' is not in balance: body '{eq.core.body_name(body)}' is "
+            f"accelerated by {value}; start from linkwork.equilibrium(model).model",
+            code="not_in_balance",
+            bodies=[eq.core.body_name(body)],
+        )
+
+
+def _check_rank(eq: Equations) -> None:
+    if eq.rank.singular_rows:
+        names = eq.joints(eq.rank.singular_rows)
+        raise ModelError(
+            f"linearize: the pose is singular: the equations of {', '.join(names)} depend on others for the "
+            "moment, so that small motions are not linear; choose another pose",
+            code="singular_pose",
+            joints=names,
+        )
+
+
+def _refuse_velocity_rows(eq: Equations) -> None:
+    names = eq.joints(np.flatnonzero(~eq.holonomic))
+    if names:
+        raise ModelError(
+            f"linearize: {', '.join(names)} restrict velocities only: linearize them at rest",
+            code="velocity_constraints",
+            joints=names,
+        )
+
+
+def _refuse_change(
+    eq: Equations, at: Snapshot, now: tuple[Sparse, Sparse, Sparse, Sparse], Z: Floats
+) -> None:
+    """ModelError: the coefficients are other ones after a turn by a thousandth."""
+    q, v = np.ravel(at.q), np.ravel(at.v)
+    later = 1e-3 / float(np.abs(v / eq.scale).max() / eq.length)
+    soon = Snapshot(at.t, displaced(q, later * turned_out(q, v)).reshape(-1, 7), at.v)
+    then = _coefficients(eq, soon, check=False)
+    names = ("inertia", "damping", "stiffness")
+    changed = [
+        name
+        for name, a, b in zip(names, now, then, strict=False)
+        if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z)) > 1e-5 * max(_norm(Z.T @ (a @ Z)), 1e-9)
+    ]
+    if _norm((then[3] @ Z) / np.abs(then[3]).max()) > 1e-5 * _norm(Z):
+        changed.append("freedoms")
+    if changed:
+        raise ModelError(
+            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} change with "
+            "time: there are no frequencies; linearize at rest, or in motion that looks the same at all times",
+            code="not_steady",
+        )
+
+
+def _norm(a: Floats) -> float:
+    return float(np.linalg.norm(a))
+
+
+# --- small models ---
+
+
+def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex]:
+    """Eigenvalues (k,) and shapes (6n, k): y'' + ... over x = Z y, slow ones first."""
+    from scipy.linalg import eig, eigh
+
+    reduced = [Z.T @ (a @ Z) for a in (M, C, K)]
+    m, c, k = reduced
+    m = (m + m.T) / 2
+    if not len(m):
+        return np.zeros(0, complex), np.zeros((len(Z), 0), complex)
+    _refuse_massless(m)
+    fastest = np.sqrt(_norm(k) / _norm(m))
+    if _norm(k - k.T) <= SMALL * _norm(k) and _norm(c) <= SMALL * _norm(m) * max(fastest, 1e-12):
+        squares, y = eigh((k + k.T) / 2, m)
+        return _from_squares(squares), Z @ y.astype(complex)
+    f = len(m)
+    # [0 I; -k -c] {y; y'} = s [I 0; 0 m] {y; y'}
+    left = np.block([[np.zeros((f, f)), np.eye(f)], [-k, -c]])
+    right = np.block([[np.eye(f), np.zeros((f, f))], [np.zeros((f, f)), m]])
+    s, y = eig(left, right)
+    s[np.abs(s) ** 2 < NEUTRAL * np.abs(s).max() ** 2] = 0.0
+    return _one_of_each_pair(s, Z @ y[:f])
+
+
+def _refuse_massless(m: Floats) -> None:
+    values = np.linalg.eigvalsh(m)
+    if values[0] <= 1e-14 * values[-1]:
+        raise ModelError(
+            "linearize: a motion that the joints allow moves no mass: give its bodies mass and inertia",
+            code="massless",
+        )
+
+
+def _from_squares(squares: Floats) -> Complex:
+    """s = i omega of omega^2, real where it is negative; zero where it is rounding. Slow ones first."""
+    clean = np.where(np.abs(squares) < NEUTRAL * np.abs(squares).max(initial=0.0), 0.0, squares)
+    root = np.sqrt(np.abs(clean))
+    return np.where(clean >= 0, 1j * root, root)
+
+
+def _one_of_each_pair(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
+    keep = s.imag >= -1e-12 * np.abs(s)
+    s, shapes = s[keep], shapes[:, keep]
+    order = np.argsort(np.abs(s), kind="stable")
+    return s[order], shapes[:, order]
+
+
+# --- large models ---
+
+
+def _sparse(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float) -> tuple[Complex, Complex]:
+    """(K - sigma M) x + D^T mu = M b, D x = 0 solved for each vector b of a Krylov space."""
+    from scipy.sparse.linalg import ArpackNoConvergence
+
+    size, m = M.shape[0], D.shape[0]
+    count = min(modes, size - m)
+    if count < 1:
+        return np.zeros(0, complex), np.zeros((size, 0), complex)
+    scale = abs(K).sum(axis=1).max() / max(M.diagonal().max(), 1e-300)
+    damped = abs(C).max() > SMALL * M.diagonal().max() * np.sqrt(scale)
+    try:
+        if not damped and _symmetric(K, M, D, scale):
+            return _lanczos(M, K, D, count, near**2 or -1e-8 * scale)
+        return _arnoldi(M, C, K, D, count, complex(0.0, near) if near else complex(-1e-4 * np.sqrt(scale)))
+    except ArpackNoConvergence as error:
+        raise NotConvergedError(
+            f"linearize: the iteration for {count} modes did not converge: ask for fewer, or give `near`",
+            code="modes_not_found",
+        ) from error
+
+
+def _constrained_solver(A: Sparse, D: Sparse) -> Callable[[Floats], Floats]:
+    """b -> x with A x + D^T mu = b, D x = 0. ModelError: singular."""
+    from scipy.sparse import block_array
+    from scipy.sparse.linalg import splu
+
+    size = A.shape[0]
+    try:
+        factor = splu(block_array([[A, D.T], [D, None]], format="csc"))
+    except RuntimeError as error:
+        raise ModelError(
+            "linearize: the matrix of the small motions is singular: the pose is singular, or `near` is a "
+            "frequency of the model",
+            code="singular_pose",
+        ) from error
+    rest = np.zeros(D.shape[0])
+
+    def solve(b: Floats) -> Floats:
+        x: Floats = factor.solve(np.concatenate([b, rest]).astype(A.dtype))[:size]
+        return x
+
+    return solve
+
+
+def _symmetric(K: Sparse, M: Sparse, D: Sparse, scale: float) -> bool:
+    """Whether x^T K y = y^T K x for motions that the joints allow, of two at random."""
+    solve = _constrained_solver((K + K.T) / 2 + scale * M, D)
+    random = np.random.default_rng(0)
+    x, y = (solve(M @ random.standard_normal(len(M.diagonal()))) for _ in range(2))
+    one, other = x @ (K @ y), y @ (K @ x)
+    return bool(abs(one - other) <= SMALL * max(abs(one), abs(other), np.sqrt((x @ (K @ x)) * (y @ (K @ y)))))
+
+
+def _lanczos(M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float) -> tuple[Complex, Complex]:
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    symmetric = (K + K.T) / 2
+    solve = _constrained_solver(symmetric - sigma * M, D)
+    inverse = LinearOperator(M.shape, matvec=solve, dtype=float)
+    first = solve(M @ np.random.default_rng(0).standard_normal(M.shape[0]))
+    squares, x = eigsh(symmetric, k=count, M=M, sigma=sigma, OPinv=inverse, v0=first)
+    order = np.argsort(squares)
+    return _from_squares(squares[order]), x[:, order].astype(complex)
+
+
+# With eta = x':  x_new = (x_old's share) of (sigma^2 M + sigma C + K) x_new = -(C + sigma M) x - M eta,
+# eta_new = sigma x_new + x: one application of (A - sigma B)^-1 B of the first-order equations.
+def _arnoldi(
+    M: Sparse, C: Sparse, K: Sparse, D: Sparse, count: int, sigma: complex
+) -> tuple[Complex, Complex]:
+    from scipy.sparse.linalg import LinearOperator, eigs
+
+    real = sigma.imag == 0
+    shift = sigma.real if real else sigma
+    solve = _constrained_solver((shift * shift * M + shift * C + K).tocsr(), D)
+    size = M.shape[0]
+
+    def apply(z: Complex) -> Complex:
+        x, eta = z[:size], z[size:]
+        new = solve(-(C @ x + shift * (M @ x)) - M @ eta)
+        return np.concatenate([new, shift * new + x])
+
+    operator = LinearOperator((2 * size, 2 * size), matvec=apply, dtype=float if real else complex)
+    random = np.random.default_rng(0).standard_normal(size)
+    allowed = solve(M @ random)
+    wanted = min(2 * count + 2, 2 * size - 2)
+    theta, z = eigs(operator, k=wanted, v0=np.concatenate([allowed, allowed]))
+    s, shapes = _one_of_each_pair(sigma + 1 / theta, z[:size])
+    return s[:count], shapes[:, :count]

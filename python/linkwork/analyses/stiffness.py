@@ -1,0 +1,180 @@
+"""Stiffness and damping of a mechanism: derivatives of its forces by small motions, sparse.
+
+Over motions x in inertial axes (see linkwork.analyses.tangent), torques along the axes of the bodies before the
+motion turned out by T^T, so that they are inertial as well:
+
+    K = -T^T d(g + D^T lambda)/dx,   C = -T^T dg/dv T + T^T M T',   T' = diag(0, -omega~ A^T)
+
+Differences of fourth order, many bodies at a time: those that no joint, or no force element, has in common
+(Curtis, Powell, Reid, On the estimation of sparse Jacobian matrices, 1974). The part of the constraints is the
+geometric stiffness: it is what a string gains by its tension.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.analyses.equations import Equations, Sparse
+from linkwork.analyses.tangent import displaced
+
+__all__ = ["damping", "stiffness"]
+
+Floats = NDArray[np.float64]
+Indices = NDArray[np.intp]
+
+#: Of the differences: in sizes of the mechanism and rad for constraints and for forces, of velocities relative.
+CONSTRAINT_STEP, FORCE_STEP, VELOCITY_STEP = 1e-3, 1e-5, 1e-4
+
+#: f' = sum w_k f(k h) / h.
+STENCIL = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
+
+#: Differences below this part of what is subtracted are zero.
+ROUNDING = 1e-15
+
+#: How far a product with the sparse matrix may be from a difference along a random direction.
+AGREEMENT = 1e-4
+
+
+def stiffness(equations: Equations, t: float, q: Floats, v: Floats, multipliers: Floats) -> Sparse:
+    """K (6n, 6n) at t, q (7n,), v (6n,) and multipliers (m,); at constant omega in body axes."""
+    turn = equations.turn(q)
+    geometric = _constraint_part(equations, t, q, multipliers)
+    units = 1 / equations.scale  # 1, or the length of the mechanism times the angle
+
+    def force(x: Floats) -> Floats:
+        g: Floats = equations.dynamics.evaluate(t, displaced(q, x), v)["g"]
+        return g
+
+    elastic = _force_part(equations, force, FORCE_STEP * equations.length / units)
+    return -(turn.T @ (geometric + elastic)).tocsr()
+
+
+def damping(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
+    """C (6n, 6n), gyroscopic terms included."""
+    from scipy.sparse import bsr_array
+
+    turn, n = equations.turn(q), equations.core.body_count
+
+    def force(change: Floats) -> Floats:
+        g: Floats = equations.dynamics.evaluate(t, q, v + change)["g"]
+        return g
+
+    steps = VELOCITY_STEP * equations.scale * max(equations.length, float(np.abs(v / equations.scale).max()))
+    C = -(turn.T @ _force_part(equations, force, steps) @ turn)
+    omega = v.reshape(-1, 6)[:, 3:]
+    if omega.any():
+        blocks = np.zeros((n, 6, 6))
+        blocks[:, 3:, 3:] = -equations.core.inertia @ np.cross(omega[:, None, :], np.eye(3)).swapaxes(1, 2)
+        C = C + turn.T @ bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=C.shape) @ turn
+    return C.tocsr()
+
+
+def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Sparse:
+    """d(D^T lambda)/dx, torques in body axes: each joint's share depends on its two bodies only."""
+    from scipy.sparse import coo_array
+
+    core, n = equations.core, equations.core.body_count
+    found = equations.dynamics.evaluate(t, q, np.zeros(6 * n))["D"]
+    starts, columns = found["indptr"], found["indices"]
+    row = np.repeat(np.arange(core.row_count), np.diff(starts))
+    pairs = np.asarray(core.joint_arrays()["bodies"]).reshape(-1, 2)
+    color = _colors(n, pairs)
+    weight = multipliers[row]
+    used = weight != 0.0
+    parts: list[tuple[Floats, Indices, Indices]] = []
+    for c in range(color.max(initial=-1) + 1):
+        moved = _of_color(pairs, color, c)[equations.joint_of_row[row]]  # per entry the body that moves, or -1
+        wanted = used & (moved >= 0)
+        if not wanted.any():
+            continue
+        for k in range(6):
+            h = CONSTRAINT_STEP * (equations.length if k < 3 else 1.0)
+            x = np.zeros((n, 6))
+            x[color == c, k] = h
+            change = sum(
+                w * equations.dynamics.evaluate(t, displaced(q, s * x.ravel()), np.zeros(6 * n))["D"]["data"]
+                for s, w in STENCIL
+            )
+            values = (np.asarray(change) * weight / h)[wanted]
+            parts.append((values, columns[wanted], 6 * moved[wanted] + k))
+    return _assembled(parts, 6 * n, coo_array)
+
+
+def _force_part(equations: Equations, force: Callable[[Floats], Floats], steps: Floats) -> Sparse:
+    """dg/dx (6n, 6n) for any g(x), x = 0 at the state, by force elements between two bodies each."""
+    n = equations.core.body_count
+    pairs = np.asarray(equations.core.force_arrays()["bodies"]).reshape(-1, 2)
+    J = _colored(n, pairs, force, steps)
+    direction = np.random.default_rng(0).uniform(-1, 1, 6 * n)
+    expected = _difference(force, steps * direction)
+    if np.abs(J @ (steps * direction) - expected).max() > AGREEMENT * np.abs(expected).max():
+        everything = np.stack(np.triu_indices(n, 1), axis=1)  # a force acts beyond its bodies
+        J = _colored(n, everything, force, steps)
+    return J
+
+
+def _colored(n: int, pairs: NDArray[np.integer], force: Callable[[Floats], Floats], steps: Floats) -> Sparse:
+    from scipy.sparse import coo_array, eye_array
+
+    inner = pairs[(pairs >= 0).all(axis=1)]
+    ones = np.ones(len(inner))
+    touch = coo_array((ones, (inner[:, 0], inner[:, 1])), shape=(n, n))
+    touch = (touch + touch.T + eye_array(n)).tocsr()
+    both = (touch @ touch).tocoo()
+    color = _colors(n, np.column_stack([both.row, both.col]))
+    near = touch.tocoo()
+    parts: list[tuple[Floats, Indices, Indices]] = []
+    for c in range(color.max(initial=-1) + 1):
+        moved = np.full(n, -1)
+        of_color = color[near.col] == c
+        moved[near.row[of_color]] = near.col[of_color]  # per body the one that moves near it
+        bodies = np.flatnonzero(moved >= 0)
+        rows = (6 * bodies[:, None] + np.arange(6)).ravel()
+        for k in range(6):
+            x = np.zeros((n, 6))
+            x[color == c, k] = steps.reshape(n, 6)[color == c, k]
+            h = steps.reshape(n, 6)[moved[bodies], k].repeat(6)
+            values = _difference(force, x.ravel())[rows] / h
+            parts.append((values, rows, (6 * moved[bodies] + k).repeat(6)))
+    return _assembled(parts, 6 * n, coo_array)
+
+
+def _difference(force: Callable[[Floats], Floats], x: Floats) -> Floats:
+    """The derivative of force(s x) by s at s = 0; zero where it is rounding."""
+    terms = np.array([w * force(s * x) for s, w in STENCIL])
+    total = terms.sum(axis=0)
+    return np.where(np.abs(total) > ROUNDING * np.abs(terms).sum(axis=0), total, 0.0)
+
+
+def _assembled(parts: list[tuple[Floats, Indices, Indices]], size: int, coo: Callable[..., Sparse]) -> Sparse:
+    values, rows, columns = (
+        (np.concatenate(list(part)) for part in zip(*parts, strict=True)) if parts else (np.zeros(0),) * 3
+    )
+    keep = values != 0.0
+    places = rows[keep].astype(int), columns[keep].astype(int)
+    return coo((values[keep], places), shape=(size, size)).tocsr()
+
+
+def _of_color(pairs: NDArray[np.integer], color: Indices, c: int) -> Indices:
+    """Per pair the body of this color, or -1."""
+    known = np.append(color, -1)  # the last one for the ground, index -1
+    first, second = known[pairs[:, 0]] == c, known[pairs[:, 1]] == c
+    found: Indices = np.where(first, pairs[:, 0], np.where(second, pairs[:, 1], -1))
+    return found
+
+
+def _colors(n: int, pairs: NDArray[np.integer]) -> Indices:
+    """A color (n,) for each body, other than those of its partners: the first that is free."""
+    from scipy.sparse import coo_array
+
+    inner = pairs[(pairs >= 0).all(axis=1) & (pairs[:, 0] != pairs[:, 1])]
+    graph = coo_array((np.ones(len(inner)), (inner[:, 0], inner[:, 1])), shape=(n, n))
+    graph = (graph + graph.T).tocsr()
+    color = np.full(n, -1)
+    for body in range(n):
+        taken = set(color[graph.indices[graph.indptr[body] : graph.indptr[body + 1]]].tolist())
+        color[body] = next(c for c in range(n + 1) if c not in taken)
+    return color
