@@ -18,8 +18,11 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
+    from linkwork.analyses.equilibrium import Equilibrium, equilibrium
+    from linkwork.analyses.inverse_dynamics import Drive, InverseDynamics, inverse_dynamics
     from linkwork.analyses.kinematics import kinematics
     from linkwork.analyses.linearization import Linearization, linearize
+    from linkwork.analyses.sensitivity import Sensitivity, sensitivity
     from linkwork.assembly import Assembly, JointResidual, assemble
     from linkwork.comparison import Comparison, compare
     from linkwork.contact import contact_hysteresis
@@ -51,14 +54,17 @@ __all__ = [
     "Assembly",
     "Body",
     "BodyResult",
-    "Comparison",
     "Box",
+    "Comparison",
     "Cylinder",
+    "Drive",
+    "Equilibrium",
     "Event",
     "Fault",
     "FileError",
     "Force",
     "Imported",
+    "InverseDynamics",
     "Joint",
     "JointResidual",
     "Linearization",
@@ -76,6 +82,7 @@ __all__ = [
     "Reaction",
     "Result",
     "Rod",
+    "Sensitivity",
     "Shape",
     "SingularPose",
     "SingularSystemError",
@@ -89,15 +96,18 @@ __all__ = [
     "assemble",
     "compare",
     "contact_hysteresis",
+    "equilibrium",
     "functions",
     "import_mjcf",
     "import_sdf",
     "import_urdf",
     "integrators",
+    "inverse_dynamics",
     "kinematics",
     "linearize",
     "mechanisms",
     "rotation",
+    "sensitivity",
     "simulate",
 ]
 
@@ -105,8 +115,11 @@ logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until th
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
+    "linkwork.analyses.equilibrium": ("Equilibrium", "equilibrium"),
+    "linkwork.analyses.inverse_dynamics": ("Drive", "InverseDynamics", "inverse_dynamics"),
     "linkwork.analyses.kinematics": ("kinematics",),
     "linkwork.analyses.linearization": ("Linearization", "linearize"),
+    "linkwork.analyses.sensitivity": ("Sensitivity", "sensitivity"),
     "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
     "linkwork.contact": ("contact_hysteresis",),

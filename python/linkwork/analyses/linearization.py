@@ -149,7 +149,9 @@ def _initial(model: Model) -> tuple[Floats, Floats]:
     return np.array(core.q0).reshape(-1, 7), np.array(core.v0).reshape(-1, 6)
 
 
-def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> tuple[Sparse, Sparse, Sparse, Sparse]:
+def _coefficients(
+    eq: Equations, at: Snapshot, *, check: bool = True
+) -> tuple[Sparse, Sparse, Sparse, Sparse]:
     """M, C, K and the independent rows of D. ModelError: no balance."""
     q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
     v_dot, multipliers = _accelerations(eq, at.t, q, v)
@@ -372,3 +374,16 @@ def _arnoldi(
     theta, z = eigs(operator, k=wanted, v0=np.concatenate([allowed, allowed]))
     s, shapes = _one_of_each_pair(sigma + 1 / theta, z[:size])
     return s[:count], shapes[:, :count]
+
+
+def softest_by_lanczos(W: Sparse, K: Sparse, D: Sparse, scale: float) -> tuple[float, Floats]:
+    """The smallest k of K x + D^T mu = k W x, D x = 0, and its x (6n,); `scale` of K in units of W."""
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    if D.shape[0] >= D.shape[1]:
+        return np.nan, np.zeros(D.shape[1])
+    sigma = -0.1 * (scale or 1.0)
+    inverse = LinearOperator(W.shape, matvec=_constrained_solver(K - sigma * W, D), dtype=float)
+    first = inverse @ (W @ np.random.default_rng(0).standard_normal(W.shape[0]))
+    values, x = eigsh(K, k=1, M=W, sigma=sigma, OPinv=inverse, v0=first)
+    return float(values[0]), x[:, 0]

@@ -86,7 +86,9 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
     used = weight != 0.0
     parts: list[tuple[Floats, Indices, Indices]] = []
     for c in range(color.max(initial=-1) + 1):
-        moved = _of_color(pairs, color, c)[equations.joint_of_row[row]]  # per entry the body that moves, or -1
+        moved = _of_color(pairs, color, c)[
+            equations.joint_of_row[row]
+        ]  # per entry the body that moves, or -1
         wanted = used & (moved >= 0)
         if not wanted.any():
             continue

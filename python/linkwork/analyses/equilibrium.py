@@ -1,0 +1,287 @@
+"""Static equilibrium: where forces and reactions balance, and whether the mechanism returns there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import _core
+from linkwork.analyses.constraint_solver import DENSE, null_space
+from linkwork.analyses.equations import Equations, Sparse
+from linkwork.analyses.stiffness import stiffness
+from linkwork.analyses.tangent import between, displaced
+from linkwork.errors import ModelError, NotConvergedError, SingularSystemError, nearest
+from linkwork.model import Model
+from linkwork.result import Reaction
+from linkwork.system import System
+
+__all__ = ["Equilibrium", "equilibrium"]
+
+Floats = NDArray[np.float64]
+
+#: Forces that are not in balance, relative to the largest one: where the iteration may end, and where it tries to.
+ACCEPTED, WANTED = 1e-9, 1e-13
+
+#: The most a step may move a body [rad, sizes of the mechanism].
+LONGEST_STEP = 0.3
+
+#: Of steps, of corrections onto the joints, and of departures from unstable equilibria.
+ITERATIONS, CORRECTIONS, DEPARTURES = 400, 20, 5
+
+#: Stiffness relative to the largest below which a motion counts as neutral.
+NEUTRAL = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """A model at rest in balance: g + D^T lambda = 0, Phi = 0."""
+
+    model: Model  #: the given one in this pose, at rest
+    moved: Floats  #: shift of each center of mass (n,) [m]
+    turned: Floats  #: angle by which each body was turned, at most pi (n,) [rad]
+    multipliers: Floats  #: (m,); of redundant equations those of least norm
+    imbalance: (
+        float  #: largest force or torque over size that is not balanced, relative to the largest acting
+    )
+    softest: float  #: smallest stiffness among the motions that the joints leave [N/m]; NaN: there is none
+    softest_motion: str  #: which this is, in words
+    stability: Literal["stable", "neutral", "unstable"]
+    iterations: int
+    _dynamics: _core.Dynamics = field(repr=False)
+
+    def reaction(self, name: str) -> Reaction:
+        """Force and torque (3,) that a joint exerts on its second body, inertial axes. ModelError: no joint."""
+        core = self.model.compiled()
+        joint = core.find_joint(name)
+        if joint < 0:
+            known = [core.joint_name(k) for k in range(core.joint_count)]
+            raise ModelError(f"no joint named '{name}'{nearest(name, known)}", code="unknown_name")
+        force, torque = self._dynamics.reactions(np.zeros(1), np.array(core.q0)[None], self.multipliers[None])
+        return Reaction(force[0, joint], torque[0, joint])
+
+    def __str__(self) -> str:
+        """One line."""
+        soft = f": softest, {self.softest:.4g} N/m, {self.softest_motion}" if self.softest_motion else ""
+        return (
+            f"{self.stability} equilibrium after {self.iterations} steps; bodies moved by at most "
+            f"{self.moved.max():.4g} m and {self.turned.max():.4g} rad; imbalance {self.imbalance:.1e}{soft}"
+        )
+
+
+def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
+    """Where the mechanism rests, found from its initial pose; drivers and forces as they are at t = 0.
+
+        rest = lw.equilibrium(model)
+        print(rest)
+        lw.simulate(rest.model, t_end=1.0, step=1e-3)
+
+    g(q, 0) + D^T lambda = 0 and Phi(q, 0) = 0 by Newton's method with the full stiffness, that of the
+    constraints included. Steps are limited, and shortened until the forces do work along them, so that the
+    mechanism goes down, as it would with much friction: to a stable equilibrium, and away from an unstable one.
+    Forces of rest count: dampers and regularized friction have none. Masses count by their weight only.
+
+    stable  False: the nearest equilibrium of any kind, by steps that reduce the imbalance
+
+    `stability` is that of the stiffness, in units in which a rotation counts by the size of the mechanism; where
+    forces follow the bodies, linkwork.linearize has the last word.
+
+    NotConvergedError: no equilibrium, with the body that is driven most. SingularSystemError: a singular pose.
+    """
+    search = _Search(Equations(model), stable)
+    q = search.find()
+    return search.described(q)
+
+
+class _Search:
+    """W = diag(1, L^2) measures motions; r is the part of the forces that the joints do not take."""
+
+    def __init__(self, equations: Equations, stable: bool) -> None:
+        from scipy.sparse import diags_array
+
+        self.eq, self.stable = equations, stable
+        self.W = diags_array(1 / equations.scale**2).tocsr()
+        self.rest = np.zeros(6 * equations.core.body_count)
+        self.rows = equations.independent[equations.holonomic[equations.independent]]
+        self.steps = 0
+
+    def find(self) -> Floats:
+        q = self._on_joints(np.array(self.eq.core.q0))
+        if q is None:
+            raise NotConvergedError(
+                f"equilibrium: model '{self.eq.model.name}': the joints are not met near the initial pose; "
+                "linkwork.assemble(model) says which",
+                code="no_start",
+            )
+        for _ in range(DEPARTURES + 1):
+            q = self._descend(q)
+            if not self.stable:
+                return q
+            softest, motion, scale = self._softest(q)
+            if not softest < -NEUTRAL * scale:
+                return q
+            away = self._on_joints(displaced(q, 0.01 * motion / self._reach(motion)))
+            if away is None:
+                return q
+            q = away
+        return q
+
+    # (K + mu W) x - D^T dlambda = r,   D x = -Phi
+    def _descend(self, q: Floats) -> Floats:
+        """NotConvergedError: the cap."""
+        mu = 0.0
+        r, multipliers, scale = self._balance(q)
+        for _ in range(ITERATIONS):
+            if self._size(r) <= WANTED * scale:
+                return q
+            K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
+            unit = float(abs(self._scaled(K)).max()) or scale / self.eq.length
+            mu = max(mu, 1e-13 * unit)
+            found = None
+            while found is None and mu < 1e12 * unit:
+                found = self._try(q, r, K, mu)
+                mu = mu / 10 if found is not None else max(10 * mu, 1e-4 * unit)
+            self.steps += 1
+            if found is None or (self._size(r) <= ACCEPTED * scale and self._size(found[1]) >= self._size(r)):
+                break  # no better: rounding
+            q, r, multipliers, scale = found
+        if self._size(r) > ACCEPTED * scale:
+            self._fail(r)
+        return q
+
+    def _try(self, q: Floats, r: Floats, K: Sparse, mu: float) -> tuple[Floats, Floats, Floats, float] | None:
+        """The state after a step; None: it goes too far, or up."""
+        D = self.eq.terms(0.0, q).D[self.rows]
+        x = self._solved(K + mu * self.W, D, r, np.zeros(len(self.rows)))
+        if x is None or not np.isfinite(x).all():
+            return None
+        if self.stable and r @ x < 0:
+            return None
+        if self._reach(x) > LONGEST_STEP:
+            if self.stable or mu == 0.0:
+                return None
+            x *= LONGEST_STEP / self._reach(x)
+        new = self._on_joints(displaced(q, x))
+        if new is None:
+            return None
+        after = self._balance(new)
+        x = between(q, new)
+        decreased = self._size(after[0]) < self._size(r)
+        works = (r + after[0]) @ x > 0 if self.stable else decreased
+        tiny = self._reach(x) < 1e-7
+        return (new, *after) if works or (tiny and decreased) else None
+
+    def _balance(self, q: Floats) -> tuple[Floats, Floats, float]:
+        """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), and the size of g."""
+        terms = self.eq.terms(0.0, q)
+        D = terms.D[self.rows]
+        w = self._solved(self.W, D, terms.g, np.zeros(len(self.rows)))
+        if w is None:
+            names = self.eq.joints(self.eq.rank.singular_rows)
+            raise SingularSystemError(
+                f"equilibrium: model '{self.eq.model.name}': in this pose the equations of "
+                f"{', '.join(names) or 'some joints'} depend on others for the moment; start elsewhere",
+                code="singular_pose",
+                joints=names,
+            )
+        multipliers = np.zeros(self.eq.core.row_count)
+        multipliers[self.rows] = self._multipliers
+        return self.W @ w, multipliers, self._size(terms.g) or 1.0
+
+    def _solved(self, A: Sparse, D: Sparse, b: Floats, c: Floats) -> Floats | None:
+        """x of A x - D^T y = b, D x = c; y stays in `_multipliers`. None: singular."""
+        from scipy.sparse import block_array
+        from scipy.sparse.linalg import splu
+
+        scale = np.concatenate([self.eq.scale, np.ones(len(c))])
+        unit = float(abs(A.diagonal() * self.eq.scale**2).max()) or 1.0
+        scale[len(self.rest) :] = unit
+        matrix = block_array([[A, -D.T], [D, None]] if len(c) else [[A]], format="csc")
+        columns = scale.copy()
+        matrix = (matrix.multiply(scale[:, None])).multiply(columns[None, :]).tocsc()
+        try:
+            factor = splu(matrix)
+        except RuntimeError:
+            return None
+        found = columns * factor.solve(scale * np.concatenate([b, c]))
+        self._multipliers: Floats = found[len(self.rest) :]
+        x: Floats = found[: len(self.rest)]
+        return x
+
+    def _on_joints(self, q: Floats) -> Floats | None:
+        """The nearest pose in which the joints hold, by Newton's method; None: not found."""
+        before = np.inf
+        for _ in range(CORRECTIONS):
+            terms = self.eq.terms(0.0, q)
+            Phi = terms.Phi[self.eq.holonomic]
+            size = float(np.abs(Phi).max(initial=0.0))
+            if size <= 1e-13 * max(1.0, self.eq.length) or (size >= before / 2 and size < 1e-10):
+                return q
+            if not np.isfinite(size) or size > 4 * before:
+                return None
+            x = self._solved(self.W, terms.D[self.rows], self.rest, -terms.Phi[self.rows])
+            if x is None or self._reach(x) > 2.0:
+                return None
+            q, before = displaced(q, x), size
+        return None
+
+    def _softest(self, q: Floats) -> tuple[float, Floats, float]:
+        """The smallest stiffness that the joints leave [N/m], its motion, and the largest entry of K."""
+        from linkwork.analyses.linearization import softest_by_lanczos
+
+        _, multipliers, _ = self._balance(q)
+        K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
+        K = (K + K.T) / 2
+        D = self.eq.terms(0.0, q).D[self.eq.independent]
+        scale = float(abs(self._scaled(K)).max()) if K.nnz else 0.0
+        if len(self.rest) > DENSE:
+            value, x = softest_by_lanczos(self.W, K, D, scale)
+            return value, x, scale
+        Z = null_space(self.eq, D)
+        if not Z.shape[1]:
+            return np.nan, self.rest, scale
+        values, y = np.linalg.eigh(Z.T @ (K @ Z))
+        return float(values[0]), Z @ y[:, 0], scale
+
+    def described(self, q: Floats) -> Equilibrium:
+        eq = self.eq
+        r, multipliers, scale = self._balance(q)
+        softest, motion, unit = self._softest(q)
+        at_rest = eq.model.with_initial_state(q, self.rest)
+        massless = (np.asarray(eq.core.mass) == 0).any()
+        dynamics = System(at_rest, formulation="augmented_lagrangian" if massless else "standard").compiled()
+        if len(multipliers):
+            multipliers = dynamics.accelerations(0.0, q, self.rest)[1]
+        x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
+        shift, angle = np.linalg.norm(x, axis=2).T
+        kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
+        kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > NEUTRAL * unit))]
+        words = "" if np.isnan(softest) else eq.motion(motion)
+        return Equilibrium(at_rest, shift, angle, multipliers, self._size(r) / scale, softest, words, kind,
+                           self.steps, dynamics)  # fmt: skip
+
+    def _fail(self, r: Floats) -> None:
+        eq = self.eq
+        body, k = divmod(int(np.abs(r * eq.scale).argmax()), 6)
+        value = f"{r.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
+        name = eq.core.body_name(body)
+        raise NotConvergedError(
+            f"equilibrium: model '{eq.model.name}' found none in {self.steps} steps: body '{name}' is driven by "
+            f"{value} still; is there a joint or a spring that could hold it?",
+            code="no_equilibrium",
+            bodies=[name],
+            residuals={name: float(r.reshape(-1, 6)[body, k])},
+        )
+
+    def _scaled(self, K: Sparse) -> Any:
+        return K.multiply(self.eq.scale[:, None]).multiply(self.eq.scale[None, :])
+
+    def _size(self, force: Floats) -> float:
+        """The largest force, or torque over the size of the mechanism [N]."""
+        return float(np.abs(force * self.eq.scale).max(initial=0.0))
+
+    def _reach(self, x: Floats) -> float:
+        """The largest shift in sizes of the mechanism, or angle [rad]."""
+        return float(np.abs(x / self.eq.scale).max(initial=0.0)) / self.eq.length

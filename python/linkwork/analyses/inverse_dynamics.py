@@ -1,0 +1,129 @@
+"""Inverse dynamics: what drivers must exert for the motion that they prescribe."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.analyses.kinematics import kinematics
+from linkwork.errors import ModelError, nearest
+from linkwork.model import Model
+from linkwork.result import Result
+
+__all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Drive:
+    """What one driver does over time (k,)."""
+
+    joint: str
+    kind: str
+    effort: Floats  #: multiplier: torque [N m] of an angle_driver, force [N] of a displacement_driver, on b
+    power: Floats  #: that it gives to the mechanism [W]
+    unique: bool  #: False: other drivers or joints could do a part of it; the effort is a share of least norm
+
+
+@dataclass(frozen=True, eq=False)
+class InverseDynamics:
+    """A prescribed motion and what it needs."""
+
+    motion: Result  #: with the reactions of all joints
+    drives: Mapping[str, Drive]  #: by name of the driver
+
+    @property
+    def t(self) -> Floats:
+        """Times (k,) [s]."""
+        return self.motion.t
+
+    def effort(self, name: str) -> Floats:
+        """Torque [N m] or force [N] (k,) of one driver on its second body. ModelError: no such driver."""
+        if name not in self.drives:
+            raise ModelError(f"no driver named '{name}'{nearest(name, self.drives)}", code="unknown_name")
+        return self.drives[name].effort
+
+
+def inverse_dynamics(
+    model: Model,
+    times: ArrayLike,
+    *,
+    drivers: Sequence[str] | None = None,
+    on_singular: Literal["pass", "warn", "stop"] = "warn",
+) -> InverseDynamics:
+    """The driving forces and torques, and all reactions, of a mechanism whose freedoms drivers fix.
+
+        needed = lw.inverse_dynamics(model, np.linspace(0, 2, 201))
+        needed.effort("motor")
+
+    D^T lambda = M v_dot - g along the motion of `linkwork.kinematics`; the multiplier of a driver is what it
+    exerts. Given as a function of time (`lw.functions.table(needed.t, needed.effort("motor"))`) to a torque or
+    actuator in its place, it makes forward dynamics return the motion.
+
+    drivers  names of one-equation joints; without them all whose kind ends in "_driver", and others of one
+             equation with a function of time, such as a distance joint of variable length
+
+    Errors as for `kinematics`. ModelError: a driver that does not exist, or with more than one equation.
+    """
+    core = model.compiled()
+    chosen = _drivers(core) if drivers is None else [_driver(core, name) for name in drivers]
+    motion = kinematics(model, times, on_singular=on_singular)
+    rows = np.asarray(core.joint_rows)[chosen].astype(int)
+    effort = motion.multipliers[:, rows]
+    power = -effort * _rates(core, motion, rows)  # v^T D^T lambda, with D v = -Phi_t
+    drives = [
+        Drive(core.joint_name(joint), core.joint_kind(joint), effort[:, k], power[:, k],
+              bool(motion.unique_reactions[joint]))
+        for k, joint in enumerate(chosen)
+    ]  # fmt: skip
+    return InverseDynamics(motion, {drive.joint: drive for drive in drives})
+
+
+def _rates(core: _core.Model, motion: Result, rows: NDArray[np.integer]) -> Floats:
+    """Phi_t (k, rows) along the motion."""
+    dynamics = _core.Dynamics(core, _core.Options())
+    found = [
+        dynamics.evaluate(t, q.ravel(), v.ravel())["Phi_t"][rows]
+        for t, q, v in zip(motion.t, motion.q, motion.v, strict=True)
+    ]
+    return np.array(found).reshape(len(motion.t), len(rows))
+
+
+def _drivers(core: _core.Model) -> list[int]:
+    """Joints of one equation that are made to drive, or that a function of time drives. ModelError: none."""
+    arrays, rows = core.joint_arrays(), np.diff(core.joint_rows)
+    ends = np.append(arrays["first_parameter"], len(arrays["signals"]))
+    found = [
+        joint
+        for joint in np.flatnonzero(rows == 1)
+        if core.joint_kind(int(joint)).endswith("_driver")
+        or (arrays["signals"][ends[joint] : ends[joint + 1]] >= 0).any()
+    ]
+    if not found:
+        raise ModelError(
+            "inverse_dynamics: the model has no drivers; add an angle_driver or a displacement_driver",
+            code="no_drivers",
+        )
+    return [int(joint) for joint in found]
+
+
+def _driver(core: _core.Model, name: str) -> int:
+    """ModelError: no such joint, or not of one equation."""
+    joint = core.find_joint(name)
+    if joint < 0:
+        known = [core.joint_name(k) for k in range(core.joint_count)]
+        raise ModelError(f"no joint named '{name}'{nearest(name, known)}", code="unknown_name")
+    count = int(np.diff(core.joint_rows)[joint])
+    if count != 1:
+        raise ModelError(
+            f"inverse_dynamics: joint '{name}' has {count} equations and drives nothing: see its reaction",
+            code="no_driver",
+            joints=[name],
+        )
+    return joint
