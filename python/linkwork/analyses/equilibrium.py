@@ -22,7 +22,7 @@ __all__ = ["Equilibrium", "equilibrium"]
 
 Floats = NDArray[np.float64]
 
-#: Forces that are not in balance, relative to the largest one: where the iteration may end, and where it tries to.
+#: Forces not in balance, relative to the largest one: where the iteration may end, and where it tries to.
 ACCEPTED, WANTED = 1e-9, 1e-13
 
 #: The most a step may move a body [rad, sizes of the mechanism].
@@ -53,7 +53,7 @@ class Equilibrium:
     _dynamics: _core.Dynamics = field(repr=False)
 
     def reaction(self, name: str) -> Reaction:
-        """Force and torque (3,) that a joint exerts on its second body, inertial axes. ModelError: no joint."""
+        """Force and torque (3,) of a joint on its second body, inertial axes. ModelError: no joint."""
         core = self.model.compiled()
         joint = core.find_joint(name)
         if joint < 0:
@@ -80,15 +80,16 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
 
     g(q, 0) + D^T lambda = 0 and Phi(q, 0) = 0 by Newton's method with the full stiffness, that of the
     constraints included. Steps are limited, and shortened until the forces do work along them, so that the
-    mechanism goes down, as it would with much friction: to a stable equilibrium, and away from an unstable one.
+    mechanism goes down, as it would with much friction: to a stable equilibrium, away from an unstable one.
     Forces of rest count: dampers and regularized friction have none. Masses count by their weight only.
 
     stable  False: the nearest equilibrium of any kind, by steps that reduce the imbalance
 
-    `stability` is that of the stiffness, in units in which a rotation counts by the size of the mechanism; where
-    forces follow the bodies, linkwork.linearize has the last word.
+    `stability` is that of the stiffness; a rotation counts by the size of the mechanism. Where forces follow
+    the bodies, linkwork.linearize has the last word.
 
-    NotConvergedError: no equilibrium, with the body that is driven most. SingularSystemError: a singular pose.
+    NotConvergedError: no equilibrium, with the body that is driven most. SingularSystemError: a singular
+    pose.
     """
     search = _Search(Equations(model), stable)
     q = search.find()
@@ -268,8 +269,8 @@ class _Search:
         value = f"{r.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
         name = eq.core.body_name(body)
         raise NotConvergedError(
-            f"equilibrium: model '{eq.model.name}' found none in {self.steps} steps: body '{name}' is driven by "
-            f"{value} still; is there a joint or a spring that could hold it?",
+            f"equilibrium: model '{eq.model.name}' found none in {self.steps} steps: body '{name}' is driven "
+            f"by {value} still; is there a joint or a spring that could hold it?",
             code="no_equilibrium",
             bodies=[name],
             residuals={name: float(r.reshape(-1, 6)[body, k])},

@@ -63,8 +63,8 @@ def inverse_dynamics(
         needed.effort("motor")
 
     D^T lambda = M v_dot - g along the motion of `linkwork.kinematics`; the multiplier of a driver is what it
-    exerts. Given as a function of time (`lw.functions.table(needed.t, needed.effort("motor"))`) to a torque or
-    actuator in its place, it makes forward dynamics return the motion.
+    exerts. As a function of time, `lw.functions.table(needed.t, needed.effort("motor"))`, given to a torque
+    or actuator in the driver's place, it makes forward dynamics return the motion.
 
     drivers  names of one-equation joints; without them all whose kind ends in "_driver", and others of one
              equation with a function of time, such as a distance joint of variable length

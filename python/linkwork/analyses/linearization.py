@@ -25,10 +25,10 @@ Complex = NDArray[np.complex128]
 #: Forces that are not in balance, relative to the largest one.
 BALANCE = 1e-6
 
-#: Squares of eigenvalues below this part of the largest are zero: neutral motions.
-NEUTRAL = 1e-12
+#: Squares of eigenvalues below this part of the largest possible are zero: neutral motions.
+NEUTRAL = 1e-13
 
-#: What damping, asymmetric stiffness and coefficients that change with time may be, relative, and count as none.
+#: Damping and asymmetry of the stiffness that count as none, relative.
 SMALL = 1e-7
 
 #: Modes of models that are too large for dense matrices, where no number is given.
@@ -110,8 +110,8 @@ def linearize(
     modes  how many; all of a small model, 10 of a large one
     near   for large models: those whose frequency is nearest to this [rad/s]
 
-    ModelError: the state is not in balance, is singular, has coefficients that change with time, or a massless
-    motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
+    ModelError: the state is not in balance, is singular, has coefficients that change with time, or a
+    massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
@@ -133,8 +133,8 @@ def linearize(
     else:
         if moving:
             raise OptionError(
-                f"linearize: {model.body_count} bodies in motion are more than the {DENSE // 6} that it takes; "
-                "at rest there is no limit",
+                f"linearize: {model.body_count} bodies in motion are more than the {DENSE // 6} that it "
+                "takes; at rest there is no limit",
                 code="too_large",
             )
         eigenvalues, shapes = _sparse(M, C, K, D, modes or MODES, near)
@@ -223,8 +223,9 @@ def _refuse_change(
         changed.append("freedoms")
     if changed:
         raise ModelError(
-            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} change with "
-            "time: there are no frequencies; linearize at rest, or in motion that looks the same at all times",
+            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} change "
+            "with time: there are no frequencies; linearize at rest, or in motion that looks the same at all "
+            "times",
             code="not_steady",
         )
 
@@ -249,7 +250,7 @@ def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex
     fastest = np.sqrt(_norm(k) / _norm(m))
     if _norm(k - k.T) <= SMALL * _norm(k) and _norm(c) <= SMALL * _norm(m) * max(fastest, 1e-12):
         squares, y = eigh((k + k.T) / 2, m)
-        return _from_squares(squares), Z @ y.astype(complex)
+        return _from_squares(squares, np.abs(squares).max()), Z @ y.astype(complex)
     f = len(m)
     # [0 I; -k -c] {y; y'} = s [I 0; 0 m] {y; y'}
     left = np.block([[np.zeros((f, f)), np.eye(f)], [-k, -c]])
@@ -268,9 +269,9 @@ def _refuse_massless(m: Floats) -> None:
         )
 
 
-def _from_squares(squares: Floats) -> Complex:
+def _from_squares(squares: Floats, scale: float) -> Complex:
     """s = i omega of omega^2, real where it is negative; zero where it is rounding. Slow ones first."""
-    clean = np.where(np.abs(squares) < NEUTRAL * np.abs(squares).max(initial=0.0), 0.0, squares)
+    clean = np.where(np.abs(squares) < NEUTRAL * scale, 0.0, squares)
     root = np.sqrt(np.abs(clean))
     return np.where(clean >= 0, 1j * root, root)
 
@@ -297,7 +298,7 @@ def _sparse(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float)
     damped = abs(C).max() > SMALL * M.diagonal().max() * np.sqrt(scale)
     try:
         if not damped and _symmetric(K, M, D, scale):
-            return _lanczos(M, K, D, count, near**2 or -1e-8 * scale)
+            return _lanczos(M, K, D, count, near**2 or -1e-8 * scale, scale)
         return _arnoldi(M, C, K, D, count, complex(0.0, near) if near else complex(-1e-4 * np.sqrt(scale)))
     except ArpackNoConvergence as error:
         raise NotConvergedError(
@@ -338,7 +339,9 @@ def _symmetric(K: Sparse, M: Sparse, D: Sparse, scale: float) -> bool:
     return bool(abs(one - other) <= SMALL * max(abs(one), abs(other), np.sqrt((x @ (K @ x)) * (y @ (K @ y)))))
 
 
-def _lanczos(M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float) -> tuple[Complex, Complex]:
+def _lanczos(
+    M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float, scale: float
+) -> tuple[Complex, Complex]:
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     symmetric = (K + K.T) / 2
@@ -347,7 +350,7 @@ def _lanczos(M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float) -> tuple
     first = solve(M @ np.random.default_rng(0).standard_normal(M.shape[0]))
     squares, x = eigsh(symmetric, k=count, M=M, sigma=sigma, OPinv=inverse, v0=first)
     order = np.argsort(squares)
-    return _from_squares(squares[order]), x[:, order].astype(complex)
+    return _from_squares(squares[order], scale), x[:, order].astype(complex)
 
 
 # With eta = x':  x_new = (x_old's share) of (sigma^2 M + sigma C + K) x_new = -(C + sigma M) x - M eta,

@@ -65,11 +65,12 @@ def sensitivity(
         )
         found.derivatives["height"]["length"], found.errors["height"]["length"]
 
-    Central differences with the steps h and h/2 and Richardson's extrapolation, (4 d(h/2) - d(h)) / 3, of fourth
-    order: four runs for each parameter and one at the middle. The estimated error is |d(h/2) - d(h)| / 3, which
-    is that of d(h/2), a bound for what is better, and not less than what rounding makes of the differences.
-    Where it is large, the output is not smooth in the parameter (events, stops, another branch, adaptive steps
-    with loose tolerances), or the step is not suitable. Use a fixed step, or a tight rtol.
+    Central differences with the steps h and h/2 and Richardson's extrapolation, (4 d(h/2) - d(h)) / 3, of
+    fourth order: four runs for each parameter and one at the middle. The estimated error is
+    |d(h/2) - d(h)| / 3, which is that of d(h/2), a bound for what is better, and not less than what rounding
+    makes of the differences. Where it is large, the output is not smooth in the parameter (events, stops,
+    another branch, adaptive steps with loose tolerances), or the step is not suitable. Use a fixed step, or a
+    tight rtol.
 
     build       makes the model: build(length=1.0, mass=2.0)
     parameters  by name, at which derivatives are wanted
@@ -78,8 +79,8 @@ def sensitivity(
     run         instead of `simulate(model, **options)`: any analysis; `outputs` get what it returns
     options     of `linkwork.simulate`
 
-    OptionError: no parameters, no outputs, or a step that is not positive. ModelError: an output is not finite or
-    changes its shape. Errors of `build` and of the runs name parameter and value in a note.
+    OptionError: no parameters, no outputs, or a step that is not positive. ModelError: an output is not
+    finite or changes its shape. Errors of `build` and of the runs name parameter and value in a note.
     """
     h = _steps(parameters, steps)
     if not outputs:
@@ -129,8 +130,8 @@ def _steps(parameters: Mapping[str, float], steps: Mapping[str, float] | float) 
             found[name] = float(steps) * (abs(float(value)) or 1.0)
         if not np.isfinite(found[name]) or found[name] <= 0 or not np.isfinite(float(value)):
             raise OptionError(
-                f"sensitivity: parameter '{name}' = {value!r} with step {found[name]!r}: both must be finite, "
-                "the step positive",
+                f"sensitivity: parameter '{name}' = {value!r} with step {found[name]!r}: both must be "
+                "finite, the step positive",
                 code="steps",
             )
     return found

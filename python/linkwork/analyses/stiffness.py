@@ -1,13 +1,13 @@
 """Stiffness and damping of a mechanism: derivatives of its forces by small motions, sparse.
 
-Over motions x in inertial axes (see linkwork.analyses.tangent), torques along the axes of the bodies before the
-motion turned out by T^T, so that they are inertial as well:
+Over motions x in inertial axes (see linkwork.analyses.tangent); torques, too, in inertial axes, turned by the
+T of before the motion:
 
     K = -T^T d(g + D^T lambda)/dx,   C = -T^T dg/dv T + T^T M T',   T' = diag(0, -omega~ A^T)
 
 Differences of fourth order, many bodies at a time: those that no joint, or no force element, has in common
-(Curtis, Powell, Reid, On the estimation of sparse Jacobian matrices, 1974). The part of the constraints is the
-geometric stiffness: it is what a string gains by its tension.
+(Curtis, Powell, Reid, On the estimation of sparse Jacobian matrices, 1974). The part of the constraints is
+the geometric stiffness: it is what a string gains by its tension.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ __all__ = ["damping", "stiffness"]
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-#: Of the differences: in sizes of the mechanism and rad for constraints and for forces, of velocities relative.
+#: Of the differences: in sizes of the mechanism and rad for constraints and forces; of velocities relative.
 CONSTRAINT_STEP, FORCE_STEP, VELOCITY_STEP = 1e-3, 1e-5, 1e-4
 
 #: f' = sum w_k f(k h) / h.

@@ -1,0 +1,328 @@
+"""Kinematic analysis and inverse dynamics against closed forms, and against forward dynamics."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+
+Z = (0.0, 0.0, 1.0)
+
+
+def link(
+    model: lw.Model, name: str, a: ArrayLike, b: ArrayLike, mass: float = 1.0, **more: object
+) -> lw.Body:
+    """A body of general inertia between two points."""
+    a, b = np.asarray(a, float), np.asarray(b, float)
+    return model.body(name, mass=mass, inertia=(0.03, 0.05, 0.06), position=(a + b) / 2, **more)
+
+
+def slider_crank(angle: object, r: float = 1.0, rod: float = 3.0, driver: str = "crank") -> lw.Model:
+    """In the plane, at 0 rad with the crank along +x; redundant in space."""
+    model = lw.Model(gravity=(0, -9.81, 0), name="slider-crank")
+    crank = link(model, "crank", (0, 0, 0), (r, 0, 0))
+    coupler = link(model, "rod", (r, 0, 0), (r + rod, 0, 0))
+    slider = link(model, "slider", (r + rod, 0, 0), (r + rod, 0, 0), mass=2.0)
+    model.revolute(model.ground, crank, at=(0, 0, 0), axis=Z, name="bearing")
+    model.revolute(crank, coupler, at=(r, 0, 0), axis=Z, name="pin")
+    model.revolute(coupler, slider, at=(r + rod, 0, 0), axis=Z, name="wrist")
+    model.translational(model.ground, slider, at=(r + rod, 0, 0), axis=(1, 0, 0), name="guide")
+    if driver == "crank":
+        model.angle_driver(model.ground, crank, at=(0, 0, 0), axis=Z, angle=angle, name="motor")
+    elif driver == "slider":
+        at = (r + rod, 0, 0)
+        model.displacement_driver(
+            model.ground, slider, at=at, axis=(1, 0, 0), displacement=angle, name="push"
+        )
+    return model
+
+
+def rates(f: object, t: Floats) -> tuple[Floats, Floats]:
+    """First and second derivatives of f(t), by differences of fourth order."""
+    h = 1e-3
+    m2, m1, p0, p1, p2 = (f(t + k * h) for k in (-2, -1, 0, 1, 2))  # type: ignore[operator]
+    return (m2 - 8 * m1 + 8 * p1 - p2) / (12 * h), (-m2 + 16 * m1 - 30 * p0 + 16 * p1 - p2) / (12 * h * h)
+
+
+def test_a_slider_crank_moves_as_its_closed_form_says() -> None:
+    """x = r cos + sqrt(l^2 - r^2 sin^2), over several turns, with the derivatives."""
+    speed, gain, t = 3.0, 0.2, np.linspace(0, 5, 201)
+    motion = lw.kinematics(slider_crank(lw.functions.polynomial(0.0, speed, gain)), t)
+    angle, rate = speed * t + gain * t**2, speed + 2 * gain * t
+    sine, cosine = np.sin(angle), np.cos(angle)
+    root = np.sqrt(9 - sine**2)
+    slope = -sine - sine * cosine / root
+    bend = -cosine - (cosine**2 - sine**2) / root - sine**2 * cosine**2 / root**3
+    slider = motion.body("slider")
+    assert np.abs(slider.position[:, 0] - (cosine + root)).max() < 1e-12
+    assert np.abs(slider.velocity[:, 0] - slope * rate).max() < 1e-11
+    assert np.abs(slider.acceleration[:, 0] - (bend * rate**2 + slope * 2 * gain)).max() < 1e-10
+    assert motion.singular_poses == ()
+    assert motion.violation.max() < 1e-11
+
+
+def four_bar(angle: object, lengths: tuple[float, float, float, float]) -> lw.Model:
+    """Crank a, coupler b, rocker c on a base d along x; assembled with the crank at 60 degrees."""
+    a, b, c, d = lengths
+    model = lw.Model(gravity=(0, -9.81, 0), name="four-bar")
+    tip = a * np.array([np.cos(np.pi / 3), np.sin(np.pi / 3), 0])
+    joint = four_bar_joint(np.array([np.pi / 3]), lengths)[0]
+    crank = link(model, "crank", (0, 0, 0), tip)
+    coupler = link(model, "coupler", tip, joint)
+    rocker = link(model, "rocker", (d, 0, 0), joint)
+    for name, i, j, at in (
+        ("A", model.ground, crank, (0, 0, 0)), ("B", crank, coupler, tip), ("C", coupler, rocker, joint),
+        ("D", model.ground, rocker, (d, 0, 0)),
+    ):  # fmt: skip
+        model.revolute(i, j, at=at, axis=Z, name=name)
+    model.angle_driver(model.ground, crank, at=(0, 0, 0), axis=Z, angle=angle, name="motor")
+    return model
+
+
+def four_bar_joint(angle: Floats, lengths: tuple[float, float, float, float]) -> Floats:
+    """Where coupler and rocker meet (k, 3): the circles about the ends of crank and base intersect."""
+    a, b, c, d = lengths
+    tip = a * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    to = np.array([d, 0.0]) - tip
+    s = np.linalg.norm(to, axis=-1, keepdims=True)
+    along = (s**2 + b**2 - c**2) / (2 * s)
+    normal = np.stack([-to[:, 1], to[:, 0]], axis=-1) / s
+    meet = tip + along * to / s + np.sqrt(b**2 - along**2) * normal
+    return np.column_stack([meet, np.zeros(len(angle))])
+
+
+def test_a_four_bar_moves_as_two_circles_intersect() -> None:
+    lengths, t = (0.5, 1.4, 1.2, 1.5), np.linspace(0, 4, 161)
+    motion = lw.kinematics(four_bar(lw.functions.polynomial(0, 4.0), lengths), t)
+
+    def middle(at: Floats) -> Floats:
+        return (four_bar_joint(np.pi / 3 + 4.0 * at, lengths) + np.array([1.5, 0, 0])) / 2
+
+    first, second = rates(middle, t)
+    rocker = motion.body("rocker")
+    assert np.abs(rocker.position - middle(t)).max() < 1e-12
+    assert np.abs(rocker.velocity - first).max() < 1e-9
+    assert np.abs(rocker.acceleration - second).max() < 1e-6
+
+
+# --- parallel robots: the platform's motion is given, closed forms say what the drives must do --------------
+
+
+PLATFORM = {"mass": 5.0, "inertia": (0.3, 0.3, 0.5)}
+
+
+def stewart(lengths: list[object], base: Floats, top: Floats, height: float) -> lw.Model:
+    """Six legs, each a universal and a ball joint with a sliding pair between them."""
+    model = lw.Model(name="stewart")
+    plate = model.body("platform", position=(0, 0, height), **PLATFORM)
+    for k, (b, p) in enumerate(zip(base, top + np.array([0, 0, height]), strict=True)):
+        along = p - b
+        across = np.cross(along, (0.3, 1.0, 0.2))
+        facing = lw.rotation.from_axes(along, across)
+        lower = link(model, f"lower {k}", b, b + along / 2, orientation=facing)
+        upper = link(model, f"upper {k}", p - along / 2, p, orientation=facing)
+        model.universal(model.ground, lower, at=b, axes=(np.cross(along, across), across), name=f"foot {k}")
+        model.translational(lower, upper, at=(b + p) / 2, axis=along, name=f"cylinder {k}")
+        model.spherical(upper, plate, at=p, name=f"ball {k}")
+        model.displacement_driver(
+            lower, upper, at=(b + p) / 2, axis=along, displacement=lengths[k], name=f"leg {k}"
+        )
+    return model
+
+
+def ring(radius: float, offset: float) -> Floats:
+    """Six points in three pairs."""
+    angles = np.radians([s * offset + turn for turn in (0, 120, 240) for s in (-1, 1)])
+    return radius * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
+
+
+def test_a_stewart_platform_takes_the_pose_that_its_legs_say() -> None:
+    """The lengths of the legs follow from a pose in closed form; the analysis finds the pose from them."""
+    base, top, height = ring(1.0, 15), ring(0.6, 45), 1.2
+    t = np.linspace(0, 1.5, 31)
+
+    def centers(at: Floats) -> Floats:
+        c = np.stack([0.1 * np.sin(2 * at), 0.08 * (1 - np.cos(3 * at)), 0.1 * np.sin(at)], axis=-1)
+        return c + np.array([0, 0, height])
+
+    def turns(at: Floats) -> Floats:
+        return lw.rotation.about((1.0, 2.0, 2.0), 0.2 * np.sin(2 * at))
+
+    def legs(at: Floats) -> Floats:
+        tips = centers(at)[:, None] + np.einsum("kij,nj->kni", lw.rotation.matrix(turns(at)), top)
+        return np.linalg.norm(tips - base, axis=2)
+
+    dense = np.linspace(0, 1.5, 1501)
+    extension = legs(dense) - legs(np.zeros(1))
+    model = stewart([lw.functions.table(dense, e) for e in extension.T], base, top, height)
+    motion = lw.kinematics(model, t)
+    plate = motion.body("platform")
+    assert np.abs(plate.position - centers(t)).max() < 1e-10
+    assert np.abs(np.abs((plate.orientation * turns(t)).sum(axis=1)) - 1).max() < 1e-10
+    axis = np.array([1.0, 2.0, 2.0]) / 3
+    assert np.abs(plate.omega_inertial - 0.4 * np.cos(2 * t)[:, None] * axis).max() < 1e-6  # of the spline
+
+
+def test_a_delta_robot_takes_the_place_that_its_arms_say() -> None:
+    """|elbow_k(theta_k) + shift_k - p| = forearm: theta_k of p in closed form; the analysis finds p."""
+    arm, forearm, base, plate_radius, depth = 0.4, 0.9, 0.3, 0.1, 0.8
+    directions = np.array([[np.cos(a), np.sin(a), 0] for a in np.radians([0, 120, 240])])
+    t = np.linspace(0, 2, 41)
+
+    def places(at: Floats) -> Floats:
+        wave = np.stack([0.15 * np.sin(3 * at), 0.12 * np.sin(2 * at), 0.1 * np.sin(at)], axis=-1)
+        return wave - np.array([0, 0, depth])
+
+    def angles(at: Floats) -> Floats:
+        """Below the horizontal, the elbow outward: E cos + F sin = G."""
+        out = []
+        for u in directions:
+            w = places(at) + (plate_radius - base) * u  # from the shoulder to the end of the forearm
+            E, F = 2 * arm * (w @ u), -2 * arm * w[:, 2]
+            G = (w**2).sum(axis=1) + arm**2 - forearm**2
+            out.append(np.arctan2(F, E) - np.arccos(G / np.hypot(E, F)))
+        return np.array(out)
+
+    dense = np.linspace(0, 2, 2001)
+    model = lw.Model(name="delta")
+    start, first = places(np.zeros(1))[0], angles(np.zeros(1))[:, 0]
+    plate = model.body("plate", position=start, **PLATFORM)
+    for k, (u, angle) in enumerate(zip(directions, first, strict=True)):
+        across = np.cross(Z, u)
+        shoulder, end = base * u, start + plate_radius * u
+        elbow = shoulder + arm * (np.cos(angle) * u - np.sin(angle) * np.array(Z))
+        upper = link(model, f"arm {k}", shoulder, elbow)
+        model.revolute(model.ground, upper, at=shoulder, axis=across, name=f"shoulder {k}")
+        for side in (-0.05, 0.05):
+            model.distance(upper, plate, at=(elbow + side * across, end + side * across))
+        turn = lw.functions.table(dense, angles(dense)[k] - angle)
+        model.angle_driver(model.ground, upper, at=shoulder, axis=across, angle=turn, name=f"motor {k}")
+    motion = lw.kinematics(model, t)
+    plate_motion = motion.body("plate")
+    assert np.abs(plate_motion.position - places(t)).max() < 1e-10
+    assert np.abs(plate_motion.orientation[:, 1:]).max() < 1e-10  # it does not turn
+
+
+# --- singular poses, and what cannot be done ----------------------------------------------------------------
+
+
+def parallelogram() -> lw.Model:
+    return four_bar(lw.functions.polynomial(0.0, 1.0), (1.0, 2.0, 1.0, 2.0))
+
+
+def test_a_parallelogram_passes_its_toggles_and_they_are_told() -> None:
+    """All links lie down with the crank at 180 and 360 degrees: there it could go over to the other branch."""
+    t = np.linspace(0, 6, 61)
+    with pytest.warns(lw.LinkworkWarning, match=r"singular pose at t = (2\.0944|5\.23599) s"):
+        motion = lw.kinematics(parallelogram(), t)
+    angle = np.pi / 3 + t
+    assert np.abs(motion.body("coupler").position[:, 1] - np.sin(angle)).max() < 1e-9
+    found = [pose.t for pose in motion.singular_poses]
+    assert np.abs(np.array(found) - [2 * np.pi / 3, 5 * np.pi / 3]).max() < 1e-5
+    assert set(motion.singular_poses[0].joints) == {"A", "B", "C", "D"}
+
+
+def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
+    t = np.array([0, 1, 2 * np.pi / 3, 3])
+    motion = lw.kinematics(parallelogram(), t, on_singular="pass")
+    assert motion.singular_poses[0].t == t[2]
+    velocity, acceleration = motion.velocity[2, 1, 1], motion.acceleration[2, 1, 1]
+    assert abs(velocity - np.cos(np.pi / 3 + t[2])) < 1e-6
+    assert abs(acceleration + np.sin(np.pi / 3 + t[2])) < 1e-3
+
+
+def test_a_toggle_can_stop_the_analysis() -> None:
+    with pytest.raises(lw.SingularSystemError, match="at t = 2.0944 s") as caught:
+        lw.kinematics(parallelogram(), np.linspace(0, 6, 61), on_singular="stop")
+    assert caught.value.result is not None and len(caught.value.result) == 21
+
+
+def test_a_slider_pushed_beyond_its_dead_point_is_told_with_its_time() -> None:
+    """From the crank at 1 rad the slider goes out with 0.5 m/s, and reaches 4 m when all is in line."""
+    turned = lw.kinematics(slider_crank(lw.functions.polynomial(1.0)), [0, 1])
+    x = turned.position[0, 2, 0]
+    model = slider_crank(lw.functions.polynomial(x - 4.0, 0.5), driver="slider")
+    model = model.with_initial_state(turned.q[0], np.zeros_like(turned.v[0]))
+    with pytest.raises(lw.NotConvergedError, match="cannot follow its drivers beyond") as caught:
+        lw.kinematics(model, np.linspace(0, 4, 81))
+    error = caught.value
+    assert error.code == "dead_point"
+    assert error.time == pytest.approx((4 - x) / 0.5, abs=1e-6)
+    assert "push" in error.joints and "guide" not in error.joints[:1]
+    assert error.result is not None and not error.result.finished
+    assert error.result.t[-1] == pytest.approx(np.floor((4 - x) / 0.5 / 0.05) * 0.05)
+
+
+def test_a_freedom_that_is_left_is_named() -> None:
+    with pytest.raises(lw.ModelError, match="1 freedom is left to the model 'slider-crank': body 'crank'"):
+        lw.kinematics(slider_crank(None, driver=""), [0, 1])
+
+
+def test_joints_that_restrict_velocities_only_are_refused() -> None:
+    model = lw.Model()
+    disc = model.body("disc", mass=1, inertia=(1, 1, 2), position=(0, 0, 0.5))
+    model.knife_edge(model.ground, disc, at=(0, 0, 0), axis=(0, 1, 0), name="edge")
+    with pytest.raises(lw.ModelError, match="'edge' restrict velocities only"):
+        lw.kinematics(model, [0, 1])
+
+
+@pytest.mark.parametrize("times", ([0.0], [0, 0.5, 0.5], [-1, 1], [0, np.nan], [[0, 1], [2, 3]]))
+def test_times_that_do_not_increase_from_zero_are_refused(times: ArrayLike) -> None:
+    with pytest.raises(lw.OptionError, match="must be two or more finite numbers"):
+        lw.kinematics(slider_crank(0.0), times)
+
+
+def test_drivers_that_contradict_each_other_are_named() -> None:
+    model = slider_crank(0.0)
+    model.displacement_driver(
+        model.ground, "slider", at=(4, 0, 0), axis=(1, 0, 0), displacement=1.0, name="too far"
+    )
+    with pytest.raises(lw.NotConvergedError, match="'too far'"):
+        lw.kinematics(model, [0, 1])
+
+
+# --- inverse dynamics ---------------------------------------------------------------------------------------
+
+
+def test_a_driven_pendulum_needs_its_inertia_and_weight() -> None:
+    """n = (J + m l^2) phi'' + m g l cos(phi)."""
+    model = lw.Model(gravity=(0, -9.81, 0))
+    rod = model.body("rod", mass=2.0, inertia=(0.1, 0.2, 0.3), position=(0.7, 0, 0))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=Z)
+    swing = lw.functions.harmonic(amplitude=1.5, frequency=2.0)
+    model.angle_driver(model.ground, rod, at=(0, 0, 0), axis=Z, angle=swing, name="motor")
+    needed = lw.inverse_dynamics(model, np.linspace(0, 3, 61))
+    phi = 1.5 * np.sin(2 * needed.t)
+    torque = -(0.3 + 2 * 0.49) * 4 * phi + 2 * 9.81 * 0.7 * np.cos(phi)
+    assert np.abs(needed.effort("motor") - torque).max() < 1e-11
+    assert np.abs(needed.drives["motor"].power - torque * 3 * np.cos(2 * needed.t)).max() < 1e-10
+    assert needed.drives["motor"].unique
+
+
+def test_inverse_then_forward_dynamics_returns_the_motion() -> None:
+    """The slider-crank over 5 s, its motor's torque given to a free crank as a table."""
+    t = np.linspace(0, 5, 2501)
+    turn = lw.functions.polynomial(0.0, 3.0, 0.1)
+    needed = lw.inverse_dynamics(slider_crank(turn), t)
+    free = slider_crank(None, driver="")
+    torque = lw.functions.table(t, needed.effort("motor"))
+    free.force("crank", torque=(0, 0, torque))
+    free = free.with_initial_state(needed.motion.q[0], needed.motion.v[0])
+    result = lw.simulate(free, 5.0, 1e-3, record_every=2, progress=False)
+    assert np.abs(result.position - needed.motion.position).max() < 1e-6
+
+
+def test_the_work_of_the_drives_is_the_energy_gained() -> None:
+    motion = lw.kinematics(slider_crank(lw.functions.polynomial(0.0, 2.0, 0.5)), np.linspace(0, 3, 1201))
+    assert np.abs(motion.energy_error).max() < 1e-7
+    assert np.ptp(motion.energy) > 10
+
+
+def test_a_driver_that_does_not_exist_is_refused() -> None:
+    with pytest.raises(lw.ModelError, match="no joint named 'moto'; the nearest is 'motor'"):
+        lw.inverse_dynamics(slider_crank(0.0), [0, 1], drivers=["moto"])
+    with pytest.raises(lw.ModelError, match="has 5 equations and drives nothing"):
+        lw.inverse_dynamics(slider_crank(0.0), [0, 1], drivers=["pin"])

@@ -1,0 +1,264 @@
+"""Equilibrium and small vibrations against closed forms and reduced equations."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.analyses.equations import Equations
+from linkwork.analyses.stiffness import damping, stiffness
+from linkwork.analyses.tangent import between, displaced, turned_in
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+from scipy.special import jn_zeros
+
+Floats = NDArray[np.float64]
+
+G = 9.81
+Z = (0.0, 0.0, 1.0)
+
+
+# --- frequencies --------------------------------------------------------------------------------------------
+
+
+def hanging_chain(n: int, length: float = 1.0) -> lw.Model:
+    """n equal thin rods below each other, hinged about y."""
+    model, rod = lw.Model(), length / n
+    k = np.arange(n)
+    at = np.column_stack([np.zeros((n, 2)), -k * rod])
+    moment = rod**2 / n / 12
+    links = model.bodies(
+        "link", mass=1 / n, inertia=(moment, moment, 1e-4 * moment), position=at - (0, 0, rod / 2)
+    )
+    model.joints("revolute", k - 1, links, at=at, axis=(0, 1, 0), name="joint")
+    return model
+
+
+def test_a_chain_of_1000_links_has_the_frequencies_of_a_hanging_rope() -> None:
+    """omega_k = j_0,k / 2 sqrt(g / L), Bessel's zeros (Bernoulli 1732); the error falls as 1 / n^2."""
+    exact = jn_zeros(0, 5) / 2 * np.sqrt(G)
+    errors = [lw.linearize(hanging_chain(n), modes=5).frequencies / exact - 1 for n in (500, 1000)]
+    assert np.abs(errors[1]).max() < 3e-5
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(np.full(5, 2.0), abs=0.02)
+
+
+def test_dense_and_sparse_agree(monkeypatch: pytest.MonkeyPatch) -> None:
+    model = hanging_chain(20)
+    dense = lw.linearize(model, modes=6)
+    monkeypatch.setattr("linkwork.analyses.linearization.DENSE", 0)
+    sparse = lw.linearize(model, modes=6)
+    assert sparse.frequencies == pytest.approx(dense.frequencies, rel=1e-9)
+    overlap = np.abs((sparse.shapes.conj() * dense.shapes).sum(axis=(1, 2)))
+    norms = np.linalg.norm(sparse.shapes, axis=(1, 2)) * np.linalg.norm(dense.shapes, axis=(1, 2))
+    assert overlap == pytest.approx(norms, rel=1e-7)
+
+
+def test_modes_near_a_frequency_are_found() -> None:
+    every = lw.linearize(hanging_chain(100), modes=12).frequencies
+    some = lw.linearize(hanging_chain(100), modes=3, near=float(every[8]) + 1e-3).frequencies
+    assert some == pytest.approx(every[7:10], rel=1e-9)
+
+
+def damped_chain(n: int) -> lw.Model:
+    """Masses on a line, each on a spring and a damper to the one before."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for k in range(n):
+        mass = model.body(f"mass {k}", mass=2.0, inertia=(1, 1, 1), position=(k + 1.0, 0, 0))
+        model.translational(model.ground, mass, at=(k + 1.0, 0, 0), axis=(1, 0, 0))
+        before = model.find(f"mass {k - 1}") if k else model.ground
+        model.spring_damper(before, mass, at=((k, 0, 0), (k + 1.0, 0, 0)), stiffness=50.0, damping=0.4)
+    return model
+
+
+@pytest.mark.parametrize("n", (1, 6, 100))
+def test_a_row_of_masses_has_the_frequencies_and_damping_of_its_closed_form(n: int) -> None:
+    """w_k = 2 sqrt(k/m) sin((2k - 1) pi / (4n + 2)), zeta_k = c w_k / (2 k)."""
+    found = lw.linearize(damped_chain(n), modes=5)
+    count = min(n, 5)
+    exact = 2 * np.sqrt(25.0) * np.sin((2 * np.arange(1, count + 1) - 1) * np.pi / (4 * n + 2))
+    assert found.frequencies == pytest.approx(exact, rel=1e-7)
+    assert found.damping_ratios == pytest.approx(0.4 * exact / 100.0, rel=1e-6)
+    assert found.stable
+
+
+@pytest.mark.parametrize("spin", (300.0, 700.0))
+def test_a_sleeping_top_precesses_and_nutates(spin: float) -> None:
+    """J_1 s^2 - i J_3 w s - m g l = 0: stable above w = 2 sqrt(J_1 m g l) / J_3, 528 rad/s here."""
+    model, l, J, J_3, m = lw.Model(), 0.3, 0.01, 0.004, 2.0
+    top = model.body("top", mass=m, inertia=(J, J, J_3), position=(0, 0, l), omega=(0, 0, spin))
+    model.spherical(model.ground, top, at=(0, 0, 0))
+    J_1 = J + m * l**2
+    exact = np.roots([J_1, -1j * J_3 * spin, -m * G * l])
+    found = lw.linearize(model)
+    moving = found.eigenvalues[np.abs(found.eigenvalues) > 1e-3]
+    assert len(moving) == 2
+    assert np.sort_complex(np.round(moving, 6)) == pytest.approx(
+        np.sort_complex(np.round(exact, 6)), abs=2e-5
+    )
+    assert found.stable == (spin > 2 * np.sqrt(J_1 * m * G * l) / J_3)
+
+
+def test_what_turns_and_does_not_look_the_same_has_no_frequencies() -> None:
+    model = lw.Model()
+    top = model.body("top", mass=2.0, inertia=(0.01, 0.02, 0.004), position=(0, 0, 0.3), omega=(0, 0, 50.0))
+    model.spherical(model.ground, top, at=(0, 0, 0))
+    with pytest.raises(lw.ModelError, match="its inertia change with time"):
+        lw.linearize(model)
+
+
+def test_a_model_that_falls_is_not_in_balance() -> None:
+    with pytest.raises(lw.ModelError, match="is not in balance: body 'link\\[0\\]'"):
+        lw.linearize(lw.mechanisms.chain(3))
+
+
+# --- the matrices -------------------------------------------------------------------------------------------
+
+
+def tangle() -> lw.Model:
+    """A loop with springs and a moving body, not in balance: nothing in it is symmetric or zero."""
+    model = lw.Model()
+    a = model.body("a", mass=1.0, inertia=(0.02, 0.1, 0.1), position=(0.5, 0, 0), omega=(1, 2, 3))
+    b = model.body("b", mass=1.5, inertia=(0.03, 0.15, 0.12), position=(1.0, 0.5, 0.3), omega=(2, 0, -1),
+                   orientation=lw.rotation.about((1, 2, 3), 0.7))  # fmt: skip
+    c = model.body("c", mass=0.5, inertia=(0.03, 0.05, 0.02), position=(0, 1, 0))
+    model.revolute(model.ground, a, at=(0, 0, 0), axis=(0, 1, 0.2))
+    model.universal(a, b, at=(1, 0, 0), axes=((0, 1, 0), (1, 0, 1)))
+    model.distance(b, model.ground, at=((1.0, 1.0, 0.6), (1.5, 1.0, 1.0)))
+    model.spring_damper(b, c, at=((1.1, 0.5, 0.3), (0, 1.1, 0)), stiffness=70.0, damping=3.0, free_length=0.9)
+    model.spring_damper(a, c, at=((0.4, 0, 0), (0, 0.9, 0)), stiffness=40.0, damping=2.0, free_length=0.5)
+    return model
+
+
+def test_stiffness_and_damping_are_derivatives_of_the_forces() -> None:
+    """Against one difference along a random direction, bodies all together, constraint forces included."""
+    model = tangle()
+    eq, core, random = Equations(model), model.compiled(), np.random.default_rng(5)
+    q, v = np.array(core.q0), np.array(core.v0)
+    multipliers, x, h = random.standard_normal(core.row_count), random.standard_normal(18), 1e-5
+    T = eq.turn(q)
+
+    def forces(at: Floats, speed: Floats) -> Floats:
+        terms = eq.terms(0.0, at, speed)
+        return T.T @ turned_in(at, terms.g + terms.D.T @ multipliers)
+
+    along = (forces(displaced(q, h * x), v) - forces(displaced(q, -h * x), v)) / (2 * h)
+    assert np.abs(stiffness(eq, 0.0, q, v, multipliers) @ x + along).max() < 1e-6 * np.abs(along).max()
+    faster, slower = v + h * (T @ x), v - h * (T @ x)
+    speedwise = (forces(q, faster) - forces(q, slower)) / (2 * h)
+    omega, turning = v.reshape(-1, 6)[:, 3:], np.zeros((3, 6))
+    turning[:, 3:] = -np.einsum("nij,nj->ni", core.inertia, np.cross(omega, (T @ x).reshape(-1, 6)[:, 3:]))
+    expected = T.T @ turning.ravel() - speedwise
+    assert np.abs(damping(eq, 0.0, q, v) @ x - expected).max() < 1e-6 * np.abs(expected).max()
+
+
+def test_small_motions_add_and_undo() -> None:
+    random = np.random.default_rng(3)
+    p = random.standard_normal((5, 4))
+    q = np.hstack([random.standard_normal((5, 3)), p / np.linalg.norm(p, axis=1, keepdims=True)]).ravel()
+    x = random.uniform(-1, 1, 30)
+    assert np.abs(between(q, displaced(q, x)) - x).max() < 1e-13
+
+
+# --- equilibrium --------------------------------------------------------------------------------------------
+
+
+def test_an_upright_rod_falls_to_where_it_hangs() -> None:
+    model = lw.Model()
+    rod = model.body("rod", mass=3.0, inertia=(0.01, 0.1, 0.1), position=(0, 0, 0.5))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    up, down = lw.equilibrium(model, stable=False), lw.equilibrium(model)
+    assert (up.stability, down.stability) == ("unstable", "stable")
+    assert up.moved.max() == 0.0 and down.moved[0] == pytest.approx(1.0, abs=1e-12)
+    assert down.reaction("hinge").force == pytest.approx([0, 0, 3 * G], abs=1e-9)
+    rate = np.sqrt(3 * G * 0.5 / (0.1 + 3 * 0.25))
+    assert lw.linearize(up.model).eigenvalues == pytest.approx([rate], rel=1e-9)
+    assert lw.linearize(down.model).eigenvalues == pytest.approx([1j * rate], rel=1e-9)
+
+
+def test_a_body_on_springs_sinks_by_its_weight() -> None:
+    model = lw.Model()
+    box = model.body("box", mass=2.0, inertia=(1, 1, 1), position=(0.1, 0.05, 1.0))
+    for x, y in ((1, 0), (-0.5, 0.8), (-0.5, -0.8)):
+        model.spring_damper(
+            model.ground, box, at=((x, y, 0), (x + 0.1, y + 0.05, 1)), stiffness=100.0, free_length=1.0
+        )
+    rest = lw.equilibrium(model)
+    assert rest.model.compiled().q0[2] == pytest.approx(1 - 2 * G / 300, abs=1e-12)
+    assert rest.imbalance < 1e-12
+
+
+def four_bar_angles(theta: float) -> tuple[float, float]:
+    """Angles of coupler and rocker of the linkage below, crank at theta."""
+    a, b, c, d = 0.5, 1.4, 1.2, 1.5
+    tip = a * np.array([np.cos(theta), np.sin(theta)])
+    to = np.array([d, 0.0]) - tip
+    s = float(np.linalg.norm(to))
+    along = (s**2 + b**2 - c**2) / (2 * s)
+    meet = tip + along * to / s + np.sqrt(b**2 - along**2) * np.array([-to[1], to[0]]) / s
+    coupler, rocker = meet - tip, meet - (d, 0)
+    return float(np.arctan2(coupler[1], coupler[0])), float(np.arctan2(rocker[1], rocker[0]))
+
+
+def test_a_four_bar_vibrates_as_its_reduced_equation_says() -> None:
+    """m(theta) theta'' + ... = -V'(theta): V' = 0 at rest, omega^2 = V'' / m there."""
+    a, b, c, d, masses, J = 0.5, 1.4, 1.2, 1.5, (1.0, 2.0, 1.5), 0.05
+    theta = np.pi / 3
+    coupler, rocker = four_bar_angles(theta)
+    tip = a * np.array([np.cos(theta), np.sin(theta), 0])
+    meet = np.array([d, 0, 0]) + c * np.array([np.cos(rocker), np.sin(rocker), 0])
+    model = lw.Model(gravity=(0, -G, 0))
+    spans = (((0, 0, 0), tip), (tip, meet), ((d, 0, 0), meet))
+    bodies = [
+        model.body(f"link {k}", mass=m, inertia=(0.01, J, J), position=(np.array(i) + j) / 2)
+        for k, (m, (i, j)) in enumerate(zip(masses, spans, strict=True))
+    ]
+    pins = (
+        (model.ground, 0, (0, 0, 0)),
+        (bodies[0], 1, tip),
+        (bodies[1], 2, meet),
+        (model.ground, 2, (d, 0, 0)),
+    )
+    for i, k, at in pins:
+        model.revolute(i, bodies[k], at=at, axis=Z)
+
+    def centers(theta: float) -> Floats:
+        """Of mass (3, 2), and the angles of the links as a third column."""
+        phi, psi = four_bar_angles(theta)
+        e = [np.array([np.cos(x), np.sin(x)]) for x in (theta, phi, psi)]
+        points = (a * e[0] / 2, a * e[0] + b * e[1] / 2, np.array([d, 0]) + c * e[2] / 2)
+        return np.array([[*p, x] for p, x in zip(points, (theta, phi, psi), strict=True)])
+
+    def height(theta: float) -> float:
+        return float(np.dot(masses, centers(theta)[:, 1]))
+
+    def slope(theta: float, h: float = 1e-3) -> float:
+        f = [height(theta + k * h) for k in (-2, -1, 1, 2)]
+        return (f[0] - 8 * f[1] + 8 * f[2] - f[3]) / (12 * h)
+
+    low = brentq(slope, np.pi, 2 * np.pi, xtol=1e-14)
+    h = 1e-3
+    rates = (centers(low - 2 * h) - 8 * centers(low - h) + 8 * centers(low + h) - centers(low + 2 * h)) / (
+        12 * h
+    )
+    inertia = np.dot(masses, (rates[:, :2] ** 2).sum(axis=1)) + J * (rates[:, 2] ** 2).sum()
+    curvature = (slope(low - 2 * h) - 8 * slope(low - h) + 8 * slope(low + h) - slope(low + 2 * h)) / (12 * h)
+    rest = lw.equilibrium(model)
+    assert rest.stability == "stable"
+    assert rest.model.compiled().q0[:2] == pytest.approx(
+        a / 2 * np.array([np.cos(low), np.sin(low)]), abs=1e-8
+    )
+    assert lw.linearize(rest.model).frequencies == pytest.approx([np.sqrt(G * curvature / inertia)], rel=1e-7)
+
+
+def test_a_body_that_nothing_holds_has_no_equilibrium() -> None:
+    model = lw.Model()
+    model.body("stone", mass=1.0, inertia=(1, 1, 1))
+    with pytest.raises(lw.NotConvergedError, match="body 'stone' is driven by -9.81 N"):
+        lw.equilibrium(model)
+
+
+def test_a_mechanism_at_rest_stays_there() -> None:
+    """The spatial slider-crank, released in the equilibrium that was found."""
+    rest = lw.equilibrium(lw.mechanisms.spatial_slider_crank())
+    result = lw.simulate(rest.model, 1.0, 1e-3, progress=False)
+    assert np.abs(result.position - result.position[0]).max() < 1e-10

@@ -1,0 +1,89 @@
+"""Derivatives of results by parameters, against closed forms; the estimated errors are true bounds."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+
+
+def thrown(speed: float, gravity: float, mass: float = 1.0) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, -gravity))
+    model.body("stone", mass=mass, inertia=(1, 1, 1), velocity=(speed**3, 0, 0))
+    return model
+
+
+OUTPUTS = {"x": lambda result: result.position[-1, 0, 0], "z": lambda result: result.position[:, 0, 2]}
+
+
+def test_a_throw_has_the_derivatives_of_its_closed_form() -> None:
+    """x = s^3 t, z = -g t^2 / 2; nothing depends on the mass."""
+    found = lw.sensitivity(
+        thrown, {"speed": 2.0, "gravity": 9.81, "mass": 3.0}, OUTPUTS, t_end=1.5, step=0.01, steps=0.02
+    )
+    exact = {("x", "speed"): 3 * 2.0**2 * 1.5, ("x", "gravity"): 0.0, ("x", "mass"): 0.0}
+    for (output, parameter), value in exact.items():
+        error = abs(found.derivatives[output][parameter] - value)
+        assert error <= found.errors[output][parameter] + 1e-11
+    fall = -(np.linspace(0, 1.5, 151) ** 2) / 2
+    assert np.abs(found.derivatives["z"]["gravity"] - fall).max() < 1e-10
+    assert found.relative("x", "speed") == pytest.approx(3.0, abs=1e-10)
+    assert found.runs == 13
+
+
+def pendulum(length: float) -> lw.Model:
+    model = lw.Model()
+    bob = model.body("bob", mass=1.0, inertia=(1e-3, 1e-3, 1e-3), position=(length, 0, 0))
+    model.revolute(model.ground, bob, at=(0, 0, 0), axis=(0, 1, 0))
+    return model
+
+
+def test_the_estimated_error_bounds_the_true_one_and_falls_with_the_step() -> None:
+    """Of a frequency: omega^2 = g l / (l^2 + 1e-3) by linearization instead of a run."""
+
+    def vibration(model: lw.Model) -> lw.Linearization:
+        return lw.linearize(lw.equilibrium(model).model)
+
+    def derivative(length: float) -> float:
+        J = length**2 + 1e-3
+        squared = 9.81 * length / J
+        return 9.81 * (J - 2 * length**2) / J**2 / (2 * np.sqrt(squared))
+
+    outputs = {"omega": lambda found: found.frequencies[0]}
+    estimates = []
+    for step in (0.1, 0.05):
+        found = lw.sensitivity(pendulum, {"length": 0.8}, outputs, run=vibration, steps=step)
+        true = abs(found.derivatives["omega"]["length"] - derivative(0.8))
+        assert true < found.errors["omega"]["length"]
+        estimates.append(found.errors["omega"]["length"])
+    assert estimates[0] / estimates[1] == pytest.approx(4.0, rel=0.1)
+
+
+@pytest.mark.parametrize(("arguments", "message"), [
+    ({"parameters": {}}, "parameters are missing"),
+    ({"outputs": {}}, "outputs are missing"),
+    ({"steps": -1.0}, "both must be finite, the step positive"),
+    ({"steps": {"mass": 1.0}}, "the step of 'speed' is missing"),
+])  # fmt: skip
+def test_what_cannot_be_varied_is_refused(arguments: dict[str, object], message: str) -> None:
+    given = {"parameters": {"speed": 1.0}, "outputs": OUTPUTS, **arguments}
+    with pytest.raises(lw.OptionError, match=message):
+        lw.sensitivity(thrown, **given, t_end=0.1, step=0.01)  # type: ignore[arg-type]
+
+
+def test_an_output_that_is_not_finite_is_named() -> None:
+    with pytest.raises(lw.ModelError, match="output 'broken' is not finite with speed = 1"):
+        lw.sensitivity(
+            lambda speed: thrown(speed, 1.0),
+            {"speed": 1.0},
+            {"broken": lambda _: np.nan},
+            t_end=0.1,
+            step=0.01,
+        )
+
+
+def test_the_parameter_of_a_run_that_fails_is_told() -> None:
+    with pytest.raises(lw.ModelError) as caught:
+        lw.sensitivity(lambda mass: thrown(1.0, 1.0, mass), {"mass": 1e-4}, OUTPUTS, steps={"mass": 1.0},
+                       t_end=0.1, step=0.01)  # fmt: skip
+    assert "mass = -0.9999" in caught.value.__notes__[0]
