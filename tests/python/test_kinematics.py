@@ -214,7 +214,7 @@ def parallelogram() -> lw.Model:
 
 
 def test_a_parallelogram_passes_its_toggles_and_they_are_told() -> None:
-    """All links lie down with the crank at 180 and 360 degrees: there it could go over to the other branch."""
+    """All links lie down with the crank at 180 and 360 degrees: there are two ways to go on."""
     t = np.linspace(0, 6, 61)
     with pytest.warns(lw.LinkworkWarning, match=r"singular pose at t = (2\.0944|5\.23599) s"):
         motion = lw.kinematics(parallelogram(), t)

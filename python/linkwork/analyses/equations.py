@@ -57,6 +57,11 @@ class Equations:
         self._still = np.zeros(6 * self.core.body_count)
         self.scale = np.tile([1.0] * 3 + [1 / self.length] * 3, self.core.body_count)
 
+    @property
+    def weight(self) -> float:
+        """Of the heaviest body [N]."""
+        return float(np.max(self.core.mass) * np.linalg.norm(self.core.gravity))
+
     def terms(self, t: float, q: Floats, v: Floats | None = None) -> Terms:
         """At t [s], q (7n,), v (6n,) as the model has it (omega in body axes), at rest without v."""
         from scipy.sparse import csr_array

@@ -25,11 +25,17 @@ Floats = NDArray[np.float64]
 #: Forces not in balance, relative to the largest one: where the iteration may end, and where it tries to.
 ACCEPTED, WANTED = 1e-9, 1e-13
 
+#: Steps below this part of the size of the mechanism are rounding.
+ROUNDING = 1e-13
+
 #: The most a step may move a body [rad, sizes of the mechanism].
 LONGEST_STEP = 0.3
 
 #: Of steps, of corrections onto the joints, and of departures from unstable equilibria.
 ITERATIONS, CORRECTIONS, DEPARTURES = 400, 20, 5
+
+#: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
+PRELOAD = 1e-6
 
 #: Stiffness relative to the largest below which a motion counts as neutral.
 NEUTRAL = 1e-9
@@ -134,8 +140,9 @@ class _Search:
         """NotConvergedError: the cap."""
         mu = 0.0
         r, multipliers, scale = self._balance(q)
+        step = np.inf
         for _ in range(ITERATIONS):
-            if self._size(r) <= WANTED * scale:
+            if self._size(r) <= WANTED * scale or step < ROUNDING:
                 return q
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
             unit = float(abs(self._scaled(K)).max()) or scale / self.eq.length
@@ -147,7 +154,8 @@ class _Search:
             self.steps += 1
             if found is None or (self._size(r) <= ACCEPTED * scale and self._size(found[1]) >= self._size(r)):
                 break  # no better: rounding
-            q, r, multipliers, scale = found
+            step = self._reach(between(q, found[0]))
+            q, r, multipliers, scale = found[0], found[1], found[2], max(scale, found[3])
         if self._size(r) > ACCEPTED * scale:
             self._fail(r)
         return q
@@ -175,7 +183,7 @@ class _Search:
         return (new, *after) if works or (tiny and decreased) else None
 
     def _balance(self, q: Floats) -> tuple[Floats, Floats, float]:
-        """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), and the size of g."""
+        """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), and the size of forces [N]."""
         terms = self.eq.terms(0.0, q)
         D = terms.D[self.rows]
         w = self._solved(self.W, D, terms.g, np.zeros(len(self.rows)))
@@ -189,7 +197,7 @@ class _Search:
             )
         multipliers = np.zeros(self.eq.core.row_count)
         multipliers[self.rows] = self._multipliers
-        return self.W @ w, multipliers, self._size(terms.g) or 1.0
+        return self.W @ w, multipliers, max(self._size(terms.g), self.eq.weight) or 1.0
 
     def _solved(self, A: Sparse, D: Sparse, b: Floats, c: Floats) -> Floats | None:
         """x of A x - D^T y = b, D x = c; y stays in `_multipliers`. None: singular."""
@@ -259,6 +267,7 @@ class _Search:
         shift, angle = np.linalg.norm(x, axis=2).T
         kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
         kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > NEUTRAL * unit))]
+        scale = max(scale, PRELOAD * unit * eq.length)
         words = "" if np.isnan(softest) else eq.motion(motion)
         return Equilibrium(at_rest, shift, angle, multipliers, self._size(r) / scale, softest, words, kind,
                            self.steps, dynamics)  # fmt: skip

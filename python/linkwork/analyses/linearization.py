@@ -25,8 +25,11 @@ Complex = NDArray[np.complex128]
 #: Forces that are not in balance, relative to the largest one.
 BALANCE = 1e-6
 
+#: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
+PRELOAD = 1e-6
+
 #: Squares of eigenvalues below this part of the largest possible are zero: neutral motions.
-NEUTRAL = 1e-13
+NEUTRAL = 1e-12
 
 #: Damping and asymmetry of the stiffness that count as none, relative.
 SMALL = 1e-7
@@ -156,10 +159,10 @@ def _coefficients(
     q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
     v_dot, multipliers = _accelerations(eq, at.t, q, v)
     terms, M = eq.terms(at.t, q, v), eq.mass(q)
-    if check:
-        _check_balance(eq, terms.g, M @ turned_out(q, v_dot))
-        _check_rank(eq)
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
+    if check:
+        _check_balance(eq, terms.g, K, M @ turned_out(q, v_dot))
+        _check_rank(eq)
     return M, C, K, terms.D[eq.independent]
 
 
@@ -169,9 +172,11 @@ def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Float
     return System(eq.model, formulation=formulation).accelerations(t, q, v)
 
 
-def _check_balance(eq: Equations, g: Floats, unbalanced: Floats) -> None:
+def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> None:
     """ModelError: forces in the directions that the joints leave."""
-    scale = float(np.abs(g * eq.scale).max(initial=0.0)) or 1.0
+    scaled = K.multiply(eq.scale[:, None]).multiply(eq.scale[None, :])
+    springs = PRELOAD * eq.length * float(abs(scaled).max()) if K.nnz else 0.0
+    scale = max(float(np.abs(g * eq.scale).max(initial=0.0)), eq.weight, springs) or 1.0
     size = np.abs(unbalanced * eq.scale)
     if size.max() > BALANCE * scale:
         body, k = divmod(int(size.argmax()), 6)
