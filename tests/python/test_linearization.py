@@ -102,7 +102,7 @@ def test_what_turns_and_does_not_look_the_same_has_no_frequencies() -> None:
     model = lw.Model()
     top = model.body("top", mass=2.0, inertia=(0.01, 0.02, 0.015), position=(0, 0, 0.3), omega=(0, 0, 50))
     model.spherical(model.ground, top, at=(0, 0, 0))
-    with pytest.raises(lw.ModelError, match="its inertia change with time"):
+    with pytest.raises(lw.ModelError, match="its inertia .* change with time"):
         lw.linearize(model)
 
 
@@ -175,15 +175,15 @@ def test_an_upright_rod_falls_to_where_it_hangs() -> None:
     assert lw.linearize(down.model).eigenvalues == pytest.approx([1j * rate], rel=1e-9)
 
 
-def test_a_body_on_springs_sinks_by_its_weight() -> None:
+def test_a_body_on_three_springs_sinks_by_its_weight() -> None:
     model = lw.Model()
-    box = model.body("box", mass=2.0, inertia=(1, 1, 1), position=(0.1, 0.05, 1.0))
+    box = model.body("box", mass=2.0, inertia=(1, 1, 1), position=(0.1, 0.05, -1.0))
     for x, y in ((1, 0), (-0.5, 0.8), (-0.5, -0.8)):
         model.spring_damper(
-            model.ground, box, at=((x, y, 0), (x + 0.1, y + 0.05, 1)), stiffness=100.0, free_length=1.0
+            model.ground, box, at=((x, y, 0), (x + 0.1, y + 0.05, -1)), stiffness=100.0, free_length=1.0
         )
     rest = lw.equilibrium(model)
-    assert rest.model.compiled().q0[2] == pytest.approx(1 - 2 * G / 300, abs=1e-12)
+    assert rest.model.compiled().q0[2] == pytest.approx(-1 - 2 * G / 300, abs=1e-12)
     assert rest.imbalance < 1e-12
 
 

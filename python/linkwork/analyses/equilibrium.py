@@ -183,7 +183,7 @@ class _Search:
         return (new, *after) if works or (tiny and decreased) else None
 
     def _balance(self, q: Floats) -> tuple[Floats, Floats, float]:
-        """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), and the size of forces [N]."""
+        """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), the size of forces [N]."""
         terms = self.eq.terms(0.0, q)
         D = terms.D[self.rows]
         w = self._solved(self.W, D, terms.g, np.zeros(len(self.rows)))
