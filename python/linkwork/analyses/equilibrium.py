@@ -65,8 +65,16 @@ class Equilibrium:
         if joint < 0:
             known = [core.joint_name(k) for k in range(core.joint_count)]
             raise ModelError(f"no joint named '{name}'{nearest(name, known)}", code="unknown_name")
-        force, torque = self._dynamics.reactions(np.zeros(1), np.array(core.q0)[None], self.multipliers[None])
-        return Reaction(force[0, joint], torque[0, joint])
+        force, torque = self.reactions()
+        return Reaction(force[joint], torque[joint])
+
+    def reactions(self) -> Reaction:
+        """Of all joints: force and torque (J, 3)."""
+        if not self.model.joint_count:
+            return Reaction(np.zeros((0, 3)), np.zeros((0, 3)))
+        q = np.array(self.model.compiled().q0)
+        force, torque = self._dynamics.reactions(np.zeros(1), q[None], self.multipliers[None])
+        return Reaction(force[0], torque[0])
 
     def __str__(self) -> str:
         """One line."""
