@@ -326,3 +326,20 @@ def test_a_driver_that_does_not_exist_is_refused() -> None:
         lw.inverse_dynamics(slider_crank(0.0), [0, 1], drivers=["moto"])
     with pytest.raises(lw.ModelError, match="has 5 equations and drives nothing"):
         lw.inverse_dynamics(slider_crank(0.0), [0, 1], drivers=["pin"])
+
+
+def test_a_rod_without_mass_and_one_of_almost_none_need_the_same_torque() -> None:
+    efforts = []
+    for mass in (0.0, 1e-9):
+        model = lw.Model()
+        crank = link(model, "crank", (0, 0, 0), (1, 0, 0))
+        rod = model.body("rod", mass=mass, inertia=np.full(3, mass), position=(2.5, 0, 0))
+        slider = link(model, "slider", (4, 0, 0), (4, 0, 0))
+        for i, j, x in ((model.ground, crank, 0), (crank, rod, 1), (rod, slider, 4)):
+            model.revolute(i, j, at=(x, 0, 0), axis=Z)
+        model.translational(model.ground, slider, at=(4, 0, 0), axis=(1, 0, 0))
+        turn = lw.functions.polynomial(0.3, 2.0)
+        model.angle_driver(model.ground, crank, at=(0, 0, 0), axis=Z, angle=turn, name="motor")
+        efforts.append(lw.inverse_dynamics(model, np.linspace(0, 1, 11)).effort("motor"))
+    assert np.abs(efforts[0]).max() > 1
+    assert np.abs(efforts[0] - efforts[1]).max() < 1e-7

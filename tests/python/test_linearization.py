@@ -262,3 +262,27 @@ def test_a_mechanism_at_rest_stays_there() -> None:
     rest = lw.equilibrium(lw.mechanisms.spatial_slider_crank())
     result = lw.simulate(rest.model, 1.0, 1e-3, progress=False)
     assert np.abs(result.position - result.position[0]).max() < 1e-10
+
+
+def test_a_sled_stands_across_the_slope_on_its_edge() -> None:
+    """The edge restricts velocities only, and holds the weight along the slope nevertheless."""
+    model = lw.Model(gravity=(0, -G / 2, -G * np.sqrt(0.75)))
+    sled = model.body("sled", mass=2, inertia=(0.1, 0.1, 0.1))
+    model.planar(model.ground, sled, at=(0, 0, 0), axis=Z)
+    model.knife_edge(model.ground, sled, at=(0, 0, 0), axis=(0, 1, 0), name="edge")
+    rest = lw.equilibrium(model)
+    assert rest.stability == "neutral"
+    assert rest.reaction("edge").force == pytest.approx([0, G, 0], abs=1e-12)
+
+
+def test_springs_that_pull_against_each_other_are_in_balance_without_weight() -> None:
+    """Lateral stiffness of a prestressed mass: 2 F / l."""
+    model = lw.Model(gravity=(0, 0, 0))
+    bead = model.body("bead", mass=0.5, inertia=(1, 1, 1))
+    model.orientation(model.ground, bead, at=(0, 0, 0))
+    for x in (-2.0, 2.0):
+        model.spring_damper(model.ground, bead, at=((x, 0, 0), (0, 0, 0)), stiffness=100.0, free_length=1.5)
+    rest = lw.equilibrium(model)
+    assert rest.stability == "stable" and rest.softest == pytest.approx(2 * 50 / 2, rel=1e-7)
+    exact = np.sqrt(np.array([50.0, 50.0, 200.0]) / 0.5)
+    assert lw.linearize(rest.model).frequencies == pytest.approx(exact, rel=1e-7)

@@ -56,6 +56,13 @@ class Constraints:
         x: Floats = self.column_scale * (self.V[:, :k] @ y)
         return x
 
+    def solve_transposed(self, f: Floats) -> Floats:
+        """The smallest lambda (m,), in scaled rows, with D^T lambda = f (6n,), in the sense of least squares."""
+        k = self.rank
+        y = (self.V[:, :k].T @ (self.column_scale * f)) / self.sigma[:k]
+        multipliers: Floats = self.row_scale * (self.U[:, :k] @ y)
+        return multipliers
+
     def smallest(self, count: int) -> float:
         """The singular value on which the solution depends most, of `count` that there are away from singular
         poses; 0 where one of them is missing."""

@@ -37,6 +37,9 @@ ITERATIONS, CORRECTIONS, DEPARTURES = 400, 20, 5
 #: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
 PRELOAD = 1e-6
 
+#: Of the stiffness, relative, where it counts as that of forces with a potential.
+ASYMMETRY = 1e-7
+
 #: Stiffness relative to the largest below which a motion counts as neutral.
 NEUTRAL = 1e-9
 
@@ -65,8 +68,16 @@ class Equilibrium:
         if joint < 0:
             known = [core.joint_name(k) for k in range(core.joint_count)]
             raise ModelError(f"no joint named '{name}'{nearest(name, known)}", code="unknown_name")
-        force, torque = self._dynamics.reactions(np.zeros(1), np.array(core.q0)[None], self.multipliers[None])
-        return Reaction(force[0, joint], torque[0, joint])
+        force, torque = self.reactions()
+        return Reaction(force[joint], torque[joint])
+
+    def reactions(self) -> Reaction:
+        """Of all joints: force and torque (J, 3)."""
+        if not self.model.joint_count:
+            return Reaction(np.zeros((0, 3)), np.zeros((0, 3)))
+        q = np.array(self.model.compiled().q0)
+        force, torque = self._dynamics.reactions(np.zeros(1), q[None], self.multipliers[None])
+        return Reaction(force[0], torque[0])
 
     def __str__(self) -> str:
         """One line."""
@@ -111,7 +122,8 @@ class _Search:
         self.eq, self.stable = equations, stable
         self.W = diags_array(1 / equations.scale**2).tocsr()
         self.rest = np.zeros(6 * equations.core.body_count)
-        self.rows = equations.independent[equations.holonomic[equations.independent]]
+        self.rows = equations.independent
+        self.placing = self.rows[equations.holonomic[self.rows]]  # restrict positions, not velocities only
         self.steps = 0
 
     def find(self) -> Floats:
@@ -230,7 +242,7 @@ class _Search:
                 return q
             if not np.isfinite(size) or size > 4 * before:
                 return None
-            x = self._solved(self.W, terms.D[self.rows], self.rest, -terms.Phi[self.rows])
+            x = self._solved(self.W, terms.D[self.placing], self.rest, -terms.Phi[self.placing])
             if x is None or self._reach(x) > 2.0:
                 return None
             q, before = displaced(q, x), size
@@ -242,17 +254,21 @@ class _Search:
 
         _, multipliers, _ = self._balance(q)
         K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
-        K = (K + K.T) / 2
         D = self.eq.terms(0.0, q).D[self.eq.independent]
         scale = float(abs(self._scaled(K)).max()) if K.nnz else 0.0
         if len(self.rest) > DENSE:
-            value, x = softest_by_lanczos(self.W, K, D, scale)
+            value, x = softest_by_lanczos(self.W, (K + K.T) / 2, D, scale)
             return value, x, scale
         Z = null_space(self.eq, D)
         if not Z.shape[1]:
             return np.nan, self.rest, scale
-        values, y = np.linalg.eigh(Z.T @ (K @ Z))
-        return float(values[0]), Z @ y[:, 0], scale
+        k = Z.T @ (K @ Z)
+        if np.abs(k - k.T).max() <= ASYMMETRY * np.abs(k).max():
+            values, y = np.linalg.eigh((k + k.T) / 2)
+        else:  # forces that follow the bodies
+            values, y = np.linalg.eig(k)
+        lowest = int(np.argmin(values.real))
+        return float(values[lowest].real), Z @ y[:, lowest].real, scale
 
     def described(self, q: Floats) -> Equilibrium:
         eq = self.eq

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
+from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
 from linkwork.errors import ModelError, nearest
 from linkwork.model import Model
@@ -76,7 +77,7 @@ def inverse_dynamics(
     motion = kinematics(model, times, on_singular=on_singular)
     rows = np.asarray(core.joint_rows)[chosen].astype(int)
     effort = motion.multipliers[:, rows]
-    power = -effort * _rates(core, motion, rows)  # v^T D^T lambda, with D v = -Phi_t
+    power = -effort * _rates(model, motion, rows)  # v^T D^T lambda, with D v = -Phi_t
     drives = [
         Drive(core.joint_name(joint), core.joint_kind(joint), effort[:, k], power[:, k],
               bool(motion.unique_reactions[joint]))
@@ -85,9 +86,9 @@ def inverse_dynamics(
     return InverseDynamics(motion, {drive.joint: drive for drive in drives})
 
 
-def _rates(core: _core.Model, motion: Result, rows: NDArray[np.integer]) -> Floats:
+def _rates(model: Model, motion: Result, rows: NDArray[np.integer]) -> Floats:
     """Phi_t (k, rows) along the motion."""
-    dynamics = _core.Dynamics(core, _core.Options())
+    dynamics = Equations(model).dynamics
     found = [
         dynamics.evaluate(t, q.ravel(), v.ravel())["Phi_t"][rows]
         for t, q, v in zip(motion.t, motion.q, motion.v, strict=True)

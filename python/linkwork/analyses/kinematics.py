@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, checks
-from linkwork.analyses.constraint_solver import DENSE, Constraints, null_space
-from linkwork.analyses.equations import LISTED, Equations
+from linkwork.analyses.constraint_solver import Constraints, null_space
+from linkwork.analyses.equations import LISTED, Equations, Sparse
 from linkwork.analyses.tangent import displaced, turned_in, turned_out
 from linkwork.errors import (
     LinkworkError,
@@ -32,6 +32,9 @@ from linkwork.system import System
 __all__ = ["kinematics"]
 
 Floats = NDArray[np.float64]
+
+#: Dense singular values are what this costs.
+MOST_BODIES = 250
 
 #: A pose whose scaled constraints have a singular value below this is singular, or as good as that.
 SINGULAR = 1e-6
@@ -151,9 +154,9 @@ class _Follower:
     def begin(self) -> None:
         """Onto the constraints at t = 0. ModelError, NotConvergedError."""
         eq = self.equations
-        if eq.core.body_count * 6 > DENSE:
+        if eq.core.body_count > MOST_BODIES:
             raise OptionError(
-                f"kinematics: {eq.core.body_count} bodies are more than the {DENSE // 6} that it takes; use "
+                f"kinematics: {eq.core.body_count} bodies are more than the {MOST_BODIES} that it takes; use "
                 "simulate, which follows drivers as well",
                 code="too_large",
             )
@@ -419,8 +422,11 @@ class _Frames:
         rows: dict[str, list[Any]] = {name: [] for name in ("lambda", "potential", "power", "violation")}
         for it in self.moments:
             found = dynamics.evaluate(it.t, it.q, it.v)
+            D = self._matrix(found["D"])
             multipliers = _multipliers(dynamics, it)
-            residual = self._rates(found["D"], it.a) - found["gamma"]
+            left = self._inertial_forces(it.a) - found["g"] - D.T @ multipliers
+            multipliers = multipliers + it.constraints.solve_transposed(turned_out(it.q, left))
+            residual = D @ it.a - found["gamma"]
             rows["lambda"].append(multipliers)
             rows["potential"].append(found["potential"])
             rows["power"].append(found["force_power"] - multipliers @ found["Phi_t"])
@@ -444,21 +450,26 @@ class _Frames:
             "t": t,
         }
 
-    def _rates(self, D: Mapping[str, Any], a: Floats) -> Floats:
+    def _matrix(self, D: Mapping[str, Any]) -> Sparse:
         from scipy.sparse import csr_array
 
-        matrix = csr_array((D["data"], D["indices"], D["indptr"]), shape=(self.model.row_count, len(a)))
-        rates: Floats = matrix @ a
-        return rates
+        shape = (self.model.row_count, 6 * self.model.body_count)
+        return csr_array((D["data"], D["indices"], D["indptr"]), shape=shape)
+
+    def _inertial_forces(self, a: Floats) -> Floats:
+        """M v_dot (6n,), torques in body axes."""
+        core, parts = self.model.compiled(), a.reshape(-1, 2, 3)
+        force = np.asarray(core.mass)[:, None] * parts[:, 0]
+        return np.stack([force, np.einsum("nij,nj->ni", core.inertia, parts[:, 1])], axis=1).ravel()
 
 
 def _multipliers(dynamics: _core.Dynamics, it: _Moment) -> Floats:
-    """Those that the motion needs; NaN where a singular pose leaves them without bound."""
+    """Those that the motion needs, of least norm; zero where they are not found, to be corrected."""
     try:
         multipliers: Floats = dynamics.accelerations(it.t, it.q, it.v)[1]
         return multipliers
     except LinkworkError:
-        return np.full(dynamics.row_count, np.nan)
+        return np.zeros(dynamics.row_count)
 
 
 def _integral(t: Floats, power: Floats) -> Floats:

@@ -65,7 +65,7 @@ class Linearization:
     def damping_ratios(self) -> Floats:
         """-Re(s) / |s| (k,); 1 and -1 for motions that do not vibrate, 0 for neutral ones."""
         size = self.frequencies
-        return np.divide(-self.eigenvalues.real, size, out=np.zeros_like(size), where=size > 0)
+        return np.divide(0.0 - self.eigenvalues.real, size, out=np.zeros_like(size), where=size > 0)
 
     @property
     def stable(self) -> bool:

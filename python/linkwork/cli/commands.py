@@ -73,6 +73,9 @@ class MechanismGroup(base.Group):
             "run": mechanism_commands.run_command,
             "check": mechanism_commands.check_command,
             "compare": mechanism_commands.compare_command,
+            "equilibrium": mechanism_commands.equilibrium_command,
+            "kinematics": mechanism_commands.kinematics_command,
+            "linearize": mechanism_commands.linearize_command,
         }[self.name or ""]
         return make(name, named(name)) if name in MECHANISMS or is_file(name) else None
 
@@ -114,6 +117,40 @@ def compare() -> None:
 
     Against a reference solution whose own error is estimated: poses, velocities, reactions, violation,
     energy, effort, order. `linkwork compare NAME --help` shows the axes of the grid.
+    """
+
+
+@linkwork.group(cls=MechanismGroup, what="mechanism")
+def equilibrium() -> None:
+    """Find where a mechanism stays at rest, and whether it returns there.
+
+    \b
+    linkwork equilibrium chain --bodies 5
+
+    Poses, reactions, and the motion that is held least; from the initial pose, downhill.
+    """
+
+
+@linkwork.group(cls=MechanismGroup, what="mechanism")
+def linearize() -> None:
+    """Frequencies, damping and shapes of small vibrations.
+
+    \b
+    linkwork linearize chain --bodies 1000 --modes 5
+
+    About the equilibrium that is found from the initial pose, or about the initial state with --as-is.
+    """
+
+
+@linkwork.group(cls=MechanismGroup, what="mechanism")
+def kinematics() -> None:
+    """The motion that drivers prescribe, and the forces and torques that they need for it.
+
+    \b
+    linkwork kinematics --help
+
+    For mechanisms whose freedoms are all fixed by drivers, mostly models from files:
+    `linkwork kinematics crank.yaml --t-end 2 --plot crank.png`. Dead points are told.
     """
 
 

@@ -1,4 +1,4 @@
-"""`run NAME` and `check NAME`: a mechanism's record turned into a command."""
+"""`run NAME`, `check NAME` and the like: a mechanism's record turned into a command."""
 
 from __future__ import annotations
 
@@ -52,6 +52,59 @@ def compare_command(name: str, mechanism: Mechanism) -> click.Command:
     return _command(
         name, mechanism, options, compare, "linkwork compare {name} --t-end 0.5 --html {name}.html"
     )
+
+
+def equilibrium_command(name: str, mechanism: Mechanism) -> click.Command:
+    def equilibrium(**values: Any) -> None:
+        from linkwork.cli.analyzing import equilibrium_and_show
+
+        equilibrium_and_show(name, mechanism, **_split(values, mechanism))
+
+    nearest = click.Option(["--nearest"], is_flag=True, help="The nearest one of any kind, not downhill.")
+    options = [*_parameter_options(mechanism), nearest, JSON]
+    return _command(name, mechanism, options, equilibrium, "linkwork equilibrium {name} --json")
+
+
+def linearize_command(name: str, mechanism: Mechanism) -> click.Command:
+    def linearize(**values: Any) -> None:
+        from linkwork.cli.analyzing import linearize_and_show
+
+        linearize_and_show(name, mechanism, **_split(values, mechanism))
+
+    options = [
+        *_parameter_options(mechanism),
+        click.Option(["--modes"], type=click.IntRange(1),
+                     help="How many; without it all of a small model, 10 of a large one."),
+        click.Option(["--near"], type=float, default=0.0, show_default=True,
+                     help="Frequency next to which modes of a large model are looked for [rad/s]."),
+        click.Option(["--as-is"], is_flag=True, help="About the initial state, not the equilibrium."),
+        JSON,
+    ]  # fmt: skip
+    return _command(name, mechanism, options, linearize, "linkwork linearize {name} --modes 4")
+
+
+def kinematics_command(name: str, mechanism: Mechanism) -> click.Command:
+    def kinematics(**values: Any) -> None:
+        from linkwork.cli.analyzing import kinematics_and_show
+
+        kinematics_and_show(name, mechanism, **_split(values, mechanism))
+
+    positive = click.FloatRange(0, min_open=True)
+    options = [
+        *_parameter_options(mechanism),
+        click.Option(["--t-end"], type=positive, default=1.0, show_default=True, help="End [s]."),
+        click.Option(["--step"], type=positive, default=0.01, show_default=True, help="Between frames [s]."),
+        *run_options.outputs(),
+        JSON,
+    ]
+    return _command(name, mechanism, options, kinematics, "linkwork kinematics {name} --t-end 0.5")
+
+
+def _split(values: dict[str, Any], mechanism: Mechanism) -> dict[str, Any]:
+    """The parameters of the mechanism in one, the rest as it is."""
+    parameters = _taken(values, mechanism)
+    rest = {what: value for what, value in values.items() if what not in parameters}
+    return {"parameters": parameters, **rest}
 
 
 def _command(

@@ -1,0 +1,67 @@
+"""The commands equilibrium, linearize and kinematics."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.cli import run
+
+
+def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> Any:
+    code = run([*words, "--json"], debug=False)
+    printed = capsys.readouterr()
+    assert code == 0, printed.err
+    return json.loads(printed.out)
+
+
+def driven_pendulum(path: Path) -> Path:
+    model = lw.Model(gravity=(0, -9.81, 0), name="driven")
+    rod = model.body("rod", mass=2.0, inertia=(0.1, 0.2, 0.3), position=(0.7, 0, 0))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 0, 1), name="hinge")
+    model.angle_driver(
+        model.ground, rod, at=(0, 0, 0), axis=(0, 0, 1), angle=lw.functions.polynomial(0, 1.0), name="motor"
+    )
+    model.save(path)
+    return path
+
+
+def test_linearize_finds_the_frequency_of_the_pendulum_that_hangs(capsys: pytest.CaptureFixture[str]) -> None:
+    """A rod of 1 m and a square section of 5 cm: omega^2 = m g / 2 / (m / 3 + m b^2 / 12)."""
+    found = answer(["linearize", "chain", "--bodies", "1"], capsys)
+    exact = np.sqrt(9.81 / 2 / (1 / 3 + 0.05**2 / 12))
+    assert [it["frequency"] for it in found["modes"]] == pytest.approx([exact], rel=1e-9)
+    assert found["stable"] and found["about"] == "equilibrium"
+
+
+def test_equilibrium_gives_the_weight_to_the_first_joint(capsys: pytest.CaptureFixture[str]) -> None:
+    found = answer(["equilibrium", "chain", "--bodies", "3"], capsys)
+    assert found["stability"] == "stable"
+    assert found["reactions"][0]["force"] == pytest.approx([0, 0, 3 * 9.81], abs=1e-6)
+    assert found["bodies"][2]["position"] == pytest.approx([0, 0, -2.5], abs=1e-8)
+
+
+def test_kinematics_of_a_file_tells_the_torque_of_the_motor(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, output = driven_pendulum(tmp_path / "driven.yaml"), tmp_path / "motion.h5"
+    found = answer(["kinematics", str(path), "--t-end", "1", "--output", str(output)], capsys)
+    (motor,) = found["drives"]
+    assert motor["driver"] == "motor"
+    assert motor["largest_effort"] == pytest.approx(2 * 9.81 * 0.7, rel=1e-12)  # at the start, level
+    assert lw.Result.load(output).position[-1, 0] == pytest.approx([0.7 * np.cos(1), 0.7 * np.sin(1), 0])
+
+
+def test_kinematics_without_drivers_says_what_is_missing(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["kinematics", "four_bar"], debug=False) == 1
+    assert "the model has no drivers; add an angle_driver" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ("linearize", "equilibrium"))
+def test_tables_are_printed(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([command, "chain", "--bodies", "2"], debug=False) == 0
+    assert "stable equilibrium" in capsys.readouterr().out
