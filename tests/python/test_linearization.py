@@ -279,7 +279,7 @@ def test_springs_that_pull_against_each_other_are_in_balance_without_weight() ->
     """Lateral stiffness of a prestressed mass: 2 F / l."""
     model = lw.Model(gravity=(0, 0, 0))
     bead = model.body("bead", mass=0.5, inertia=(1, 1, 1))
-    model.orientation(model.ground, bead, at=(0, 0, 0))
+    model.orientation(model.ground, bead)
     for x in (-2.0, 2.0):
         model.spring_damper(model.ground, bead, at=((x, 0, 0), (0, 0, 0)), stiffness=100.0, free_length=1.5)
     rest = lw.equilibrium(model)

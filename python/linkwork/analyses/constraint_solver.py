@@ -57,7 +57,7 @@ class Constraints:
         return x
 
     def solve_transposed(self, f: Floats) -> Floats:
-        """The smallest lambda (m,), in scaled rows, with D^T lambda = f (6n,), in the sense of least squares."""
+        """The smallest lambda (m,), in scaled rows, with D^T lambda = f (6n,), by least squares."""
         k = self.rank
         y = (self.V[:, :k].T @ (self.column_scale * f)) / self.sigma[:k]
         multipliers: Floats = self.row_scale * (self.U[:, :k] @ y)

@@ -147,7 +147,7 @@ def kinematics() -> None:
     """The motion that drivers prescribe, and the forces and torques that they need for it.
 
     \b
-    linkwork kinematics --help
+    linkwork kinematics four_bar --help
 
     For mechanisms whose freedoms are all fixed by drivers, mostly models from files:
     `linkwork kinematics crank.yaml --t-end 2 --plot crank.png`. Dead points are told.
