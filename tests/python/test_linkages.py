@@ -104,6 +104,13 @@ def test_the_foot_of_a_strandbeest_is_where_its_lengths_put_it() -> None:
     assert np.abs(path[-1] - path[0]).max() < 1e-8
 
 
+def test_kinematic_analysis_walks_a_strandbeest() -> None:
+    times = np.linspace(0.0, 1.0, 101)
+    model = lw.mechanisms.strandbeest_leg(speed=-2 * np.pi)
+    path = point_of(model, lw.kinematics(model, times), "lower triangle", leg_points(0.0)["foot"])
+    assert np.abs(path - [leg_points(-2 * np.pi * t)["foot"] for t in times]).max() < 1e-10
+
+
 def test_a_strandbeest_takes_level_steps() -> None:
     """Half of the time within 2 cm of the ground, over more than 60 cm; on the way back it lifts 20 cm."""
     result, path = foot_path()
@@ -125,7 +132,7 @@ def angle_about(axis: Floats, a: Floats, b: Floats) -> float:
 
 
 def test_bennett_closes_at_every_angle_of_its_crank() -> None:
-    """Each foot lies on its own axis at equal distance from the neighbors' as the links are long."""
+    """Each link is as long as its opposite, along the common normal of the axes at its ends."""
     for crank_angle in np.linspace(-3, 3, 13):
         points, axes = hinges(crank_angle)
         along = np.roll(points, -1, axis=0) - points

@@ -91,3 +91,36 @@ def test_the_freedoms_of_a_delta_robot_are_the_shifts_of_its_tool() -> None:
     free = Vt[57:, :6]  # of the tool, body 0
     assert np.linalg.svd(free[:, :3], compute_uv=False).min() > 0.1
     assert np.abs(free[:, 3:]).max() < 1e-12
+
+
+# --- by kinematic analysis ----------------------------------------------------------------------------------
+
+TIMES = np.linspace(0.0, 2.0, 101)
+
+
+def test_kinematic_analysis_places_a_stewart_platform_by_its_legs() -> None:
+    motion = lw.kinematics(lw.mechanisms.stewart_platform(amplitude=0.2, rate=4.0), TIMES)
+    lengths = leg_lengths(motion)
+    wanted = np.array([[stroke.evaluate(t)[0] for stroke in strokes(0.2, 4.0)] for t in TIMES])
+    assert np.abs(lengths - lengths[0] - wanted).max() < 1e-10
+
+
+def test_kinematic_analysis_places_the_tool_of_a_delta_robot() -> None:
+    motion = lw.kinematics(lw.mechanisms.delta_robot(amplitude=0.5, rate=5.0), TIMES)
+    angles = START + np.array([[m.evaluate(t)[0] for m in motions(0.5, 5.0)] for t in TIMES])
+    wanted = np.array([tool_position(angle) for angle in angles])
+    assert np.abs(motion.body("tool").position - wanted).max() < 1e-10
+
+
+@pytest.mark.parametrize("name", ("stewart_platform", "delta_robot"))
+def test_the_motors_need_what_forward_dynamics_finds(name: str) -> None:
+    """Inverse dynamics by the kinematic analysis, and the multipliers of a simulation."""
+    motor = {"stewart_platform": "actuator 2", "delta_robot": "motor 2"}[name]
+    model = lw.mechanisms.MECHANISMS[name].function()
+    times = np.linspace(0.0, 1.0, 51)
+    needed = lw.kinematics(model, times).reaction(motor)
+    result = lw.simulate(model, t_end=1.0, step=1e-3, record_every=20, progress=False)
+    found = result.reaction(motor)
+    for wanted, got in ((needed.force, found.force), (needed.torque, found.torque)):
+        assert np.abs(got - wanted).max() < 1e-6 * max(1.0, float(np.abs(wanted).max()))
+    assert max(np.ptp(needed.force, axis=0).max(), np.ptp(needed.torque, axis=0).max()) > 1.0
