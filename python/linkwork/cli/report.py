@@ -39,8 +39,8 @@ def report(subject: str, output: str, t_end: float | None, step: float | None) -
 def _result(subject: str, options: dict[str, float | None]) -> lw.Result:
     """Read, or simulated. UsageError: neither a mechanism nor a file, or options that a file cannot take."""
     given = {name: value for name, value in options.items() if value is not None}
-    if subject in lw.mechanisms.MECHANISMS:
-        mechanism = lw.mechanisms.MECHANISMS[subject]
+    if subject in lw.mechanisms.MECHANISMS or lw.mechanisms.is_model_file(subject):
+        mechanism = lw.mechanisms.named(subject)
         return lw.simulate(mechanism.function(), **{**mechanism.settings, **given})
     if not Path(subject).exists():
         raise click.UsageError(
