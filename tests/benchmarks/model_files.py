@@ -18,9 +18,8 @@ def main(bodies: int = 100_000, suffix: str = ".json") -> None:
             wall, cpu = time.perf_counter(), time.process_time()
             action()
             wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
-            print(
-                f"{name} {bodies:,} bodies: {wall:.2f} s ({cpu:.2f} s of CPU), {path.stat().st_size / 1e6:.1f} MB"
-            )
+            size = path.stat().st_size / 1e6
+            print(f"{name} {bodies:,} bodies: {wall:.2f} s ({cpu:.2f} s of CPU), {size:.1f} MB")
 
 
 if __name__ == "__main__":

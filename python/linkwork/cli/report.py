@@ -41,7 +41,10 @@ def _result(subject: str, options: dict[str, float | None]) -> lw.Result:
     given = {name: value for name, value in options.items() if value is not None}
     if subject in lw.mechanisms.MECHANISMS or lw.mechanisms.is_model_file(subject):
         mechanism = lw.mechanisms.named(subject)
-        return lw.simulate(mechanism.function(), **{**mechanism.settings, **given})
+        settings = {**mechanism.settings, **given}
+        if "t_end" not in settings:
+            raise click.UsageError(f"'{subject}' does not say when the run ends: give --t-end")
+        return lw.simulate(mechanism.function(), **settings)
     if not Path(subject).exists():
         raise click.UsageError(
             f"'{subject}' is no file and no mechanism{nearest(subject, lw.mechanisms.MECHANISMS)}"
