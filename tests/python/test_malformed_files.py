@@ -433,8 +433,8 @@ def test_of_very_many_faults_the_first_are_told(tmp_path: Path) -> None:
 def test_files_beyond_the_limit_are_refused_unread(tmp_path: Path) -> None:
     path = tmp_path / "model.yaml"
     with path.open("wb") as file:
-        file.truncate(2**26 + 1)
-    assert "64 MiB; larger models are written as .json" in faults(path)[0].message
+        file.truncate(2**24 + 1)
+    assert "16 MiB; larger models are written as .json" in faults(path)[0].message
 
 
 def test_cases_never_show_a_traceback(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -30,7 +30,7 @@ class FirstStep:
 
 def make_first_step(subject: Subject, options: Mapping[str, Any]) -> FirstStep:
     """One RK4 step of the size that the mechanism recommends. LinkworkError, MemoryError: it cannot be."""
-    model, step = subject.build(), subject.record.settings["step"]
+    model, step = subject.build(), subject.step
     model.compiled()
     memory.forget_peak()
     before, started = memory.peak(), time.perf_counter()

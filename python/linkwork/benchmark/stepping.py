@@ -121,7 +121,7 @@ class _Stepped:
 
     def __init__(self, subject: Subject) -> None:
         self.subject, self.model = subject, subject.build()
-        self.step: float = subject.record.settings["step"]
+        self.step: float = subject.step
         self.run(1)
         one = self.run(FEWEST_STEPS).statistics["driver_seconds"] / FEWEST_STEPS
         self.steps = min(max(round(RUN_SECONDS / one), FEWEST_STEPS), MOST_STEPS)

@@ -53,6 +53,11 @@ class Subject:
         return named(self.mechanism)
 
     @property
+    def step(self) -> float:
+        """Recommended, or 1 ms where a file recommends none [s]."""
+        return float(self.record.settings.get("step", 1e-3))
+
+    @property
     def bodies(self) -> int:
         """How many it has. ModelError, OptionError: parameters that make no mechanism."""
         size = self.record.size

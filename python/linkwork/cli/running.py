@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
+from linkwork.errors import OptionError
 
 if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism
@@ -31,7 +32,7 @@ def simulate_and_show(
         plotting.check_format(plot)
     model = mechanism.function(**parameters)
     try:
-        result = lw.simulate(model, **{**_recommended(mechanism, options), **options}, output=output)
+        result = lw.simulate(model, **_settings(mechanism, options), output=output)
     except KeyboardInterrupt as stop:
         raise KeyboardInterrupt(
             f"interrupted; '{output}' has the frames so far" if output else "interrupted"
@@ -52,6 +53,16 @@ def simulate_and_show(
         )
     else:
         out.print_pairs([*summary.lines(result), *((label, path or "") for label, path in files.items())])
+
+
+def _settings(mechanism: Mechanism, options: Mapping[str, Any]) -> dict[str, Any]:
+    """The options that were given, over the recommended. OptionError: nothing says when the run ends."""
+    settings = {**_recommended(mechanism, options), **options}
+    if "t_end" not in settings:
+        raise OptionError(
+            "t_end is missing: give --t-end, or `simulation: {t_end: ...}` in the file", code="t_end"
+        )
+    return settings
 
 
 def _recommended(mechanism: Mechanism, options: Mapping[str, Any]) -> dict[str, Any]:

@@ -237,14 +237,10 @@ def _resolved(model: Model | str, t_end: float | None) -> tuple[Model, float, fl
     """The model, the end, and the recommended step. OptionError."""
     settings: dict[str, Any] = {}
     if isinstance(model, str):
-        from linkwork.mechanisms import MECHANISMS
+        from linkwork.mechanisms import named
 
-        if model not in MECHANISMS:
-            raise OptionError(
-                f"mechanism '{model}' does not exist{nearest(model, MECHANISMS)}", code="unknown_option"
-            )
-        settings = dict(MECHANISMS[model].settings)
-        model = MECHANISMS[model].function()
+        mechanism = named(model)
+        settings, model = dict(mechanism.settings), mechanism.function()
     end = settings.get("t_end") if t_end is None else t_end
     if end is None:
         raise OptionError("t_end is missing: give the end of the simulated time [s]", code="t_end")

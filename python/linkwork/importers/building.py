@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, TypedDict
 
 import numpy as np
@@ -86,38 +87,25 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     gravity = options.get("gravity")
     model = Model(description.gravity if gravity is None else gravity, description.name)
     builder = _Builder(description, model, states, groups, options.get("repair_inertia", False))
-    with _Collecting(faults, lines or {}) as collect:
-        for group in builder.moving:
-            collect(group.main, "link", lambda group=group: builder.add_body(group))  # type: ignore[misc]
-        if not faults:
-            for joint in description.joints:
-                collect(joint.name, "joint", lambda joint=joint: builder.add_joint(joint))  # type: ignore[misc]
+    for group in builder.moving:
+        _collect(faults, lines or {}, f"link '{group.main}'", partial(builder.add_body, group))
+    for joint in description.joints if not faults else ():
+        _collect(faults, lines or {}, f"joint '{joint.name}'", partial(builder.add_joint, joint))
     if faults:
         raise ModelFileError(description.path, faults)
     return Imported(description.path, model, tuple(description.notes))
 
 
-class _Collecting:
-    """Calls, and takes what they refuse for faults of the file."""
-
-    def __init__(self, faults: list[Fault], lines: Mapping[str, int]) -> None:
-        self._faults, self._lines = faults, lines
-
-    def __enter__(self) -> Callable[[str, str, Callable[[], None]], None]:
-        return self._call
-
-    def __exit__(self, *_: object) -> None:
-        pass
-
-    def _call(self, name: str, what: str, add: Callable[[], None]) -> None:
-        try:
-            add()
-        except LinkworkError as error:
-            reason = error.message.partition(f"'{name}': ")[2] or error.message
-            if error.code in ("inertia_triangle", "inertia_negative"):
-                reason += "; repair_inertia takes the nearest that is possible"
-            line = self._lines.get(f"{what} {name}", 1)
-            self._faults.append(Fault(line, f"{what} '{name}'", reason))
+def _collect(faults: list[Fault], lines: Mapping[str, int], who: str, add: Callable[[], None]) -> None:
+    """Call, and take a refusal for a fault of the file."""
+    try:
+        add()
+    except LinkworkError as error:
+        kind, _, name = who.partition(" ")
+        reason = error.message.partition(f"{name}: ")[2] or error.message
+        if error.code in ("inertia_triangle", "inertia_negative"):
+            reason += "; repair_inertia takes the nearest that is possible"
+        faults.append(Fault(lines.get(f"{kind} {name[1:-1]}", 1), who, reason))
 
 
 # --- rigid groups -------------------------------------------------------------------------------------------

@@ -43,9 +43,9 @@ def import_sdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Impo
     """The model in an SDF file, with its closed loops, at the poses of its links or at `coordinates`.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, merge_fixed. Links that nothing joins to the world move freely, unless the model is static
-    or floating=False. Joints stand where the poses of the links put them; those that close loops have no
-    coordinates of their own.
+    keep_massless, repair_inertia, align_axes, merge_fixed. Links that nothing joins to the world move freely,
+    unless the model is static or floating=False. Joints stand where the poses of the links put them; those
+    that close loops have no coordinates of their own.
 
     Not represented, and listed in the notes: limits, gearbox joints, plugins, geometry. ModelFileError: what
     is wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.

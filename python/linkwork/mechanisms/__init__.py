@@ -15,7 +15,7 @@ from linkwork.mechanisms.delta_robot import DELTA_ROBOT, delta_robot
 from linkwork.mechanisms.double_wishbone import DOUBLE_WISHBONE, double_wishbone
 from linkwork.mechanisms.flyball_governor import FLYBALL_GOVERNOR, flyball_governor
 from linkwork.mechanisms.four_bar import FOUR_BAR, four_bar
-from linkwork.mechanisms.from_file import is_file, mechanism_of_file
+from linkwork.mechanisms.from_file import is_file, is_model_file, mechanism_of_file
 from linkwork.mechanisms.gyroscope import GYROSCOPE, gyroscope
 from linkwork.mechanisms.heavy_top import HEAVY_TOP, heavy_top
 from linkwork.mechanisms.hub import HUB, hub
@@ -53,6 +53,7 @@ __all__ = [
     "heavy_top",
     "hub",
     "is_file",
+    "is_model_file",
     "named",
     "net",
     "pendulum",

@@ -12,12 +12,19 @@ from linkwork.mechanisms.mechanism import Mechanism
 if TYPE_CHECKING:
     from linkwork.model import Model
 
-__all__ = ["is_file", "mechanism_of_file"]
+__all__ = ["is_file", "is_model_file", "mechanism_of_file"]
 
 
 def is_file(name: str) -> bool:
     """Whether a word means a file: it has an extension or a folder. Names of mechanisms have neither."""
     return bool(PurePath(name).suffix) or os.sep in name
+
+
+def is_model_file(name: str) -> bool:
+    """Whether the extension is that of a file with a model, such as .yaml or .urdf; results have another."""
+    from linkwork import importers, model_file
+
+    return importers.is_importable(name) or PurePath(name).suffix.lower() in model_file.SUFFIXES
 
 
 def mechanism_of_file(path: str) -> Mechanism:

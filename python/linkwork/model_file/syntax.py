@@ -26,8 +26,8 @@ class Syntax(Protocol):
 #: How each file name extension is read, and the largest such file [bytes].
 SUFFIXES: Mapping[str, tuple[Callable[[str], Any], int]] = {
     ".json": (json_text.JsonText, 2**31),
-    ".yaml": (yaml_text.YamlText, 2**26),
-    ".yml": (yaml_text.YamlText, 2**26),
+    ".yaml": (yaml_text.YamlText, 2**24),
+    ".yml": (yaml_text.YamlText, 2**24),
 }
 
 

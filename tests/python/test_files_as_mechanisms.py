@@ -1,0 +1,71 @@
+"""Every command that takes a mechanism's name takes a file, too."""
+
+from __future__ import annotations
+
+import json
+from contextlib import nullcontext
+from pathlib import Path
+
+import linkwork as lw
+import pytest
+from linkwork.benchmark.subject import Subject
+from linkwork.cli import run
+
+ROBOTS = Path(__file__).parent / "robots"
+
+
+@pytest.fixture
+def four_bar(tmp_path: Path) -> Path:
+    path = tmp_path / "four_bar.yaml"
+    lw.mechanisms.four_bar().save(path, simulation={"t_end": 0.05, "step": 1e-3})
+    return path
+
+
+@pytest.mark.parametrize("words", [
+    "run FILE", "run FILE --t-end 0.01 --integrator dopri5", "check FILE", "report FILE -o page.html",
+    "compare FILE --t-end 0.01 --formulations standard --integrators rk4 --steps 1e-3",
+    "bench rhs --mechanism FILE --solver block --repeats 2", "convert FILE again.json",
+])  # fmt: skip
+def test_commands_take_files(
+    words: str, four_bar: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(four_bar.parent)
+    code = run([str(four_bar) if word == "FILE" else word for word in words.split()], debug=True)
+    assert (code, capsys.readouterr().err) == (0, "")
+
+
+def test_a_file_gives_the_same_run_as_the_name(four_bar: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    ran = []
+    for subject in (str(four_bar), "four_bar"):
+        assert run(["run", subject, "--t-end", "0.05", "--step", "1e-3", "--json"], debug=False) == 0
+        ran.append(json.loads(capsys.readouterr().out)["result"])
+    assert ran[0] == ran[1]
+
+
+def test_python_functions_that_take_names_take_files(four_bar: Path) -> None:
+    assert Subject.of(str(four_bar)).build().hash() == lw.mechanisms.four_bar().hash()
+    assert lw.mechanisms.named(str(four_bar)).settings == {"t_end": 0.05, "step": 1e-3}
+    with pytest.raises(lw.OptionError, match="no mechanism 'four_ba'; the nearest is 'four_bar'"):
+        lw.mechanisms.named("four_ba")
+
+
+def test_where_nothing_recommends_an_end_it_is_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "model.json"
+    lw.mechanisms.four_bar().save(path)
+    for command in ("run", "compare"):
+        assert run([command, str(path)], debug=False) == 1
+        assert capsys.readouterr().err.startswith("error: t_end is missing")
+
+
+@pytest.mark.parametrize("name", ["arm.urdf", "four_bar.sdf", "slider_crank.xml"])
+def test_robots_run_and_say_what_is_left_out(
+    name: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    target = tmp_path / "out.yaml"
+    assert run(["convert", str(ROBOTS / name), str(target), "--json"], debug=False) == 0
+    told = json.loads(capsys.readouterr().out)
+    with pytest.warns(lw.LinkworkWarning) if told["notes"] else nullcontext():
+        assert run(["run", str(ROBOTS / name), "--t-end", "0.01", "--step", "1e-3"], debug=False) == 0
+    assert lw.Model.load(target).body_count == told["bodies"]
