@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -116,6 +117,22 @@ inline int add_joint(Model& model, Random& random, const std::string& kind, cons
     parameters.push_back({name == "length" ? apart.norm() : motion ? 0.0 : constant_parameter(name), -1});
   }
   return model.add_joint(kind, name, i, j, place(model, i, j, P_i, P_j, F_i, F_j), parameters);
+}
+
+/// Parameters of a force element of any kind, which vary in time where they can.
+inline std::vector<Parameter> force_parameters(Model& model, Random& random, const KindInfo& info) {
+  std::vector<Parameter> out;
+  for (const std::string& name : info.parameters) {
+    const auto among = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const TimeFunctionPtr function = harmonic(random.number(), random.number(1, 3), random.number(), 1.0);
+    if (among(info.constants)) out.push_back({name.starts_with("radius") ? 1.5 : random.number(1.2, 2.0), -1});
+    else if (name == "lower" || name == "upper")
+      out.push_back({0.0, model.add_signal(harmonic(0.1, 2.0, 0.0, name == "lower" ? -0.2 : 0.2))});
+    else out.push_back({0.0, model.add_signal(among(info.functions) ? characteristic(function) : function)});
+  }
+  return out;
 }
 
 /// A tree of `bodies` random bodies, each held by a joint of a random kind to the ground or an earlier body.

@@ -23,7 +23,7 @@ Model everything() {
   const int signal = model.add_signal(harmonic(0.1, 1.0, 0.0, 1.0));
   for (const ForceKind& kind : force_kinds())
     model.add_force(kind.info.name, kind.info.name, 0, 1, random_attachment(random),
-                    std::vector<Parameter>(kind.info.parameters.size(), Parameter{0.0, signal}));
+                    force_parameters(model, random, kind.info));
   model.add_joint("distance", "driven", ground, body, random_attachment(random), {{0.0, signal}});
   return model;
 }

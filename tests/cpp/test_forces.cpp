@@ -16,17 +16,7 @@ Model random_force(const std::string& kind, int i, int j, Random& random) {
   Model model(random.vec3(9.81));
   for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
   const KindInfo& info = force_kinds()[static_cast<std::size_t>(force_kind_index(kind))].info;
-  std::vector<Parameter> parameters;
-  for (const std::string& name : info.parameters) {
-    const auto among = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    const TimeFunctionPtr function = harmonic(random.number(), random.number(1, 3), random.number(), 1.0);
-    if (among(info.constants)) parameters.push_back({name.starts_with("radius") ? 1.5 : random.number(1.2, 2.0), -1});
-    else if (name == "lower" || name == "upper")
-      parameters.push_back({0.0, model.add_signal(harmonic(0.1, 2.0, 0.0, name == "lower" ? -0.2 : 0.2))});
-    else parameters.push_back({0.0, model.add_signal(among(info.functions) ? characteristic(function) : function)});
-  }
+  const std::vector<Parameter> parameters = force_parameters(model, random, info);
   model.add_force(kind, "force", i, j, random_attachment(random), parameters);
   return model;
 }
