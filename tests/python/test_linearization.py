@@ -107,7 +107,7 @@ def test_what_turns_and_does_not_look_the_same_has_no_frequencies() -> None:
 
 
 def test_a_model_that_falls_is_not_in_balance() -> None:
-    with pytest.raises(lw.ModelError, match="is not in balance: body 'link\\[1\\]'"):
+    with pytest.raises(lw.ModelError, match="is not in balance: body 'link\\[2\\]'"):
         lw.linearize(lw.mechanisms.chain(3))
 
 
@@ -286,3 +286,18 @@ def test_springs_that_pull_against_each_other_are_in_balance_without_weight() ->
     assert rest.stability == "stable" and rest.softest == pytest.approx(2 * 50 / 2, rel=1e-7)
     exact = np.sqrt(np.array([50.0, 50.0, 200.0]) / 0.5)
     assert lw.linearize(rest.model).frequencies == pytest.approx(exact, rel=1e-7)
+
+
+def test_a_driver_that_starts_to_accelerate_holds_at_rest() -> None:
+    """Reactions of the equilibrium are those of statics; vibrations are those with the driver held."""
+    model = lw.Model(gravity=(0, 0, -G))
+    arm = model.body("arm", mass=2.0, inertia=(0.1, 0.2, 0.3), position=(0.5, 0, 0))
+    bob = model.body("bob", mass=1.0, inertia=(0.01, 0.02, 0.03), position=(1.0, 0, -0.4))
+    model.revolute(model.ground, arm, at=(0, 0, 0), axis=(0, 1, 0))
+    model.revolute(arm, bob, at=(1, 0, 0), axis=(0, 1, 0))
+    turn = lw.functions.polynomial(0, 0, 7.0)
+    model.angle_driver(model.ground, arm, at=(0, 0, 0), axis=(0, 1, 0), angle=turn, name="motor")
+    rest = lw.equilibrium(model)
+    assert rest.reaction("motor").torque == pytest.approx([0, -(2 * 0.5 + 1) * G, 0], abs=1e-9)
+    exact = np.sqrt(G * 0.4 / (0.02 + 0.16))
+    assert lw.linearize(rest.model).frequencies == pytest.approx([exact], rel=1e-9)

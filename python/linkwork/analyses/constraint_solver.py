@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.equations import Equations, Sparse
+from linkwork.errors import LinkworkError, SingularSystemError
 
-__all__ = ["DENSE", "Constraints", "null_space"]
+__all__ = ["DENSE", "Constraints", "balance", "null_space", "saddle_point", "shared"]
 
 Floats = NDArray[np.float64]
 
@@ -92,3 +93,70 @@ def null_space(equations: Equations, D: Sparse) -> Floats:
         Z, _ = np.linalg.qr(Z)
     basis: Floats = equations.scale[:, None] * Z
     return basis
+
+
+def saddle_point(
+    equations: Equations, A: Sparse, D: Sparse, b: Floats, c: Floats
+) -> tuple[Floats, Floats] | None:
+    """x (6n,) and y (m,) of A x - D^T y = b, D x = c, for D of full row rank; None: singular."""
+    from scipy.sparse import block_array
+    from scipy.sparse.linalg import splu
+
+    unit = float(abs(A.diagonal() * equations.scale**2).max()) or 1.0
+    scale = np.concatenate([equations.scale, np.full(len(c), unit)])
+    matrix = block_array([[A, -D.T], [D, None]] if len(c) else [[A]], format="csc")
+    matrix = matrix.multiply(scale[:, None]).multiply(scale[None, :]).tocsc()
+    try:
+        factor = splu(matrix)
+    except RuntimeError:
+        return None
+    found = scale * factor.solve(scale * np.concatenate([b, c]))
+    return found[: len(b)], found[len(b) :]
+
+
+def balance(equations: Equations, t: float, q: Floats) -> tuple[Floats, Floats, Floats]:
+    """r = g + D^T lambda (6n,) at rest, with the lambda (m,) that makes it shortest, and g.
+
+    Shortest in the measure of forces that goes with motions in scaled columns; zero in redundant rows: see
+    `shared`. SingularSystemError: independent rows depend on each other in this pose.
+    """
+    from scipy.sparse import diags_array
+
+    terms, rows = equations.terms(t, q), equations.independent
+    W = diags_array(1 / equations.scale**2).tocsr()
+    found = saddle_point(equations, W, terms.D[rows], terms.g, np.zeros(len(rows)))
+    if found is None:
+        names = equations.joints(equations.rank.singular_rows)
+        raise SingularSystemError(
+            f"model '{equations.model.name}': in this pose the equations of "
+            f"{', '.join(names) or 'some joints'} depend on others for the moment; start elsewhere",
+            code="singular_pose",
+            joints=names,
+        )
+    multipliers = np.zeros(equations.core.row_count)
+    multipliers[rows] = found[1]
+    return W @ found[0], multipliers, terms.g
+
+
+def shared(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Floats:
+    """The same D^T lambda by multipliers (m,) of least norm, shared among redundant rows as in `simulate`.
+
+    What drivers would need to accelerate at t is not in them: they hold at rest.
+    """
+    from linkwork.system import System
+
+    if not len(multipliers):
+        return multipliers
+    massless = (np.asarray(equations.core.mass) == 0).any()
+    system = System(equations.model, formulation="augmented_lagrangian" if massless else "standard")
+    D = equations.terms(t, q).D
+    try:
+        share = system.accelerations(t, q, np.zeros(6 * equations.core.body_count))[1]
+    except LinkworkError:
+        share = multipliers
+    left = D.T @ (multipliers - share)
+    if np.abs(left).max(initial=0.0) <= 1e-12 * np.abs(D.T @ multipliers).max(initial=0.0):
+        return share
+    if D.shape[1] > DENSE:
+        return multipliers
+    return share + Constraints.of(equations, D).solve_transposed(left)

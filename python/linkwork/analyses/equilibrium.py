@@ -9,14 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.analyses.constraint_solver import DENSE, null_space
+from linkwork.analyses.constraint_solver import DENSE, balance, null_space, saddle_point, shared
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
-from linkwork.errors import ModelError, NotConvergedError, SingularSystemError, nearest
+from linkwork.errors import ModelError, NotConvergedError, nearest
 from linkwork.model import Model
 from linkwork.result import Reaction
-from linkwork.system import System
 
 __all__ = ["Equilibrium", "equilibrium"]
 
@@ -196,40 +195,13 @@ class _Search:
 
     def _balance(self, q: Floats) -> tuple[Floats, Floats, float]:
         """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), the size of forces [N]."""
-        terms = self.eq.terms(0.0, q)
-        D = terms.D[self.rows]
-        w = self._solved(self.W, D, terms.g, np.zeros(len(self.rows)))
-        if w is None:
-            names = self.eq.joints(self.eq.rank.singular_rows)
-            raise SingularSystemError(
-                f"equilibrium: model '{self.eq.model.name}': in this pose the equations of "
-                f"{', '.join(names) or 'some joints'} depend on others for the moment; start elsewhere",
-                code="singular_pose",
-                joints=names,
-            )
-        multipliers = np.zeros(self.eq.core.row_count)
-        multipliers[self.rows] = self._multipliers
-        return self.W @ w, multipliers, max(self._size(terms.g), self.eq.weight) or 1.0
+        r, multipliers, g = balance(self.eq, 0.0, q)
+        return r, multipliers, max(self._size(g), self.eq.weight) or 1.0
 
     def _solved(self, A: Sparse, D: Sparse, b: Floats, c: Floats) -> Floats | None:
-        """x of A x - D^T y = b, D x = c; y stays in `_multipliers`. None: singular."""
-        from scipy.sparse import block_array
-        from scipy.sparse.linalg import splu
-
-        scale = np.concatenate([self.eq.scale, np.ones(len(c))])
-        unit = float(abs(A.diagonal() * self.eq.scale**2).max()) or 1.0
-        scale[len(self.rest) :] = unit
-        matrix = block_array([[A, -D.T], [D, None]] if len(c) else [[A]], format="csc")
-        columns = scale.copy()
-        matrix = (matrix.multiply(scale[:, None])).multiply(columns[None, :]).tocsc()
-        try:
-            factor = splu(matrix)
-        except RuntimeError:
-            return None
-        found = columns * factor.solve(scale * np.concatenate([b, c]))
-        self._multipliers: Floats = found[len(self.rest) :]
-        x: Floats = found[: len(self.rest)]
-        return x
+        """x of A x - D^T y = b, D x = c; None: singular."""
+        found = saddle_point(self.eq, A, D, b, c)
+        return None if found is None else found[0]
 
     def _on_joints(self, q: Floats) -> Floats | None:
         """The nearest pose in which the joints hold, by Newton's method; None: not found."""
@@ -275,10 +247,7 @@ class _Search:
         r, multipliers, scale = self._balance(q)
         softest, motion, unit = self._softest(q)
         at_rest = eq.model.with_initial_state(q, self.rest)
-        massless = (np.asarray(eq.core.mass) == 0).any()
-        dynamics = System(at_rest, formulation="augmented_lagrangian" if massless else "standard").compiled()
-        if len(multipliers):
-            multipliers = dynamics.accelerations(0.0, q, self.rest)[1]
+        multipliers = shared(eq, 0.0, q, multipliers)
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
         shift, angle = np.linalg.norm(x, axis=2).T
         kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
@@ -286,7 +255,7 @@ class _Search:
         scale = max(scale, PRELOAD * unit * eq.length)
         words = "" if np.isnan(softest) else eq.motion(motion)
         return Equilibrium(at_rest, shift, angle, multipliers, self._size(r) / scale, softest, words, kind,
-                           self.steps, dynamics)  # fmt: skip
+                           self.steps, eq.dynamics)  # fmt: skip
 
     def _fail(self, r: Floats) -> None:
         eq = self.eq

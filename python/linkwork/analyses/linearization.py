@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.analyses.constraint_solver import DENSE, null_space
+from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import displaced, turned_out
@@ -157,12 +157,17 @@ def _coefficients(
 ) -> tuple[Sparse, Sparse, Sparse, Sparse]:
     """M, C, K and the independent rows of D. ModelError: no balance."""
     q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
-    v_dot, multipliers = _accelerations(eq, at.t, q, v)
-    terms, M = eq.terms(at.t, q, v), eq.mass(q)
+    M = eq.mass(q)
+    _check_rank(eq)
+    if v.any():
+        v_dot, multipliers = _accelerations(eq, at.t, q, v)
+        unbalanced = M @ turned_out(q, v_dot)
+    else:  # of drivers only the present value counts
+        unbalanced, multipliers, _ = balance(eq, at.t, q)
+    terms = eq.terms(at.t, q, v)
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
     if check:
-        _check_balance(eq, terms.g, K, M @ turned_out(q, v_dot))
-        _check_rank(eq)
+        _check_balance(eq, terms.g, K, unbalanced)
     return M, C, K, terms.D[eq.independent]
 
 
@@ -183,7 +188,7 @@ def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> N
         value = f"{unbalanced.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
         raise ModelError(
             f"linearize: the model '{eq.model.name}' is not in balance: body '{eq.core.body_name(body)}' is "
-            f"accelerated by {value}; start from linkwork.equilibrium(model).model",
+            f"driven by {value}; start from linkwork.equilibrium(model).model",
             code="not_in_balance",
             bodies=[eq.core.body_name(body)],
         )
