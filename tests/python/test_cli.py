@@ -14,6 +14,7 @@ from typing import Any
 
 import h5py
 import pytest
+from commands import running
 from linkwork import Result
 from linkwork.cli import run
 
@@ -329,26 +330,17 @@ main()
 
 
 def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(tmp_path: Path) -> None:
-    words = [
-        *COMMAND,
-        "run",
-        "spatial_slider_crank",
-        "--t-end",
-        "1e5",
-        "--output",
-        str(tmp_path / "run.h5"),
-        "--record-every",
-        "100",
-    ]
-    command = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    wait_for_frames(tmp_path / "run.h5")
-    asked = time.monotonic()
-    command.send_signal(signal.SIGINT)
-    out, err = command.communicate(timeout=10)
+    file = tmp_path / "run.h5"
+    words = ["run", "spatial_slider_crank", "--t-end", "1e5", "--output", str(file), "--record-every", "100"]
+    with running([*COMMAND, *words]) as command:
+        wait_for_frames(file)
+        asked = time.monotonic()
+        command.send_signal(signal.SIGINT)
+        out, err = command.communicate(timeout=10)
     assert time.monotonic() - asked < 2.0
     assert (command.returncode, out, err.count("\n")) == (130, "", 1)
     assert err.startswith("error: interrupted")
-    result = Result.load(tmp_path / "run.h5")
+    result = Result.load(file)
     assert len(result) > 1 and not result.finished
 
 

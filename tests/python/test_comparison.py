@@ -19,6 +19,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
+from commands import running
 from linkwork import mechanisms
 from linkwork.cli import run
 from linkwork.comparison import Comparison, text, workers
@@ -503,14 +504,11 @@ def test_mistake_is_answered_in_one_line(
 def test_interrupted_command_says_what_it_kept_and_leaves_no_process(tmp_path: Path) -> None:
     steps = ",".join(f"{1e-3 / 2**k:g}" for k in range(9))
     words = ["compare", "spatial_slider_crank", "--integrators", "rk4", "--steps", steps, "--processes", "2"]
-    command = subprocess.Popen(
-        [*PROGRAM, *words, "--resume", str(tmp_path / "c")], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        text=True,
-    )  # fmt: skip
-    wait_for_cells(tmp_path / "c", 1)
-    group = children(command.pid)
-    command.send_signal(signal.SIGINT)
-    out, err = command.communicate(timeout=20)
+    with running([*PROGRAM, *words, "--resume", str(tmp_path / "c")]) as command:
+        wait_for_cells(tmp_path / "c", 1)
+        group = children(command.pid)
+        command.send_signal(signal.SIGINT)
+        out, err = command.communicate(timeout=20)
     assert (command.returncode, out) == (130, "")
     assert err == f"error: interrupted; '{tmp_path / 'c'}' has the runs so far\n"
     assert group and not [pid for pid in group if Path(f"/proc/{pid}").exists()]
