@@ -3,6 +3,8 @@
 #include "bindings.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/model.hpp"
+#include "linkwork/model/special/coupler.hpp"
+#include "linkwork/model/special/point_on_curve.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -92,6 +94,34 @@ int add_elements(Model& model, const std::string& kind, const Names& names, cons
                     std::vector<Parameter>(begin, begin + static_cast<std::ptrdiff_t>(width)));
   }
   return first;
+}
+
+int add_coupler(Model& model, const std::string& name, const std::vector<CoupledCoordinate>& coordinates, double offset,
+                int signal) {
+  const auto coupler = std::make_shared<Coupler>(model, coordinates);
+  const Element& first = model.joints()[static_cast<std::size_t>(coordinates.front().joint)];
+  return model.add_special_joint("coupler", name, first.i, first.j, first.at, coupler, {{offset, signal}});
+}
+
+std::vector<std::array<Vec3<double>, 4>> read_pieces(const Doubles& coefficients, const char* name) {
+  const py::ssize_t count = coefficients.ndim() > 0 ? coefficients.shape(0) : 0;
+  check_shape(coefficients, {count, 4, 3}, name);
+  std::vector<std::array<Vec3<double>, 4>> out(static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < out.size(); ++k)
+    for (std::size_t m = 0; m < 4; ++m)
+      out[k][m] = Eigen::Map<const Vec3<double>>(coefficients.data() + 12 * k + 3 * m);
+  return out;
+}
+
+int add_point_on_curve(Model& model, const std::string& name, const Integers& bodies, const Doubles& origin,
+                       const Doubles& frame, const std::vector<double>& knots, const Doubles& curve,
+                       const Doubles& direction, bool closed) {
+  const Doubles no_parameters(std::vector<py::ssize_t>{1, 0});
+  const Integers no_signals(std::vector<py::ssize_t>{1, 0});
+  const Element place = read_elements(bodies, origin, frame, no_parameters, no_signals).elements.at(0);
+  const Curve pieces{knots, read_pieces(curve, "curve"), read_pieces(direction, "direction"), closed};
+  return model.add_special_joint("point_on_curve", name, place.i, place.j, place.at,
+                                 std::make_shared<PointOnCurve>(place.i, place.j, place.at, pieces));
 }
 
 py::dict element_arrays(const std::vector<Element>& elements, const std::vector<Parameter>& parameters) {
@@ -252,6 +282,9 @@ void bind_kinds(py::module_& module) {
     for (const JointKind& kind : joint_kinds()) out.push_back(kind.info);
     return out;
   });
+  module.def(
+      "special_joint_kinds", &special_joint_kinds,
+      "Of joints that a point and axes on two bodies do not describe; their numbers follow those of joint_kinds.");
   module.def("force_kinds", [] {
     std::vector<KindInfo> out;
     for (const ForceKind& kind : force_kinds()) out.push_back(kind.info);
@@ -264,6 +297,8 @@ void bind_kinds(py::module_& module) {
 void bind_model(py::module_& module) {
   bind_time_functions(module);
   bind_kinds(module);
+  py::class_<CoupledCoordinate>(module, "CoupledCoordinate", "A free coordinate of a joint, as it enters a coupler.")
+      .def(py::init<int, std::string, double>(), py::arg("joint"), py::arg("name"), py::arg("factor"));
   py::class_<Model>(module, "Model", "The constant description of a mechanism; see linkwork.Model.")
       .def(py::init<const Vec3<double>&>(), py::arg("gravity") = Vec3<double>(0.0, 0.0, -9.81))
       .def("add_bodies", &add_bodies, py::arg("names"), py::arg("mass"), py::arg("inertia"), py::arg("position"),
@@ -278,6 +313,11 @@ void bind_model(py::module_& module) {
           },
           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
           py::arg("parameters"), py::arg("signals"), "Adds joints; returns the first index.")
+      .def("add_coupler", &add_coupler, py::arg("name"), py::arg("coordinates"), py::arg("offset"), py::arg("signal"),
+           "Adds a linear relation of coordinates (joint, name, factor); returns its index.")
+      .def("add_point_on_curve", &add_point_on_curve, py::arg("name"), py::arg("bodies"), py::arg("origin"),
+           py::arg("frame"), py::arg("knots"), py::arg("curve"), py::arg("direction"), py::arg("closed"),
+           "Adds a point of b on a spline of a, ascending coefficients (k, 4, 3); returns its index.")
       .def(
           "add_forces",
           [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
@@ -314,10 +354,17 @@ void bind_model(py::module_& module) {
       .def(
           "joint_kind",
           [](const Model& model, int joint) {
-            return joint_kinds()[static_cast<std::size_t>(model.joints().at(static_cast<std::size_t>(joint)).kind)]
-                .info.name;
+            return joint_info(model.joints().at(static_cast<std::size_t>(joint)).kind).name;
           },
           py::arg("joint"))
+      .def(
+          "joint_bodies",
+          [](const Model& model, int joint) {
+            const Element& element = model.joints().at(static_cast<std::size_t>(joint));
+            const SpecialJoint* special = model.special_joint(joint);
+            return special ? special->bodies() : std::vector<int>{element.i, element.j};
+          },
+          py::arg("joint"), "Indices of the bodies of a joint, two or, of a coupler, any number; -1 is the ground.")
       .def(
           "find_body", [](const Model& model, const std::string& name) { return model.body_names().find(name); },
           py::arg("name"), "Index of a name, -1 where there is none.")

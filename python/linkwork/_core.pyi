@@ -13,6 +13,7 @@ import numpy.typing
 __all__ = [
     "AdaptiveSimulation",
     "Assembler",
+    "CoupledCoordinate",
     "Dynamics",
     "EmbeddedPair",
     "Event",
@@ -35,6 +36,7 @@ __all__ = [
     "instruction_set",
     "joint_kinds",
     "linear_solvers",
+    "special_joint_kinds",
     "stabilizations",
 ]
 
@@ -113,6 +115,19 @@ class Assembler:
         """
     @property
     def iterations(self) -> int: ...
+
+class CoupledCoordinate:
+    """
+    A free coordinate of a joint, as it enters a coupler.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        joint: typing.SupportsInt | typing.SupportsIndex,
+        name: str,
+        factor: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
 
 class Dynamics:
     """
@@ -353,6 +368,16 @@ class Model:
         """
         The address of a C function; see linkwork.Model.
         """
+    def add_coupler(
+        self,
+        name: str,
+        coordinates: collections.abc.Sequence[CoupledCoordinate],
+        offset: typing.SupportsFloat | typing.SupportsIndex,
+        signal: typing.SupportsInt | typing.SupportsIndex,
+    ) -> int:
+        """
+        Adds a linear relation of coordinates (joint, name, factor); returns its index.
+        """
     def add_forces(
         self,
         kind: str,
@@ -378,6 +403,20 @@ class Model:
     ) -> int:
         """
         Adds joints; returns the first index.
+        """
+    def add_point_on_curve(
+        self,
+        name: str,
+        bodies: typing.Annotated[numpy.typing.ArrayLike, numpy.int32],
+        origin: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        frame: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        knots: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        curve: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        direction: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        closed: bool,
+    ) -> int:
+        """
+        Adds a point of b on a spline of a, ascending coefficients (k, 4, 3); returns its index.
         """
     def add_signal(self, function: TimeFunction) -> int: ...
     def add_user_force(self, name: str, function: collections.abc.Callable) -> None:
@@ -406,6 +445,10 @@ class Model:
     def joint_arrays(self) -> dict:
         """
         kind, bodies, origin, frame, first_parameter, parameters, signals: what add_joints took.
+        """
+    def joint_bodies(self, joint: typing.SupportsInt | typing.SupportsIndex) -> list[int]:
+        """
+        Indices of the bodies of a joint, two or, of a coupler, any number; -1 is the ground.
         """
     def joint_kind(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def joint_name(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
@@ -720,4 +763,9 @@ def instruction_set() -> str:
 
 def joint_kinds() -> list[KindInfo]: ...
 def linear_solvers() -> list[SolverInfo]: ...
+def special_joint_kinds() -> list[KindInfo]:
+    """
+    Of joints that a point and axes on two bodies do not describe; their numbers follow those of joint_kinds.
+    """
+
 def stabilizations() -> list[StabilizationInfo]: ...

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core, rotation
+from linkwork.elements import KINDS
 
 __all__ = ["aligned", "opposed"]
 
@@ -92,7 +93,7 @@ def _frames(core: _core.Model, q: Floats) -> tuple[Floats, Floats]:
 def _shared_axes(core: _core.Model) -> NDArray[np.bool_]:
     """Which axes of a joint's two frames have to coincide (joints, 3): all, only z, or none."""
     of_kind = []
-    for kind in _core.joint_kinds():
+    for kind in KINDS["joint"].values():
         locked = {equation[-1] for equation in kind.equations if equation.startswith("rotation about joint")}
         of_kind.append([locked == set("xyz")] * 2 + [locked >= set("xy")])
     shared: NDArray[np.bool_] = np.array(of_kind)[core.joint_arrays()["kind"]].reshape(-1, 3)

@@ -23,7 +23,7 @@ Role = Literal["joint", "force"]
 Parameter = Floats | TimeFunction
 
 KINDS: Mapping[Role, Mapping[str, _core.KindInfo]] = {
-    "joint": {kind.name: kind for kind in _core.joint_kinds()},
+    "joint": {kind.name: kind for kind in (*_core.joint_kinds(), *_core.special_joint_kinds())},
     "force": {kind.name: kind for kind in _core.force_kinds()},
 }
 

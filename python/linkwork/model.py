@@ -22,6 +22,7 @@ from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.placement import Attachment, Frames, Place, Subject
 from linkwork.shapes import Shape, Shapes, ShapesLike
+from linkwork.special_joints import CouplerData, CurveData, SpecialJointMethods
 
 __all__ = ["Model"]
 
@@ -31,7 +32,7 @@ Floats = NDArray[np.float64]
 ArrayShape = tuple[int | None, ...]
 
 
-class Model(JointMethods, ForceMethods):
+class Model(JointMethods, SpecialJointMethods, ForceMethods):
     """A mechanism under construction. SI units, angles in rad.
 
     Every kind of joint is a method: `revolute`, `spherical`, ... (`help(linkwork.Model)` has them all).
@@ -50,6 +51,7 @@ class Model(JointMethods, ForceMethods):
         self._user_forces: list[tuple[str, Any]] = []
         self._shapes = Shapes()
         self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
+        self._special: dict[int, CouplerData | CurveData] = {}  # by joint
 
     @property
     def ground(self) -> Body:
@@ -493,7 +495,7 @@ class Model(JointMethods, ForceMethods):
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
         out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
         out._shapes = self._shapes.copy()
-        out._functions = self._functions.copy()
+        out._functions, out._special = self._functions.copy(), self._special.copy()
         return out
 
     def compiled(self) -> _core.Model:
@@ -507,6 +509,8 @@ class Model(JointMethods, ForceMethods):
         digest = hashlib.blake2b(digest_size=16)
         for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements):
             digest.update(np.ascontiguousarray(array).data)
+        for joint, special in self._special.items():
+            digest.update(f"{joint} {special.fingerprint()}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
         for name, own in self._user_forces:
@@ -553,6 +557,12 @@ class Model(JointMethods, ForceMethods):
         self._signals += elements.signals()
         self._characteristics += elements.characteristics()
         self._counts[elements.info.name] += elements.subject.count
+
+    def _keep(self, kind: str, index: int, data: CouplerData | CurveData) -> Joint:
+        """What a file of the model needs of a special joint that was added."""
+        self._special[index] = data
+        self._counts[kind] += 1
+        return self._joint(index)
 
     def _joint(self, index: int) -> Joint:
         return Joint(self._core.joint_name(index), index, self._core.joint_kind(index))

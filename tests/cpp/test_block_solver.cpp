@@ -6,6 +6,7 @@
 #include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/linear/block/schedule.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/model/special/coupler.hpp"
 #include "support.hpp"
 
 using namespace support;
@@ -214,7 +215,7 @@ TEST_CASE("a body without joints falls freely") {
 namespace {
 
 /// A body with balls to `arms` others whose neighbors are at fixed distances from each other, all round.
-Model hub(Random& random, int arms, bool loops, const Model& start = {}) {
+Model hub(Random& random, int arms, bool loops, const Model& start = Model()) {
   Model model = start;
   const int hub = static_cast<int>(model.bodies().size()), first = hub + 1;
   model.add_body("hub" + std::to_string(hub), random_body(random));
@@ -275,6 +276,39 @@ TEST_CASE("joints that a held hub would make dependent wait for the hub") {
     CHECK(block::Schedule(system).hubs.size() == 1);
     check_solves(solver, system, random, false);
     check_solves(solver, system, random, true);
+  });
+}
+
+TEST_CASE("couplers among many bodies are solved, of trees, loops and hubs") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(21);
+    for (int trial = 0; trial < 30; ++trial) {
+      Model model = trial % 3 == 0   ? random_tree(random, random.integer(2, 30))
+                    : trial % 3 == 1 ? loops(random, random.integer(3, 25))
+                                     : hub(random, random.integer(8, 20), trial % 2);
+      std::vector<CoupledCoordinate> angles;
+      for (int k = 0; k < 4; ++k) {
+        const int i = random.integer(ground, static_cast<int>(model.bodies().size()) - 2), j = i + 1;
+        add_joint(model, random, "revolute", "hinge" + std::to_string(k), i, j);
+        angles.push_back({static_cast<int>(model.joints().size()) - 1, "angle", random.number(0.5, 2.0)});
+      }
+      for (int k = 0; k < 2; ++k) {
+        const std::vector<CoupledCoordinate> some(angles.begin() + k, angles.begin() + 2 + random.integer(k, 2));
+        const Element& first = model.joints()[static_cast<std::size_t>(some.front().joint)];
+        model.add_special_joint("coupler", "coupler" + std::to_string(k), first.i, first.j, first.at,
+                                std::make_shared<Coupler>(model, some), {Parameter{}});
+      }
+      const System system(model);
+      check_solves(solver, system, random, true);
+    }
+    Model gears = random_chain(random, 8, "revolute");  // exact, where nothing is redundant
+    for (int k = 0; k < 2; ++k)
+      gears.add_special_joint(
+          "coupler", "coupler" + std::to_string(k), 0, 1, gears.joints()[0].at,
+          std::make_shared<Coupler>(gears,
+                                    std::vector<CoupledCoordinate>{{3 * k, "angle", 1.0}, {3 * k + 1, "angle", -2.5}}),
+          {Parameter{}});
+    check_solves(solver, System(gears), random, false);
   });
 }
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "linkwork/model/special/coupler.hpp"
+#include "linkwork/model/special/point_on_curve.hpp"
 #include "support.hpp"
 
 using namespace support;
@@ -39,6 +41,38 @@ struct Case {
   double t = 0.3;
 };
 
+/// A special joint on three moving bodies and the ground; its parameters vary in time.
+Case special_case(const std::string& kind, Random& random) {
+  Case out("revolute", 0, 1, random);
+  Model& model = out.model;
+  model.add_body("body2", random_body(random));
+  if (kind == "coupler") {
+    model.add_joint("universal", "second", ground, 0, random_attachment(random));
+    model.add_joint("cylindrical", "third", 1, 2, random_attachment(random));
+    const auto coupler =
+        std::make_shared<Coupler>(model, std::vector<CoupledCoordinate>{{0, "angle", random.number()},
+                                                                        {1, "angle_a", random.number()},
+                                                                        {1, "angle_b", random.number()},
+                                                                        {2, "angle", random.number()},
+                                                                        {2, "displacement", random.number()}});
+    const int offset = model.add_signal(harmonic(0.3, 2.0, 0.4, 1.5));
+    model.add_special_joint(kind, "special", 0, 1, model.joints()[0].at, coupler, {{0.0, offset}});
+  } else {
+    const auto piece = [&](const Vec3<double>& along) {  // slightly bent, with one foot for every point near it
+      return std::array<Vec3<double>, 4>{random.vec3(), along, 0.02 * random.vec3(), 0.002 * random.vec3()};
+    };
+    const Mat3<double> F = random.frame();
+    Curve curve{{-4.0, 4.0}, {piece(F.col(0))}, {piece(Vec3<double>::Zero())}, false};
+    curve.e[0][0] = 2.0 * F.col(1);
+    const int i = random.integer(0, 1) ? 2 : ground, j = 1;
+    const Attachment<double> at = random_attachment(random);
+    model.add_special_joint(kind, "special", i, j, at, std::make_shared<PointOnCurve>(i, j, at, curve));
+  }
+  out.v_dot = random.vector(6 * static_cast<Eigen::Index>(model.bodies().size()));
+  out.positions = model.row_count();
+  return out;
+}
+
 /// Runs a check for every registered joint, with each of its bodies as the ground, in random places.
 template <class Check>
 void for_every_joint(Check check) {
@@ -50,10 +84,23 @@ void for_every_joint(Check check) {
         INFO(kind.info.name, " between ", i, " and ", j);
         check(Case(kind.info.name, i, j, random));
       }
+  for (const KindInfo& kind : special_joint_kinds())
+    for (int repetition = 0; repetition < 6; ++repetition) {
+      INFO(kind.name, " number ", repetition);
+      check(special_case(kind.name, random));
+    }
 }
 
-Evaluation evaluate(const System& system, double t, const VectorXd& q, const VectorXd& v) {
-  Evaluation at = system.make_evaluation();
+/// Evaluates near the initial pose, of which the turns of angles are remembered.
+struct Nearby : System {
+  explicit Nearby(const Model& model, double t = 0.0) : System(model), initial(make_evaluation()) {
+    evaluate_constraints(t, model.initial_q(), model.initial_v(), initial);
+  }
+  Evaluation initial;
+};
+
+Evaluation evaluate(const Nearby& system, double t, const VectorXd& q, const VectorXd& v) {
+  Evaluation at = system.initial;
   system.evaluate_constraints(t, q, v, at);
   return at;
 }
@@ -73,7 +120,7 @@ VectorXd displaced(const Model& model, int j, const Vec3<double>& P, const Vec3<
 
 TEST_CASE("every column of D is the derivative of Phi along the unit velocity") {
   for_every_joint([](const Case& c) {
-    const System system(c.model);
+    const Nearby system(c.model, c.t);
     const VectorXd q = c.model.initial_q(), rest = VectorXd::Zero(system.v_size());
     const MatrixXd D = dense_D(system, evaluate(system, c.t, q, rest)).topRows(c.positions);
     MatrixXd differences(D.rows(), D.cols());
@@ -90,7 +137,7 @@ TEST_CASE("every column of D is the derivative of Phi along the unit velocity") 
 
 TEST_CASE("Phi_t is the derivative of Phi in time at a fixed pose") {
   for_every_joint([](const Case& c) {
-    const System system(c.model);
+    const Nearby system(c.model, c.t);
     const VectorXd q = c.model.initial_q(), v = c.model.initial_v();
     const auto Phi = [&](double s) { return evaluate(system, c.t + s, q, v).Phi; };
     CHECK(relative_error(evaluate(system, c.t, q, v).Phi_t, first_difference(Phi, 1e-3)) < tolerance);
@@ -99,7 +146,7 @@ TEST_CASE("Phi_t is the derivative of Phi in time at a fixed pose") {
 
 TEST_CASE("Phi_dot is the derivative of Phi along the motion") {
   for_every_joint([](const Case& c) {
-    const System system(c.model);
+    const Nearby system(c.model, c.t);
     const VectorXd q = c.model.initial_q(), v = c.model.initial_v();
     const auto Phi = [&](double s) { return evaluate(system, c.t + s, moved(q, v, c.v_dot, s), v).Phi; };
     const VectorXd Phi_dot = evaluate(system, c.t, q, v).Phi_dot;
@@ -109,7 +156,7 @@ TEST_CASE("Phi_dot is the derivative of Phi along the motion") {
 
 TEST_CASE("D v_dot - gamma is the second derivative of Phi along the motion") {
   for_every_joint([](const Case& c) {
-    const System system(c.model);
+    const Nearby system(c.model, c.t);
     const VectorXd q = c.model.initial_q(), v = c.model.initial_v();
     const Evaluation at = evaluate(system, c.t, q, v);
     const VectorXd Phi_ddot = dense_D(system, at) * c.v_dot - at.gamma;
@@ -120,7 +167,7 @@ TEST_CASE("D v_dot - gamma is the second derivative of Phi along the motion") {
 
 TEST_CASE("D v_dot - gamma is the derivative of Phi_dot along the motion, of equations of velocities, too") {
   for_every_joint([](const Case& c) {
-    const System system(c.model);
+    const Nearby system(c.model, c.t);
     const VectorXd q = c.model.initial_q(), v = c.model.initial_v();
     const Evaluation at = evaluate(system, c.t, q, v);
     const auto Phi_dot = [&](double s) {  // velocities differ from the motion's by O(s^2), which is even and cancels
@@ -169,7 +216,7 @@ double violation(const std::string& kind, const Vec3<double>& turn, const Vec3<d
   const Vec3<double> P = random.vec3();
   const Mat3<double> F = random.frame();
   model.add_joint(kind, "joint", 0, 1, place(model, 0, 1, P, P, F, F));
-  const System system(model);
+  const Nearby system(model);
   const VectorXd q = displaced(model, 1, P, F * turn, F * shift);
   return evaluate(system, 0.0, q, model.initial_v()).Phi.cwiseAbs().maxCoeff();
 }
@@ -216,7 +263,7 @@ TEST_CASE("universal: rotation about the axis of a after rotation about the axis
   Mat3<double> F_b;
   F_b << F.col(1), F.col(2), F.col(0);  // axis of a: z of F, of b: x of F
   model.add_joint("universal", "joint", 0, 1, place(model, 0, 1, P, P, F, F_b));
-  const System system(model);
+  const Nearby system(model);
   const auto largest_Phi = [&](const Vec4<double>& turn, const Vec3<double>& shift) {
     const VectorXd q = displaced(model, 1, P, logarithm(turn), shift);
     return evaluate(system, 0.0, q, model.initial_v()).Phi.cwiseAbs().maxCoeff();

@@ -1,6 +1,8 @@
 #include "linkwork/assembly/system.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "linkwork/math/rotation.hpp"
@@ -8,7 +10,8 @@
 namespace linkwork {
 namespace {
 
-constexpr double singular_moment = 1e-14;  // principal moment, relative to the largest
+constexpr std::size_t most_parameters = 8;  // of a special joint
+constexpr double singular_moment = 1e-14;   // principal moment, relative to the largest
 
 using Block = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>>;
 
@@ -72,13 +75,18 @@ void System::compile_masses() {
 void System::compile_joints() {
   joint_batches_.resize(joint_kinds().size());
   std::vector<std::size_t> count(joint_kinds().size(), 0);
-  for (const Element& element : model_.joints()) count[static_cast<std::size_t>(element.kind)] += 1;
+  for (const Element& element : model_.joints())
+    if (static_cast<std::size_t>(element.kind) < count.size()) count[static_cast<std::size_t>(element.kind)] += 1;
   for (std::size_t kind = 0; kind < count.size(); ++kind)
     joint_batches_[kind].reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions_.width);
   blocks_.reserve(2 * model_.joints().size());
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
-    const KindInfo& info = joint_kinds()[static_cast<std::size_t>(element.kind)].info;
+    if (const SpecialJoint* special = model_.special_joint(joint)) {
+      compile_special_joint(joint, *special);
+      continue;
+    }
+    const KindInfo& info = joint_info(element.kind);
     JointBatch& batch = joint_batches_[static_cast<std::size_t>(element.kind)];
     const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
     batch.body_i.push_back(element.i);
@@ -102,6 +110,22 @@ void System::compile_joints() {
       blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);
   group_blocks(
       blocks_, body_count(), [](const ConstraintBlock& b) { return b.body; }, body_block_list_, body_block_begin_);
+}
+
+void System::compile_special_joint(int joint, const SpecialJoint& special) {
+  const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+  const KindInfo& info = joint_info(element.kind);
+  const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
+  special_joints_.push_back({&special, joint, row, info.rows, D_size_, memory_size_});
+  memory_size_ += special.memory();
+  most_bodies_ = std::max(most_bodies_, special.bodies().size());
+  for (const int body : special.bodies()) {
+    if (body != ground) blocks_.push_back({joint, body, row, info.rows, D_size_});
+    D_size_ += velocity_size * info.rows;
+  }
+  for (std::size_t p = 0; p < info.parameters.size(); ++p)
+    time_dependent_constraints_ =
+        time_dependent_constraints_ || model_.joint_parameters()[element.first_parameter + p].signal >= 0;
 }
 
 void System::compile_forces() {
@@ -128,6 +152,7 @@ Evaluation System::make_evaluation() const {
     out.bodies.assign(static_cast<std::size_t>(body_count()) + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
   out.D.assign(static_cast<std::size_t>(D_size_), 0.0);
+  out.special.resize(most_bodies_);
   out.memory.assign(static_cast<std::size_t>(memory_size_), 0.0);
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
   out.g.setZero(v_size() + velocity_size);
@@ -161,16 +186,34 @@ void System::evaluate_constraints(double t, const ConstVector& q, const ConstVec
     if (!joint_batches_[kind].row.empty())
       joint_kinds()[kind].evaluate[instructions_.level](joint_batches_[kind].arrays(), q.data(), v.data(),
                                                         out.signals.data(), arrays);
+  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, out);
+}
+
+void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstVector& q, const ConstVector& v,
+                                    Evaluation& out) const {
+  const Element& element = model_.joints()[static_cast<std::size_t>(it.joint)];
+  std::array<Signal<double>, most_parameters> parameters{};
+  const std::size_t count = joint_info(element.kind).parameters.size();
+  for (std::size_t p = 0; p < count; ++p)
+    parameters[p] = current(model_.joint_parameters()[element.first_parameter + p], out.signals.data());
+  const std::vector<int>& bodies = it.special->bodies();
+  for (std::size_t k = 0; k < bodies.size(); ++k) out.special[k] = moving(bodies[k], q, v);
+
+  const auto rows = [&](VectorXd& all) { return all.segment(it.row, it.rows); };
+  double* D = out.D.data() + it.D;
+  std::fill_n(D, velocity_size * it.rows * static_cast<int>(bodies.size()), 0.0);
+  for (VectorXd* x : {&out.Phi, &out.Phi_t, &out.gamma}) rows(*x).setZero();
+  it.special->evaluate(out.special.data(), parameters.data(), out.memory.data() + it.memory,
+                       {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
+  rows(out.Phi_dot) = rows(out.Phi_t);
+  for (const int index : joint_blocks(it.joint)) {
+    const ConstraintBlock& block = blocks_[static_cast<std::size_t>(index)];
+    rows(out.Phi_dot).noalias() += block_of(out, block) * v.segment<velocity_size>(velocity_size * block.body);
+  }
 }
 
 void System::evaluate_elements(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  for (int b = 0; b < body_count(); ++b) {
-    const auto velocity = v.segment<velocity_size>(velocity_size * b);
-    BodyState<double>& state = out.bodies[static_cast<std::size_t>(b)];
-    state = pose(b, q);
-    state.r_dot = velocity.head<3>();
-    state.omega = velocity.tail<3>();
-  }
+  for (int b = 0; b < body_count(); ++b) out.bodies[static_cast<std::size_t>(b)] = moving(b, q, v);
   out.g.tail<velocity_size>().setZero();
   const ForceArrays arrays{out.g.data(), out.memory.data(), &out.potential, &out.power};
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
@@ -184,6 +227,14 @@ BodyState<double> System::pose(int body, const ConstVector& q) const {
   if (body == ground) return state;
   state.r = q.segment<3>(position_size * body);
   state.A = rotation_matrix<double>(q.segment<4>(position_size * body + 3));
+  return state;
+}
+
+BodyState<double> System::moving(int body, const ConstVector& q, const ConstVector& v) const {
+  BodyState<double> state = pose(body, q);
+  if (body == ground) return state;
+  state.r_dot = v.segment<3>(velocity_size * body);
+  state.omega = v.segment<3>(velocity_size * body + 3);
   return state;
 }
 
@@ -273,13 +324,14 @@ VectorXd System::row_mobility(const Evaluation& at) const {
 
 // A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.
 // About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite;
-// that one is asked where the second is the ground, where P_j = s_j.
+// that one is asked where the second is the ground, where P_j = s_j. Of a coupler: what it exerts on the second body of
+// its first coordinate.
 void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
-    const ConstraintBlock& block = blocks_[static_cast<std::size_t>(*(joint_blocks(joint).end() - 1))];
     const bool grounded = element.j == ground;
+    const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
     const double* D = at.D.data() + block.offset;
     Vec3<double> F = Vec3<double>::Zero(), n = Vec3<double>::Zero();
     for (int row = 0; row < block.rows; ++row, D += velocity_size) {
@@ -292,6 +344,13 @@ void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVe
     force.col(joint) = grounded ? Vec3<double>(-F) : F;
     torque.col(joint) = grounded ? Vec3<double>(-T) : T;
   }
+}
+
+const ConstraintBlock& System::block_of_body(int joint, int body) const {
+  const BlockRange range = joint_blocks(joint);
+  const auto found = std::find_if(range.begin(), range.end(),
+                                  [&](int index) { return blocks_[static_cast<std::size_t>(index)].body == body; });
+  return blocks_[static_cast<std::size_t>(*found)];
 }
 
 Mat3<double> System::joint_frame(int joint, const ConstVector& q) const {

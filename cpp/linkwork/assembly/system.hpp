@@ -29,10 +29,11 @@ struct BlockRange {
 
 /// What an evaluation fills, allocated once by System::make_evaluation.
 struct Evaluation {
-  std::vector<BodyState<double>> bodies;  ///< for force elements, empty where there are none; the last is the ground
+  std::vector<BodyState<double>> bodies;   ///< for force elements, empty where there are none; the last is the ground
+  std::vector<BodyState<double>> special;  ///< scratch: the bodies of a special joint
   std::vector<Signal<double>> signals;
   std::vector<double> D;       ///< blocks of D, see ConstraintBlock
-  std::vector<double> memory;  ///< what force elements remember
+  std::vector<double> memory;  ///< what force elements and special joints remember
   VectorXd Phi, Phi_t, Phi_dot, gamma;
   VectorXd user;           ///< scratch of the user's own forces
   VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
@@ -104,12 +105,22 @@ class System {
   Mat3<double> joint_frame(int joint, const ConstVector& q) const;
 
  private:
+  struct CompiledSpecialJoint {
+    const SpecialJoint* special;
+    int joint, row, rows;
+    std::ptrdiff_t D, memory;  ///< places
+  };
   void compile_masses();
   void compile_joints();
+  void compile_special_joint(int joint, const SpecialJoint& special);
   void compile_forces();
   void evaluate_signals(double t, Evaluation& out) const;
   BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
+  BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
+  const ConstraintBlock& block_of_body(int joint, int body) const;
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
+                              Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
 
   Model model_;
@@ -118,6 +129,8 @@ class System {
   std::vector<int> massless_;
   std::vector<JointBatch> joint_batches_;  ///< one per registered kind
   std::vector<Batch> force_batches_;       ///< likewise
+  std::vector<CompiledSpecialJoint> special_joints_;
+  std::size_t most_bodies_ = 0;  ///< of a special joint
   std::vector<ConstraintBlock> blocks_;
   std::vector<int> joint_block_list_, joint_block_begin_;
   std::vector<int> body_block_list_, body_block_begin_;

@@ -32,7 +32,7 @@ namespace {
 template <class Visit>
 void for_each_row_group(const Model& model, Visit visit) {
   for (std::size_t joint = 0; joint < model.joints().size(); ++joint) {
-    const auto& names = joint_kinds()[static_cast<std::size_t>(model.joints()[joint].kind)].info.equations;
+    const auto& names = joint_info(model.joints()[joint].kind).equations;
     const auto rotation = [](const std::string& name) { return name.starts_with("rotation"); };
     const auto first = names.begin();
     for (auto begin = first; begin != names.end();) {

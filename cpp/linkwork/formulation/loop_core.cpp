@@ -23,6 +23,12 @@ bool independent(const Evaluation& at, const VectorXd& scale, const ConstraintBl
   return qr.rank() == block.rows;
 }
 
+/// Such a joint is no edge of a tree: it counts as one that closes a loop.
+bool joins_many(const Model& model, int joint) {
+  const SpecialJoint* special = model.special_joint(joint);
+  return special && special->bodies().size() > 2;
+}
+
 /// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of
 /// all that remain, because only they touch that body.
 std::vector<char> peel_open_branches(const System& system, const Evaluation& at, double tolerance) {
@@ -126,6 +132,10 @@ void LoopCore::find_tree() {
     if (!removed_[joint] && (element.i == ground || element.j == ground)) grounded.push_back(static_cast<int>(joint));
   }
   const auto visit = [&](int joint, int from) {
+    if (joins_many(model, joint)) {
+      closing_[static_cast<std::size_t>(joint)] = !removed_[static_cast<std::size_t>(joint)];
+      return;
+    }
     const Element& element = model.joints()[static_cast<std::size_t>(joint)];
     const int to = element.i == from ? element.j : element.i;
     const auto node = static_cast<std::size_t>(to + 1);
@@ -155,6 +165,7 @@ void LoopCore::find_tree() {
 
 std::vector<int> LoopCore::loop_of(int joint, std::size_t most) const {
   const Model& model = system_->model();
+  if (joins_many(model, joint)) return {};
   std::vector<int> loop = {joint};
   int ends[2] = {model.joints()[static_cast<std::size_t>(joint)].i, model.joints()[static_cast<std::size_t>(joint)].j};
   while (ends[0] != ends[1]) {

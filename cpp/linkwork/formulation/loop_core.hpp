@@ -28,9 +28,10 @@ class LoopCore {
   int component_of_body(int body) const { return body_component_[static_cast<std::size_t>(body)]; }
 
   /// A spanning tree of short ways to the ground leaves out these joints: each closes a loop. The equations of the
-  /// others are independent in (almost) every pose.
+  /// others are independent in (almost) every pose. Joints of more than two bodies count among them.
   bool closing(int joint) const { return closing_[static_cast<std::size_t>(joint)] != 0; }
-  /// A closing joint and those of the tree with which it closes a loop; empty where they are more than `most`.
+  /// A closing joint and those of the tree with which it closes a loop; empty where they are more than `most`, or where
+  /// the joint has more than two bodies.
   std::vector<int> loop_of(int joint, std::size_t most) const;
 
   /// D M^-1/2 of the core, every row scaled to unit length; a row that is roundoff of zero becomes zero (the equations

@@ -23,7 +23,6 @@ Model with_masses(const Model& model, const VectorXd& weights) {
     moment[b] = model.bodies()[static_cast<std::size_t>(b)].inertia.trace() / 3.0;
   }
   const double usual_mass = mean_of_positive(mass), usual_moment = mean_of_positive(moment);
-  Model out(model.gravity());
   std::vector<Body> bodies = model.bodies();
   for (Body& body : bodies) {
     const Vec3<double> moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.inertia).eigenvalues();
@@ -35,16 +34,7 @@ Model with_masses(const Model& model, const VectorXd& weights) {
     bodies[static_cast<std::size_t>(b)].mass *= weights[b];
     bodies[static_cast<std::size_t>(b)].inertia *= weights[b];
   }
-  out.add_bodies("body", bodies);
-  for (const TimeFunctionPtr& signal : model.signals()) out.add_signal(signal);
-  for (std::size_t joint = 0; joint < model.joints().size(); ++joint) {
-    const Element& element = model.joints()[joint];
-    const KindInfo& info = joint_kinds()[static_cast<std::size_t>(element.kind)].info;
-    const auto first = model.joint_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
-    out.add_joint(info.name, "joint " + std::to_string(joint), element.i, element.j, element.at,
-                  {first, first + static_cast<std::ptrdiff_t>(info.parameters.size())});
-  }
-  return out;
+  return model.with_masses(bodies);
 }
 
 }  // namespace

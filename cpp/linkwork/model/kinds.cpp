@@ -4,18 +4,30 @@
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/force_kind.hpp"
 #include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/special_joint.hpp"
 
 namespace linkwork {
+
+#define LINKWORK_SPECIAL_JOINT(NAME) KindInfo NAME##_joint();
+#include "linkwork/model/special_joints.def"
+#undef LINKWORK_SPECIAL_JOINT
+
 namespace {
+
+const KindInfo& info_of(const KindInfo& info) { return info; }
+template <class Kind>
+const KindInfo& info_of(const Kind& kind) {
+  return kind.info;
+}
 
 /// Index of the kind with this name; the error lists those there are.
 template <class Kind>
 int find_kind(const std::vector<Kind>& kinds, const std::string& name, const char* what) {
-  const auto same = [&](const Kind& kind) { return kind.info.name == name; };
+  const auto same = [&](const Kind& kind) { return info_of(kind).name == name; };
   const auto found = std::find_if(kinds.begin(), kinds.end(), same);
   if (found != kinds.end()) return static_cast<int>(found - kinds.begin());
   std::string known;
-  for (const Kind& kind : kinds) known += (known.empty() ? "" : ", ") + kind.info.name;
+  for (const Kind& kind : kinds) known += (known.empty() ? "" : ", ") + info_of(kind).name;
   throw OptionError("unknown_kind", std::string(what) + " '" + name + "' does not exist; there are: " + known);
 }
 
@@ -37,6 +49,24 @@ const std::vector<ForceKind>& force_kinds() {
 #undef LINKWORK_FORCE
   };
   return kinds;
+}
+
+const std::vector<KindInfo>& special_joint_kinds() {
+  static const std::vector<KindInfo> kinds = {
+#define LINKWORK_SPECIAL_JOINT(NAME) NAME##_joint(),
+#include "linkwork/model/special_joints.def"
+#undef LINKWORK_SPECIAL_JOINT
+  };
+  return kinds;
+}
+
+const KindInfo& joint_info(int kind) {
+  const auto index = static_cast<std::size_t>(kind);
+  return index < joint_kinds().size() ? joint_kinds()[index].info : special_joint_kinds()[index - joint_kinds().size()];
+}
+
+int special_joint_kind_index(const std::string& name) {
+  return static_cast<int>(joint_kinds().size()) + find_kind(special_joint_kinds(), name, "special joint kind");
 }
 
 int joint_kind_index(const std::string& name) { return find_kind(joint_kinds(), name, "joint kind"); }

@@ -11,6 +11,8 @@
 namespace linkwork {
 namespace {
 
+const KindInfo& force_info(int kind) { return force_kinds()[static_cast<std::size_t>(kind)].info; }
+
 constexpr double tolerance = 1e-9;       // relative, of inertia and of joint frames
 constexpr double unit_tolerance = 1e-6;  // of |p| - 1
 
@@ -158,15 +160,12 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
   }
 }
 
-int Model::add_elements(Role role, const std::string& kind, const std::string& name, bool group,
+int Model::add_elements(Role role, int index, const KindInfo& info, const std::string& name, bool group,
                         const std::vector<Element>& elements, const std::vector<Parameter>& parameters) {
   const bool joint = role == Role::joint;
-  const int index = joint ? joint_kind_index(kind) : force_kind_index(kind);
-  const KindInfo& info =
-      joint ? joint_kinds()[static_cast<std::size_t>(index)].info : force_kinds()[static_cast<std::size_t>(index)].info;
   const std::size_t count = info.parameters.size();
   if (parameters.size() != count * elements.size())
-    throw ModelError("parameters", kind + " '" + name + "': takes " + std::to_string(count) + " parameters, not " +
+    throw ModelError("parameters", info.name + " '" + name + "': takes " + std::to_string(count) + " parameters, not " +
                                        std::to_string(parameters.size() / std::max<std::size_t>(1, elements.size())));
   for (std::size_t k = 0; k < elements.size(); ++k)
     check_element(role, info, group ? name + "[" + std::to_string(k) + "]" : name, elements[k],
@@ -194,22 +193,42 @@ int Model::add_elements(Role role, const std::string& kind, const std::string& n
 
 int Model::add_joint(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
                      const std::vector<Parameter>& parameters) {
-  return add_elements(Role::joint, kind, name, false, {Element{0, i, j, at, 0}}, parameters);
+  const int index = joint_kind_index(kind);
+  return add_elements(Role::joint, index, joint_info(index), name, false, {Element{0, i, j, at, 0}}, parameters);
 }
 
 int Model::add_force(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
                      const std::vector<Parameter>& parameters) {
-  return add_elements(Role::force, kind, name, false, {Element{0, i, j, at, 0}}, parameters);
+  const int index = force_kind_index(kind);
+  return add_elements(Role::force, index, force_info(index), name, false, {Element{0, i, j, at, 0}}, parameters);
 }
 
 int Model::add_joints(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
                       const std::vector<Parameter>& parameters) {
-  return add_elements(Role::joint, kind, prefix, true, elements, parameters);
+  const int index = joint_kind_index(kind);
+  return add_elements(Role::joint, index, joint_info(index), prefix, true, elements, parameters);
 }
 
 int Model::add_forces(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
                       const std::vector<Parameter>& parameters) {
-  return add_elements(Role::force, kind, prefix, true, elements, parameters);
+  const int index = force_kind_index(kind);
+  return add_elements(Role::force, index, force_info(index), prefix, true, elements, parameters);
+}
+
+int Model::add_special_joint(const std::string& kind, const std::string& name, int i, int j,
+                             const Attachment<double>& at, SpecialJointPtr joint,
+                             const std::vector<Parameter>& parameters) {
+  const int index = special_joint_kind_index(kind);
+  const int added =
+      add_elements(Role::joint, index, joint_info(index), name, false, {Element{0, i, j, at, 0}}, parameters);
+  special_joints_.emplace_back(added, std::move(joint));
+  return added;
+}
+
+const SpecialJoint* Model::special_joint(int joint) const {
+  const auto found = std::lower_bound(special_joints_.begin(), special_joints_.end(), joint,
+                                      [](const auto& special, int wanted) { return special.first < wanted; });
+  return found != special_joints_.end() && found->first == joint ? found->second.get() : nullptr;
 }
 
 int Model::add_signal(TimeFunctionPtr function) {
@@ -228,7 +247,7 @@ int Model::joint_of_row(int row) const {
 
 std::string Model::describe_row(int row) const {
   const int joint = joint_of_row(row);
-  const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joints()[static_cast<std::size_t>(joint)].kind)].info;
+  const KindInfo& info = joint_info(joints()[static_cast<std::size_t>(joint)].kind);
   const int equation = row - joint_rows()[static_cast<std::size_t>(joint)];
   return info.name + " '" + joint_name(joint) + "', " + info.equations[static_cast<std::size_t>(equation)];
 }
@@ -262,6 +281,16 @@ Model Model::with_initial_state(const ConstVector& q, const ConstVector& v) cons
     body.omega = v.segment<3>(velocity_size * b + 3);
     check_body(body, body_name(static_cast<int>(b)));
     body.orientation.normalize();
+  }
+  return out;
+}
+
+Model Model::with_masses(const std::vector<Body>& bodies) const {
+  Model out = *this;
+  std::vector<Body>& list = out.bodies_.own();
+  for (std::size_t b = 0; b < list.size(); ++b) {
+    list[b].mass = bodies[b].mass;
+    list[b].inertia = bodies[b].inertia;
   }
   return out;
 }

@@ -9,6 +9,7 @@
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/name_table.hpp"
 #include "linkwork/model/shared.hpp"
+#include "linkwork/model/special_joint.hpp"
 #include "linkwork/model/time_function.hpp"
 
 namespace linkwork {
@@ -27,7 +28,7 @@ struct Body {
 
 /// A joint or force element between bodies i and j (ground = -1).
 struct Element {
-  int kind = 0;  ///< index into joint_kinds() or force_kinds()
+  int kind = 0;  ///< as joint_info takes it, or index into force_kinds()
   int i = ground, j = ground;
   Attachment<double> at;
   std::size_t first_parameter = 0;  ///< place in the model's list of parameters
@@ -54,6 +55,9 @@ class Model {
                 const std::vector<Parameter>& parameters = {});
   int add_force(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
                 const std::vector<Parameter>& parameters);
+  /// `at` tells where it is shown and where on j its reaction acts.
+  int add_special_joint(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
+                        SpecialJointPtr joint, const std::vector<Parameter>& parameters = {});
   int add_signal(TimeFunctionPtr function);
   void add_user_force(const std::string& name, std::shared_ptr<const UserForce> force);
 
@@ -67,6 +71,8 @@ class Model {
   const Vec3<double>& gravity() const { return gravity_; }
   const std::vector<Body>& bodies() const { return *bodies_; }
   const std::vector<Element>& joints() const { return *joints_; }
+  /// Nothing where the joint is of a kind that is placed on two bodies.
+  const SpecialJoint* special_joint(int joint) const;
   const std::vector<Element>& forces() const { return *forces_; }
   const std::vector<Parameter>& joint_parameters() const { return *joint_parameters_; }
   const std::vector<Parameter>& force_parameters() const { return *force_parameters_; }
@@ -90,10 +96,12 @@ class Model {
   VectorXd initial_v() const;  ///< 6 per body
   /// A copy whose bodies are elsewhere at the initial time; joints stay where they are on the bodies.
   Model with_initial_state(const ConstVector& q, const ConstVector& v) const;
+  /// A copy with other masses and inertias of all bodies; nothing else of `bodies` counts.
+  Model with_masses(const std::vector<Body>& bodies) const;
 
  private:
   enum class Role { joint, force };
-  int add_elements(Role role, const std::string& kind, const std::string& name, bool group,
+  int add_elements(Role role, int index, const KindInfo& info, const std::string& name, bool group,
                    const std::vector<Element>& elements, const std::vector<Parameter>& parameters);
   void check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
                      const Parameter* parameters) const;
@@ -102,6 +110,7 @@ class Model {
   Shared<std::vector<Body>> bodies_;
   Shared<std::vector<Element>> joints_, forces_;
   Shared<std::vector<Parameter>> joint_parameters_, force_parameters_;
+  std::vector<std::pair<int, SpecialJointPtr>> special_joints_;  ///< by ascending joints
   std::vector<TimeFunctionPtr> signals_;
   std::vector<std::shared_ptr<const UserForce>> user_forces_;
   std::vector<std::string> user_force_names_;

@@ -21,6 +21,12 @@ struct Branches {
   std::vector<char> joint_peeled;  ///< per joint
 };
 
+/// A joint of more than two bodies is part of loops, as if it closed one; then no open branch ends on it.
+bool joins_two(const System& system, int joint) {
+  const BlockRange blocks = system.joint_blocks(joint);
+  return blocks.end() - blocks.begin() <= 2;
+}
+
 /// Joints without rows count as absent.
 Branches find_branches(const System& system, const std::vector<int>& rows_of_joint) {
   Branches out;
@@ -38,9 +44,14 @@ Branches find_branches(const System& system, const std::vector<int>& rows_of_joi
   while (!leaves.empty()) {
     const int body = leaves.back();
     leaves.pop_back();
-    if (out.peeled[static_cast<std::size_t>(body)]) continue;
+    const auto stays = [&](int index) {
+      const int joint = system.blocks()[static_cast<std::size_t>(index)].joint;
+      return !out.joint_peeled[static_cast<std::size_t>(joint)] && !joins_two(system, joint);
+    };
+    const BlockRange own = system.body_blocks(body);
+    if (out.peeled[static_cast<std::size_t>(body)] || std::any_of(own.begin(), own.end(), stays)) continue;
     out.peeled[static_cast<std::size_t>(body)] = 1;
-    for (const int index : system.body_blocks(body)) {
+    for (const int index : own) {
       const int joint = system.blocks()[static_cast<std::size_t>(index)].joint;
       if (out.joint_peeled[static_cast<std::size_t>(joint)]) continue;
       out.joint_peeled[static_cast<std::size_t>(joint)] = 1;

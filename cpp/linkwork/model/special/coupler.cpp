@@ -1,0 +1,158 @@
+#include "linkwork/model/special/coupler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "linkwork/math/error.hpp"
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr int most_turns = 100;
+constexpr double same = 3e-6, off = 0.5;  // [rad] relative to the factors
+
+using State = BodyState<double>;
+using Place = Attachment<double>;
+
+void turn_of_revolute(const Place& at, const State& i, const State& j, Equation<double>& out) {
+  angle<double>(i, j, at.x_i(), at.y_i(), at.x_j(), out.rows());
+}
+
+void shift(const Place& at, const State& i, const State& j, Equation<double>& out) {
+  in_plane<double>(i, j, at.z_i(), at.s_i, at.s_j, out.rows());
+}
+
+// Of a Cardan joint, x = z_a x z_b: about z_a turns z_b, which was -y_a; about z_b turns y_b, which was z_a.
+void turn_about_a(const Place& at, const State& i, const State& j, Equation<double>& out) {
+  Equation<double> s, c;
+  perpendicular<double>(i, j, at.x_i(), at.z_j(), s.rows());
+  perpendicular<double>(i, j, -at.y_i(), at.z_j(), c.rows());
+  angle_of<double>(i, j, s, c, out.rows());
+}
+
+void turn_about_b(const Place& at, const State& i, const State& j, Equation<double>& out) {
+  Equation<double> s, c;
+  perpendicular<double>(i, j, at.z_i(), at.x_j(), s.rows());
+  perpendicular<double>(i, j, at.z_i(), at.y_j(), c.rows());
+  angle_of<double>(i, j, s, c, out.rows());
+}
+
+struct Coordinate {
+  const char* name;
+  bool angle;
+  void (*evaluate)(const Place&, const State&, const State&, Equation<double>&);
+};
+
+constexpr Coordinate coordinates[] = {{"angle", true, turn_of_revolute},
+                                      {"displacement", false, shift},
+                                      {"angle_a", true, turn_about_a},
+                                      {"angle_b", true, turn_about_b}};
+
+/// Of a joint. ModelError: there is no such joint, or no such coordinate of it.
+int coordinate_index(const Model& model, const CoupledCoordinate& given) {
+  if (given.joint < 0 || given.joint >= static_cast<int>(model.joints().size()))
+    throw ModelError("unknown_joint", "coupler: joint index " + std::to_string(given.joint) + " does not exist");
+  const auto& known = joint_info(model.joints()[static_cast<std::size_t>(given.joint)].kind).coordinates;
+  const auto same_name = [&](const Coordinate& coordinate) { return coordinate.name == given.name; };
+  const auto found = std::find_if(std::begin(coordinates), std::end(coordinates), same_name);
+  if (found == std::end(coordinates) || std::find(known.begin(), known.end(), given.name) == known.end())
+    throw ModelError("coordinate",
+                     "coupler: joint '" + model.joint_name(given.joint) + "' has no coordinate '" + given.name + "'");
+  return static_cast<int>(found - std::begin(coordinates));
+}
+
+/// Place of a body in the list, to which it is added where it is missing.
+std::size_t place_of(int body, std::vector<int>& bodies) {
+  const auto found = std::find(bodies.begin(), bodies.end(), body);
+  if (found == bodies.end()) bodies.push_back(body);
+  return static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), body) - bodies.begin());
+}
+
+void add(double factor, const double* row, double* to) {
+  for (int c = 0; c < velocity_size; ++c) to[c] += factor * row[c];
+}
+
+}  // namespace
+
+KindInfo coupler_joint() {
+  return {.name = "coupler",
+          .rows = 1,
+          .placement = "coordinates",
+          .parameters = {"offset"},
+          .differentiated = {"offset"},
+          .defaults = {0.0},
+          .equations = {"relation of joint coordinates"},
+          .documentation =
+              "Linear relation between free coordinates of joints, such as a belt, a differential, or a finger that "
+              "follows another: sum factor x coordinate = `offset`, a number or a function of time."};
+}
+
+Coupler::Coupler(const Model& model, const std::vector<CoupledCoordinate>& given) {
+  if (given.empty()) throw ModelError("coordinate", "coupler: it has no coordinates");
+  for (const CoupledCoordinate& it : given) {
+    const int coordinate = coordinate_index(model, it);
+    if (!std::isfinite(it.factor) || it.factor == 0.0)
+      throw ModelError("factor", "coupler: the factor of '" + model.joint_name(it.joint) + "' is " +
+                                     std::to_string(it.factor) + " and must be finite and not zero");
+    const Element& joint = model.joints()[static_cast<std::size_t>(it.joint)];
+    const std::size_t i = place_of(joint.i, bodies_), j = place_of(joint.j, bodies_);
+    terms_.push_back({i, j, joint.at, coordinate, it.factor});
+  }
+}
+
+// Phi = sum f_k x_k - offset, with angles continued over full turns: the joint remembers the last ones.
+void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, double* memory,
+                       const SpecialRows& out) const {
+  Equation<double> row;
+  double* last = memory + 1;
+  out.Phi[0] = -parameters[0].value;
+  out.Phi_t[0] = -parameters[0].rate;
+  out.gamma[0] = parameters[0].acceleration;
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    const Term& term = terms_[k];
+    const Coordinate& coordinate = coordinates[term.coordinate];
+    coordinate.evaluate(term.at, bodies[term.i], bodies[term.j], row);
+    last[k] = row.Phi + (coordinate.angle ? turn * std::round((last[k] - row.Phi) / turn) : 0.0);
+    out.Phi[0] += term.factor * last[k];
+    out.gamma[0] += term.factor * row.gamma;
+    add(term.factor, row.D_i, out.D + velocity_size * term.i);
+    add(term.factor, row.D_j, out.D + velocity_size * term.j);
+  }
+  if (memory[0] == 0.0) {
+    choose_turns(out.Phi[0], last);
+    out.Phi[0] = -parameters[0].value;
+    for (std::size_t k = 0; k < terms_.size(); ++k) out.Phi[0] += terms_[k].factor * last[k];
+  }
+  memory[0] = 1.0;
+}
+
+/// At the first pose, such as the last one of another run: the fewest turns of two of the angles with which the relation
+/// holds. None where it is off by little, or never holds: such a pose is to be corrected.
+void Coupler::choose_turns(double violation, double* turns) const {
+  std::vector<std::size_t> angles;
+  double sum = 0.0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    if (coordinates[terms_[k].coordinate].angle) {
+      angles.push_back(k);
+      sum += std::abs(terms_[k].factor);
+      least = std::min(least, std::abs(terms_[k].factor));
+    }
+  const auto holds = [&](double rest) { return std::abs(rest) <= same * sum; };
+  if (angles.empty() || std::abs(violation) < off * least) return;
+  const std::size_t a = angles[0], b = angles[angles.size() > 1 ? 1 : 0];
+  const double f_a = turn * terms_[a].factor, f_b = turn * terms_[b].factor;
+  for (int n = 0; n <= (a == b ? 0 : most_turns); ++n)
+    for (const double n_a : {double(n), double(-n)}) {
+      const double n_b = -std::round((violation + n_a * f_a) / f_b);
+      if (std::abs(n_b) > most_turns || !holds(violation + n_a * f_a + n_b * f_b)) continue;
+      if (a != b) turns[a] += turn * n_a;
+      turns[b] += turn * n_b;
+      return;
+    }
+}
+
+}  // namespace linkwork

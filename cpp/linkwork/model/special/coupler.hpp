@@ -1,0 +1,37 @@
+#pragma once
+
+#include "linkwork/model/model.hpp"
+
+namespace linkwork {
+
+/// A free coordinate of a joint of a model, by its name in the KindInfo, as it enters a coupler.
+struct CoupledCoordinate {
+  int joint;
+  std::string name;
+  double factor;
+};
+
+/// sum factor_k x_k = offset, of free coordinates x_k of joints (1 equation).
+class Coupler final : public SpecialJoint {
+ public:
+  /// ModelError: no coordinates, one that the joint does not have, a factor of zero.
+  Coupler(const Model& model, const std::vector<CoupledCoordinate>& coordinates);
+  const std::vector<int>& bodies() const override { return bodies_; }
+  int memory() const override { return static_cast<int>(terms_.size()) + 1; }
+  void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, double* memory,
+                const SpecialRows& out) const override;
+
+ private:
+  struct Term {
+    std::size_t i, j;  ///< places in bodies_
+    Attachment<double> at;
+    int coordinate;
+    double factor;
+  };
+  void choose_turns(double violation, double* turns) const;
+
+  std::vector<int> bodies_;
+  std::vector<Term> terms_;
+};
+
+}  // namespace linkwork
