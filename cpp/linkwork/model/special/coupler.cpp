@@ -130,8 +130,8 @@ void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* pa
   memory[0] = 1.0;
 }
 
-/// At the first pose, such as the last one of another run: the fewest turns of two of the angles with which the relation
-/// holds. None where it is off by little, or never holds: such a pose is to be corrected.
+/// At the first pose, such as the last one of another run: the fewest turns of two of the angles with which the
+/// relation holds. None where it is off by little, or never holds: such a pose is to be corrected.
 void Coupler::choose_turns(double violation, double* turns) const {
   std::vector<std::size_t> angles;
   double sum = 0.0, least = std::numeric_limits<double>::infinity();
