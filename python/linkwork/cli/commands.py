@@ -255,6 +255,9 @@ def schema() -> None:
 @click.option(
     "--align-axes", type=float, metavar="ANGLE", help="Axes parallel to within it [rad] are made parallel."
 )
+@click.option(
+    "--search-path", multiple=True, metavar="FOLDER", help="SDF: where included models are; may be repeated."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def convert(source: str, target: str, as_json: bool, **options: Any) -> None:
     """Write the mechanism of one file to another: from URDF, SDF, MJCF, YAML or JSON to YAML or JSON.
