@@ -118,6 +118,8 @@ class _SdfFile(RobotFile):
             child for node, expected in nodes for child in node.children if child.tag not in expected
         ):
             self.note("element", f"<{child.tag}>", f"in line {child.line} is not represented")
+        for tag, name in ((tag, name) for tag, named in scope.nodes.items() for name in named):
+            scope.pose_of(tag, name)  # faults of frames that nothing uses are faults, too
         for name, node in scope.nodes["link"].items():
             link = self._link(scope, name, node)
             self.links[link.name] = link

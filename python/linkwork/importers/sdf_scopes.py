@@ -179,21 +179,26 @@ class Scope:
     def pose_of(self, tag: str, name: str) -> Frame:
         """Of what has this tag and name here: along what each is relative to, from the last back."""
         chain: list[tuple[str, str]] = []
-        next_: tuple[str | None, str] = tag, name
-        while next_[0] is not None and next_ not in self._known:
-            key = next_[0], next_[1]
+        key: tuple[str, str] | None = (tag, name)
+        while key is not None and key not in self._known:
             if key in chain:
                 ring = chain[chain.index(key) :]
-                self._refuse_ring(self.nodes[tag][name], "relative to", [name for _, name in [*ring, key]])
+                self._refuse_ring(
+                    self.nodes[key[0]][key[1]], "relative to", [name for _, name in [*ring, key]]
+                )
                 self._known |= dict.fromkeys(ring, Frame())
                 break
             chain.append(key)
-            other = self._relative_to(*key)
-            next_ = self._tag(other), other
+            key = self._holder(self._relative_to(*key))
         for key in reversed(chain):
             if key not in self._known:
                 self._known[key] = self._resolved(*key)
         return self._known[tag, name]
+
+    def _holder(self, name: str) -> tuple[str, str] | None:
+        """Tag and name of what is here and has the frame: itself, or the model that it is in."""
+        tag, inner = self._tag(name), self._inner(name)
+        return (tag, name) if tag is not None else ("model", inner[0].name) if inner is not None else None
 
     def _relative_to(self, tag: str, name: str) -> str:
         """Links and models are in the model by default, joints in their child, frames in what they are
