@@ -169,6 +169,40 @@ def test_axes_of_rounded_angles_are_made_parallel_where_asked(tmp_path: Path) ->
     assert np.abs(loaded(tmp_path, text).model.compiled().joint_arrays()["frame"][1, 0][:, 2])[2] > 5e-4
 
 
+def planar(tilt: str, last: str) -> str:
+    """Crank, coupler and a third link in the x-z plane, closed by the joint `last`; the coupler is tilted."""
+    y = axis("0 1 0", attributes='expressed_in="__model__"')
+    return (link("crank") + link("coupler", f"0.4 0 0.3 {tilt}") + link("third", "1 0 0 0 0 0")
+            + joint("a", "revolute", "world", "crank", y)
+            + joint("b", "revolute", "crank", "coupler", axis("0 0 -1"))
+            + joint("c", "revolute", "coupler", "third", y)
+            + last)  # fmt: skip
+
+
+ROCKER = joint("d", "revolute", "world", "third", "<pose>0 0 -0.6 0 0 0</pose>"
+               + axis("0 1 0", attributes='expressed_in="__model__"'))  # fmt: skip
+SLIDER = joint("d", "prismatic", "world", "third", axis("1 0.0008 0", attributes='expressed_in="__model__"'))
+
+
+@pytest.mark.parametrize(("tilt", "last", "turned_joints"), [
+    ("1.57 0 0", ROCKER, ["joint 'b'"]), ("1.5707963267948966 0 0", SLIDER, ["joint 'd'"]),
+    ("1.5707963267948966 0 0", ROCKER, []),
+])  # fmt: skip
+def test_planar_loops_move_though_their_angles_are_rounded(
+    tilt: str, last: str, turned_joints: list[str], tmp_path: Path
+) -> None:
+    """Axes that are parallel, or across each other, only nearly would lock a planar loop."""
+    imported = loaded(tmp_path, planar(tilt, last))
+    assert [note.subject for note in imported.notes if note.topic == "axis"] == turned_joints
+    assert freedoms(imported.model) == 1
+    literally = loaded(tmp_path, planar(tilt, last), align_axes=0).model
+    assert freedoms(literally) == (0 if turned_joints else 1)
+
+
+def freedoms(model: lw.Model) -> int:
+    return lw.System(model).compiled().rank().degrees_of_freedom
+
+
 GOOD = link("a") + "\n" + joint("j", "revolute", "world", "a", axis("0 0 1"))
 
 WRONG = [

@@ -54,9 +54,9 @@ class Options(TypedDict, total=False):
     #: give links whose principal moments no real body can have the nearest that one can; False: they are
     #: refused
     repair_inertia: bool
-    #: angle [rad]: axes of joints that are parallel to within it, at coordinates zero, are made exactly
-    #: parallel. Files round angles (1.57), and a planar loop whose axes are not parallel is locked. None: as
-    #: in the file
+    #: angle [rad]: axes of joints that are parallel or perpendicular to within it, at coordinates zero, are
+    #: made exactly so. Files round angles (1.57), and a planar loop whose axes are not parallel is locked.
+    #: None: only in closed loops, to within 2e-3; 0: as in the file
     align_axes: float | None
     #: make one body of links that are fixed to each other; False: only where one of them is massless
     merge_fixed: bool
@@ -90,8 +90,7 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
             raise OptionError(f"'{description.path}': no option '{name}'{hint}", code="unknown_option")
     floating = options.get("floating")
     grounded = description.grounded if floating is None else () if floating else description.links
-    if options.get("align_axes"):
-        align_axes(description, float(options["align_axes"] or 0.0))
+    align_axes(description, options.get("align_axes"))
     states = link_states(description, options.get("coordinates") or {}, options.get("velocities") or {})
     groups = _grouped(description, states, grounded, options.get("merge_fixed", False))
     faults: list[Fault] = []
