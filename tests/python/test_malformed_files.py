@@ -71,6 +71,13 @@ ATTACHMENT = next(line for line in YAML.splitlines() if line.startswith("    att
 Case = tuple[str, str, int | None, str, str]
 
 CASES: list[Case] = [
+    # --- formulas of t ---
+    ("    length: drive", "    length: {expression: 'sqrt(t'}", 30, "joints[1].length", "is not a formula"),
+    ("    length: drive", "    length: {expression: import t}", 30, "joints[1].length", "is not a formula"),
+    ("    length: drive", "    length: {expression: 2 + tea}", 30, "joints[1].length", "unknown name 'tea'"),
+    ("    length: drive", "    length: {expression: 1 / t}", 30, "joints[1].length", "at t = 0: nan"),
+    ("    length: drive", "    length: {expression: 3}", 30, "joints[1].length.expression", "is not text"),
+    ("    length: drive", "    length: 2 + t", 30, "joints[1].length", 'written {expression: "2 + t"}'),
     # --- missing ---
     ("linkwork: 1", "", None, "linkwork", "is missing"),
     ("  - name: crank", "  -", None, "bodies[0].name", "is missing"),
