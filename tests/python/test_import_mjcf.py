@@ -8,16 +8,11 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
+from robot_files import ROBOTS, accelerations
 
 mujoco = pytest.importorskip("mujoco")
 
-SLIDER_CRANK = Path(__file__).parent / "robots" / "slider_crank.xml"
-
-
-def accelerations(model: lw.Model) -> np.ndarray:
-    """v_dot of each body at t = 0 (n, 6)."""
-    core = model.compiled()
-    return lw.System(model).accelerations(0.0, core.q0, core.v0)[0].reshape(-1, 6)
+SLIDER_CRANK = ROBOTS / "slider_crank.xml"
 
 
 def written(tmp_path: Path, body: str, rest: str = "") -> Path:

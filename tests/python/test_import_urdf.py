@@ -8,8 +8,8 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
+from robot_files import ROBOTS, accelerations, check_refused, topics, turned
 
-ROBOTS = Path(__file__).parent / "robots"
 G = 9.81
 
 
@@ -17,12 +17,6 @@ def loaded(tmp_path: Path, body: str, **options: Any) -> lw.Imported:
     path = tmp_path / "robot.urdf"
     path.write_text(f'<?xml version="1.0"?>\n<robot name="test">\n{body}\n</robot>\n')
     return lw.import_urdf(path, **options)
-
-
-def accelerations(model: lw.Model) -> np.ndarray:
-    """v_dot of each body at t = 0 (n, 6)."""
-    core = model.compiled()
-    return lw.System(model).accelerations(0.0, core.q0, core.v0)[0].reshape(-1, 6)
 
 
 # --- an arm of two rods in a vertical plane, in closed form -------------------------------------------------
@@ -85,18 +79,12 @@ def test_coordinates_of_the_result_are_those_of_the_file() -> None:
 
 def test_what_is_not_in_the_model_is_listed() -> None:
     imported = lw.import_urdf(ARM)
-    assert sorted((note.topic, note.subject) for note in imported.notes) == [
+    assert topics(imported) == [
         ("base", "link 'base'"), ("collision", "link 'lower'"), ("element", "<transmission>"),
         ("limits", "joint 'elbow'"), ("merged", "massless link 'tool'"), ("visual", "link 'upper'"),
     ]  # fmt: skip
     with pytest.warns(lw.LinkworkWarning, match=r"limits \(1\)"):
         imported.warn()
-
-
-def turned(roll: float, pitch: float, yaw: float) -> np.ndarray:
-    x, y, z = (lw.rotation.matrix(lw.rotation.about(axis, angle))
-               for axis, angle in zip(np.eye(3), (roll, pitch, yaw), strict=True))  # fmt: skip
-    return z @ y @ x
 
 
 # --- inertias and rigid groups ------------------------------------------------------------------------------
@@ -273,15 +261,7 @@ def test_wrong_files_are_refused_with_line_and_field(
     part: str, by: str, message: str, tmp_path: Path
 ) -> None:
     text = f'<?xml version="1.0"?>\n<robot name="test">\n{GOOD}\n</robot>\n'
-    assert part in text
-    path = tmp_path / "robot.urdf"
-    path.write_text(text.replace(part, by, 1))
-    with pytest.raises(lw.ModelFileError, match=message):
-        lw.import_urdf(path)
-
-
-def test_the_file_that_the_wrong_ones_are_made_of_is_right(tmp_path: Path) -> None:
-    assert loaded(tmp_path, GOOD).model.body_count == 1
+    check_refused(lw.import_urdf, tmp_path / "robot.urdf", text, part, by, message)
 
 
 def test_a_ring_of_joints_is_no_tree(tmp_path: Path) -> None:

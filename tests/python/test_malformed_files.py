@@ -71,6 +71,13 @@ ATTACHMENT = next(line for line in YAML.splitlines() if line.startswith("    att
 Case = tuple[str, str, int | None, str, str]
 
 CASES: list[Case] = [
+    # --- formulas of t ---
+    ("    length: drive", "    length: {expression: 'sqrt(t'}", 30, "joints[1].length", "is not a formula"),
+    ("    length: drive", "    length: {expression: import t}", 30, "joints[1].length", "is not a formula"),
+    ("    length: drive", "    length: {expression: 2 + tea}", 30, "joints[1].length", "unknown name 'tea'"),
+    ("    length: drive", "    length: {expression: 1 / t}", 30, "joints[1].length", "at t = 0: nan"),
+    ("    length: drive", "    length: {expression: 3}", 30, "joints[1].length.expression", "is not text"),
+    ("    length: drive", "    length: 2 + t", 30, "joints[1].length", 'written {expression: "2 + t"}'),
     # --- missing ---
     ("linkwork: 1", "", None, "linkwork", "is missing"),
     ("  - name: crank", "  -", None, "bodies[0].name", "is missing"),
@@ -292,7 +299,8 @@ FILES: list[tuple[str, bytes, int, str, str]] = [
     ("yaml", b"# nothing\n", 1, "", "a model file is a mapping"),
     ("yaml", b"just text\n", 1, "", "a model file is a mapping"),
     ("yaml", b"- 1\n- 2\n", 1, "", "a model file is a mapping"),
-    ("yaml", b"%YAML 1.1\n---\nlinkwork: 1\n", 2, "", "without directives"),
+    ("yaml", b"%YAML 1.1\n---\nlinkwork: 1\n", 1, "", "without directives"),
+    ("yaml", "linkwork: 1\nname: a\u2028b\n".encode(), 2, "", "U+2028"),
     ("yaml", b"\x89PNG\r\n\x1a\n\x00\x00", 1, "", "is no UTF-8 text"),
     ("yaml", b"linkwork: 1\nname: \xff\n", 2, "", "is no UTF-8 text"),
     ("json", bytes(range(128, 256)), 1, "", "is no UTF-8 text"),

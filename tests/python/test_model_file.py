@@ -135,6 +135,42 @@ def test_functions_of_time_come_back(function: Any, tmp_path: Path) -> None:
         assert again.signals[0][1].evaluate(t) == function.evaluate(t)
 
 
+DRIVEN = """
+linkwork: 1
+functions: {{shared: {{polynomial: [0.1, 1, -0.5]}}}}
+bodies:
+  - {{name: arm, mass: 1, inertia: [0.01, 0.02, 0.02], position: [0.5, 0, 0]}}
+  - {{name: cart, mass: 1, inertia: [0.01, 0.02, 0.02], position: [0, 1, 0]}}
+joints:
+  - {{kind: revolute, name: pin, a: ground, b: arm, at: [0, 0, 0], axis: [0, 1, 0]}}
+  - {{kind: translational, name: rail, a: ground, b: cart, at: [0, 1, 0], axis: [1, 0, 1]}}
+  - {{kind: angle_driver, name: motor, a: ground, b: arm, at: [0, 0, 0], axis: [0, 1, 0], angle: {0}}}
+  - {{kind: displacement_driver, a: ground, b: cart, at: [0, 1, 0], axis: [1, 0, 1], displacement: {0}}}
+"""
+
+DRIVERS = {
+    "{expression: 0.1 + 0.3 * sin(2 * pi * t)**2}": lambda t: 0.1 + 0.3 * np.sin(2 * np.pi * t) ** 2,
+    "{table: {t: [0, 1, 2], values: [0.1, 0.2, 0.7]}}": lambda t: 0.1 - 0.1 * t + 0.2 * t**2,
+    "shared": lambda t: 0.1 + t - 0.5 * t**2,
+    "{harmonic: {amplitude: 0.2, frequency: 5, offset: 0.1}}": lambda t: 0.1 + 0.2 * np.sin(5 * t),
+    "{cycloidal: {rise: 0.4, duration: 0.2}}": lambda t: (
+        np.where(t < 0.2, 2 * t - 0.4 * np.sin(10 * np.pi * t) / (2 * np.pi), 0.4)
+    ),
+    "{sum: [{polynomial: [0.1, 1]}, {expression: t**3}]}": lambda t: 0.1 + t + t**3,
+}
+
+
+@pytest.mark.parametrize("text", DRIVERS)
+def test_drivers_of_a_file_move_as_their_functions_say(text: str, tmp_path: Path) -> None:
+    path, out = tmp_path / "driven.yaml", tmp_path / "assembled.yaml"
+    path.write_text(DRIVEN.format(text))
+    assert bits(round_trip(lw.Model.load(path), out)) == bits(lw.Model.load(path))
+    assert run(["convert", str(path), str(out), "--assemble"], debug=False) == 0
+    result = lw.simulate(lw.Model.load(out), t_end=0.3, step=1e-3)
+    for joint in ("pin", "rail"):
+        assert result.coordinate(joint).value == pytest.approx(DRIVERS[text](result.t), abs=1e-9), joint
+
+
 def test_every_function_of_time_there_is_is_in_the_schema() -> None:
     """Each class of linkwork.functions but the Python callback is written: above is one of each."""
     written = {"Polynomial", "Harmonic", "Table", "Cycloidal", "Expression", "Sum"}

@@ -255,18 +255,26 @@ def schema() -> None:
 @click.option(
     "--align-axes", type=float, metavar="ANGLE", help="Axes parallel to within it [rad] are made parallel."
 )
+@click.option(
+    "--assemble",
+    is_flag=True,
+    help="Move the bodies at t = 0 by the least that satisfies joints and drivers.",
+)
+@click.option(
+    "--search-path", multiple=True, metavar="FOLDER", help="SDF: where included models are; may be repeated."
+)
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-def convert(source: str, target: str, as_json: bool, **options: Any) -> None:
+def convert(source: str, target: str, as_json: bool, assemble: bool, **options: Any) -> None:
     """Write the mechanism of one file to another: from URDF, SDF, MJCF, YAML or JSON to YAML or JSON.
 
     \b
     linkwork convert panda.urdf panda.yaml
 
-    What OUT does not have of IN is listed. The options are for URDF, SDF and MJCF.
+    What OUT does not have of IN is listed. The options but --assemble are for URDF, SDF and MJCF.
     """
     from linkwork.cli.convert import convert_and_show
 
-    convert_and_show(source, target, as_json, options)
+    convert_and_show(source, target, as_json, assemble, options)
 
 
 def _short(mechanism: Mechanism) -> str:

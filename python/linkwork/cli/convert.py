@@ -5,14 +5,20 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import linkwork
 from linkwork import importers, model_file
 from linkwork.cli import output as out
 from linkwork.errors import FileError
 from linkwork.model_file.syntax import check_suffix
 
 
-def convert_and_show(source: str, target: str, as_json: bool, options: dict[str, Any]) -> None:
-    """FileError: no such kind of file, or it cannot be read or written. ModelFileError: `source` is wrong."""
+def convert_and_show(
+    source: str, target: str, as_json: bool, assemble: bool, options: dict[str, Any]
+) -> None:
+    """FileError: no such kind of file, or it cannot be read or written. ModelFileError: `source` is wrong.
+
+    `assemble`: to a state at t = 0 that satisfies the joints. NotConvergedError: there is none near by.
+    """
     check_suffix(target)
     out.check_writable(target)
     notes: list[importers.Note] = []
@@ -27,6 +33,8 @@ def convert_and_show(source: str, target: str, as_json: bool, options: dict[str,
             )
         file = model_file.read(source)
         model, simulation = file.model, dict(file.simulation)
+    if assemble:
+        model = linkwork.assemble(model).model
     model.save(target, simulation=simulation)
     if as_json:
         notes_as_data = [{"topic": n.topic, "subject": n.subject, "message": n.message} for n in notes]

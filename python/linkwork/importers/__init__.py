@@ -46,11 +46,16 @@ def is_importable(path: str | os.PathLike[str]) -> bool:
 
 
 def read(path: str | os.PathLike[str], **options: Any) -> Imported:
-    """Import by the extension: .urdf, .sdf, .mjcf or .xml (MJCF). Errors as of import_urdf and the others."""
+    """Import by the extension: .urdf, .sdf, .mjcf or .xml (MJCF). Errors as of import_urdf and the others.
+
+    An empty `search_path` is that of every format.
+    """
     suffix = Path(path).suffix.lower()
     if suffix not in IMPORTERS:
         known = ", ".join(IMPORTERS)
         raise FileError(
             f"'{path}': extension '{suffix}' is none of {known}{nearest(suffix, IMPORTERS)}", code="suffix"
         )
+    if not options.get("search_path"):
+        options.pop("search_path", None)
     return IMPORTERS[suffix](path, **options)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypedDict
@@ -12,10 +12,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import rotation
 from linkwork.elements import KINDS
-from linkwork.errors import Fault, LinkworkError, ModelFileError
+from linkwork.errors import Fault, LinkworkError, ModelFileError, OptionError, nearest
 from linkwork.handles import Body
 from linkwork.importers.alignment import align_axes
-from linkwork.importers.description import WORLD, Description, Imported, JointDescription, LinkDescription
+from linkwork.importers.description import (
+    WORLD,
+    Coupling,
+    Description,
+    Imported,
+    JointDescription,
+    LinkDescription,
+)
 from linkwork.importers.frames import Frame
 from linkwork.importers.tree import LinkState, link_states
 from linkwork.model import Model
@@ -47,9 +54,9 @@ class Options(TypedDict, total=False):
     #: give links whose principal moments no real body can have the nearest that one can; False: they are
     #: refused
     repair_inertia: bool
-    #: angle [rad]: axes of joints that are parallel to within it, at coordinates zero, are made exactly
-    #: parallel. Files round angles (1.57), and a planar loop whose axes are not parallel is locked. None: as
-    #: in the file
+    #: angle [rad]: axes of joints that are parallel or perpendicular to within it, at coordinates zero, are
+    #: made exactly so. Files round angles (1.57), and a planar loop whose axes are not parallel is locked.
+    #: None: only in closed loops, to within 2e-3; 0: as in the file
     align_axes: float | None
     #: make one body of links that are fixed to each other; False: only where one of them is massless
     merge_fixed: bool
@@ -75,13 +82,17 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     """The model of a description. `lines`: where each link is in the file.
 
     ModelFileError: a moving link without inertia, what no body or joint can be. ModelError: coordinates.
+    OptionError: no such option.
     """
+    for name in options:
+        if name not in Options.__annotations__:
+            hint = nearest(name, Options.__annotations__)
+            raise OptionError(f"'{description.path}': no option '{name}'{hint}", code="unknown_option")
     floating = options.get("floating")
-    fixed_base = description.base_is_fixed if floating is None else not floating
-    if options.get("align_axes"):
-        align_axes(description, float(options["align_axes"] or 0.0))
+    grounded = description.grounded if floating is None else () if floating else description.links
+    align_axes(description, options.get("align_axes"))
     states = link_states(description, options.get("coordinates") or {}, options.get("velocities") or {})
-    groups = _grouped(description, states, fixed_base, options.get("merge_fixed", False))
+    groups = _grouped(description, states, grounded, options.get("merge_fixed", False))
     faults: list[Fault] = []
     _check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
@@ -91,6 +102,8 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
         _collect(faults, lines or {}, f"link '{group.main}'", partial(builder.add_body, group))
     for joint in description.joints if not faults else ():
         _collect(faults, lines or {}, f"joint '{joint.name}'", partial(builder.add_joint, joint))
+    for coupling in description.couplings if not faults else ():
+        _collect(faults, lines or {}, f"joint '{coupling.follower}'", partial(builder.add_coupling, coupling))
     if faults:
         raise ModelFileError(description.path, faults)
     return Imported(description.path, model, tuple(description.notes))
@@ -112,7 +125,7 @@ def _collect(faults: list[Fault], lines: Mapping[str, int], who: str, add: Calla
 
 
 def _grouped(
-    description: Description, states: Mapping[str, LinkState], fixed_base: bool, merge_fixed: bool
+    description: Description, states: Mapping[str, LinkState], grounded: Collection[str], merge_fixed: bool
 ) -> dict[str, _Group]:
     """The group of every link and of the world."""
     group_of = {name: _group(link) for name, link in description.links.items()}
@@ -127,7 +140,7 @@ def _grouped(
 
     carried = {joint.child for joint in description.joints if not joint.closes_loop}
     for name in description.links:
-        if fixed_base and name not in carried and name != WORLD:
+        if name in grounded and name not in carried and name != WORLD:
             merge(WORLD, name)
             description.note("base", f"link '{name}'", "the base is the ground")
     fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
@@ -279,10 +292,6 @@ class _Builder:
 
     def add_joint(self, joint: JointDescription) -> None:
         a, b = self._side(joint.parent, joint.in_parent), self._side(joint.child, joint.in_child)
-        if joint.mimic is not None:
-            leader, multiplier, offset = joint.mimic
-            law = f"{multiplier:g} times joint '{leader}' + {offset:g}"
-            self._note("mimic", joint, f"that it follows {law} is not represented: it moves freely")
         if a.body == b.body:
             if joint.kind != "fixed":
                 self._note("rigid", joint, "joins links of one rigid group: it cannot move")
@@ -292,6 +301,10 @@ class _Builder:
         place = {"at": (a.at, b.at), "frames": "body", "name": joint.name}
         getattr(self, f"_add_{joint.kind}")(joint, a, b, place)
         self._add_forces(joint, a, b)
+
+    def add_coupling(self, coupling: Coupling) -> None:
+        text = f"that it follows {coupling} is not represented: it moves freely"
+        self._description.note("mimic", f"joint '{coupling.follower}'", text)
 
     def _side(self, link: str, frame: Frame) -> _Side:
         group = self._groups[link]

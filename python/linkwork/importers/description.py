@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -14,7 +14,7 @@ from linkwork.errors import LinkworkWarning
 from linkwork.importers.frames import Frame, turned
 from linkwork.model import Model
 
-__all__ = ["Description", "Imported", "JointDescription", "LinkDescription", "Motion", "Note"]
+__all__ = ["Coupling", "Description", "Imported", "JointDescription", "LinkDescription", "Motion", "Note"]
 
 Floats = NDArray[np.float64]
 
@@ -94,7 +94,23 @@ class JointDescription:
     armature: float = 0.0  #: inertia of a rotor, seen at the joint [kg m2] or [kg]
     pitch: float = 0.0  #: of a screw [m per turn]
     closes_loop: bool = False  #: it has no say in where its child is
-    mimic: tuple[str, float, float] | None = None  #: joint, multiplier, offset
+
+
+@dataclass(frozen=True)
+class Coupling:
+    """The coordinate of one joint follows that of another: follower = multiplier * leader + offset.
+
+    Coordinates from where both sides of each joint agree [rad] or [m].
+    """
+
+    name: str
+    follower: str
+    leader: str
+    multiplier: float
+    offset: float
+
+    def __str__(self) -> str:
+        return f"{self.multiplier:g} times joint '{self.leader}' + {self.offset:g}"
 
 
 @dataclass
@@ -107,7 +123,8 @@ class Description:
     joints: Sequence[JointDescription]
     notes: list[Note]
     gravity: Floats = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
-    base_is_fixed: bool = False  #: links that nothing carries are fixed to the ground, unless asked otherwise
+    grounded: Collection[str] = ()  #: fixed to the ground where nothing carries them, unless asked otherwise
+    couplings: Sequence[Coupling] = ()
 
     def note(self, topic: str, subject: str, message: str) -> None:
         self.notes.append(Note(topic, subject, message))

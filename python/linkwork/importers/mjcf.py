@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
@@ -21,7 +21,7 @@ from linkwork.importers.description import (
     Motion,
 )
 from linkwork.importers.frames import Frame, from_quaternion
-from linkwork.importers.xml_text import Reader
+from linkwork.importers.xml_text import Node, Reader
 
 if TYPE_CHECKING:
     import mujoco
@@ -44,13 +44,26 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     cannot be combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco
     package.
     """
-    model = _compiled(path)
-    description = _MujocoModel(os.fspath(path), model).description()
-    return build(description, options)
+    reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
+    model, warnings = _compiled(path)
+    lines = dict(_lines(reader.root))
+    description = _MujocoModel(os.fspath(path), model, lines).description()
+    for text in dict.fromkeys(warnings):
+        description.note("mujoco", "model", f"MuJoCo warns: {text}")
+    return build(description, options, lines)
 
 
-def _compiled(path: str | os.PathLike[str]) -> mujoco.MjModel:
-    Reader(path, "mujoco")  # well-formed, without DOCTYPE
+def _lines(node: Node) -> Iterator[tuple[str, int]]:
+    """Where named bodies and joints are; what a file includes or MuJoCo names is not there."""
+    for child in node.children:
+        name = child.attributes.get("name")
+        if name and child.tag in ("body", "joint", "freejoint"):
+            yield f"{'link' if child.tag == 'body' else 'joint'} {name}", child.line
+        yield from _lines(child)
+
+
+def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
+    """With the warnings, which MuJoCo would print, and write to a file in the current folder."""
     try:
         import mujoco
     except ImportError as error:
@@ -58,19 +71,24 @@ def _compiled(path: str | os.PathLike[str]) -> mujoco.MjModel:
             f"'{os.fspath(path)}': MJCF needs the package mujoco: pip install 'linkwork[mjcf]'",
             code="no_mujoco",
         ) from error
+    warnings: list[str] = []
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(warnings.append)
     try:
-        return mujoco.MjModel.from_xml_path(os.fspath(path))
+        return mujoco.MjModel.from_xml_path(os.fspath(path)), warnings
     except (ValueError, mujoco.FatalError) as error:
         found = re.search(r"line (\d+)", str(error))
         reason = " ".join(str(error).split()).removeprefix("Error: ")
         raise ModelFileError(path, [Fault(int(found[1]) if found else 1, "", f"MuJoCo: {reason}")]) from None
+    finally:
+        mujoco.set_mju_user_warning(before)
 
 
 class _MujocoModel:
-    def __init__(self, path: str, model: mujoco.MjModel) -> None:
+    def __init__(self, path: str, model: mujoco.MjModel, lines: Mapping[str, int]) -> None:
         import mujoco
 
-        self._path, self._model, self._mj = path, model, mujoco
+        self._path, self._model, self._mj, self._lines = path, model, mujoco, lines
         self._faults: list[Fault] = []
 
     def description(self) -> Description:
@@ -82,6 +100,8 @@ class _MujocoModel:
         joints = [joint for body in range(1, model.nbody) for joint in self._joints_of(body, out)]
         out.joints = joints + list(self._equalities(out))
         self._refuse_and_note(out)
+        if not np.isfinite(model.opt.gravity).all():
+            self._fault("option gravity", "is not finite")
         if self._faults:
             raise ModelFileError(self._path, self._faults)
         return out
@@ -257,7 +277,9 @@ class _MujocoModel:
             out.note("gravcomp", "model", "gravity compensation of bodies is not represented")
 
     def _fault(self, field: str, message: str) -> None:
-        self._faults.append(Fault(1, field, message))
+        kind, _, name = field.partition(" ")
+        line = self._lines.get(f"{'link' if kind == 'body' else kind} {name[1:-1]}", 1)
+        self._faults.append(Fault(line, field, message))
 
 
 def _first(value: Any) -> Any:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Sequence
 from typing import Unpack
 
 import numpy as np
@@ -12,20 +12,29 @@ from numpy.typing import NDArray
 from linkwork.importers.building import Options, build
 from linkwork.importers.description import (
     WORLD,
-    Description,
+    Coupling,
     Imported,
     JointDescription,
     LinkDescription,
     Motion,
-    Note,
 )
-from linkwork.importers.frames import Frame, from_quaternion, from_rpy
-from linkwork.importers.urdf import inertia_matrix
+from linkwork.importers.frames import Frame
+from linkwork.importers.robot_file import RobotFile, coupling, direction, set_inertia
+from linkwork.importers.sdf_includes import Library, Source
+from linkwork.importers.sdf_scopes import Scope
 from linkwork.importers.xml_text import Node, Reader
 
 __all__ = ["import_sdf"]
 
 Floats = NDArray[np.float64]
+
+Z = np.array([0.0, 0.0, 1.0])
+
+#: Acceleration [m/s2] where a file has no other.
+GRAVITY = [0.0, 0.0, -9.8]
+
+#: The inertia [kg m2] where a file has no other.
+INERTIA = {"ixx": 1.0, "iyy": 1.0, "izz": 1.0, "ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
 
 #: How joints are called here.
 KINDS = {
@@ -35,286 +44,211 @@ KINDS = {
     "prismatic": "translational",
     "ball": "spherical",
     "universal": "universal",
+    "revolute2": "universal",
     "screw": "screw",
 }
 
 
-def import_sdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
-    """The model in an SDF file, with its closed loops, at the poses of its links or at `coordinates`.
+def import_sdf(
+    path: str | os.PathLike[str],
+    *,
+    search_path: Sequence[str | os.PathLike[str]] = (),
+    **options: Unpack[Options],
+) -> Imported:
+    """The mechanism in an SDF file, with its closed loops, at the poses of its links or at `coordinates`.
 
-    Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, repair_inertia, align_axes, merge_fixed. Links that nothing joins to the world move freely,
-    unless the model is static or floating=False. Joints stand where the poses of the links put them; those
-    that close loops have no coordinates of their own.
+    search_path  folders where models of other files are looked for: model://arm is the folder or file arm in
+                 one of them or beside the file; a path is relative to the file, or to one of them. What an
+                 <include> means must be in these folders; nothing is downloaded
+
+    Other options are those of linkwork.importers.building.Options: floating, coordinates, velocities,
+    gravity, keep_massless, repair_inertia, align_axes, merge_fixed. Links that nothing joins to the world
+    move freely, unless their model is static or floating=False. Joints stand where the poses of the links put
+    them; those that close loops have no coordinates of their own. Links and joints of models in models, and
+    of the models of a world with several, are called model::name.
 
     Not represented, and listed in the notes: limits, gearbox joints, plugins, geometry. ModelFileError: what
     is wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.
     """
-    reader = Reader(path, "sdf")
-    model = _SdfModel(reader)
-    description = model.description()
-    reader.finish()
-    return build(description, options, model.lines)
+    library, source = Library.of(path, search_path)
+    file = _SdfFile(source, library)
+    library.finish()
+    description = file.description(
+        source.reader.path, file.root.name, gravity=np.array(file.gravity), grounded=file.grounded
+    )
+    return build(description, options, file.lines)
 
 
-class _SdfModel:
-    def __init__(self, reader: Reader) -> None:
-        self._reader = reader
-        self._notes: list[Note] = []
-        self.lines: dict[str, int] = {}
-        self._version = _version(reader.root)
-        world = reader.root.one(WORLD)
-        models = [*reader.root.all("model"), *(world.all("model") if world else ())]
-        if len(models) != 1:
-            reader.add(reader.root, "sdf", f"has {len(models)} models; one is taken")
+class _SdfFile(RobotFile):
+    """All models of a file."""
+
+    def __init__(self, source: Source, library: Library) -> None:
+        super().__init__()
+        self._reader = reader = source.reader
+        self.root = Scope(self._first(), source, library)
+        self.grounded: set[str] = set()  #: links of static models
+        for read in (self._read_links, self._read_joints):
+            for scope in self.root.scopes():
+                read(scope)
+        if not self.links:
+            reader.add(self.root.node, "model", "has no links")
+        self.check_couplings(reader)
+
+    def _first(self) -> Node:
+        """The world, or the model where there is no world."""
+        root, reader = self._reader.root, self._reader
+        found = [node for node in root.children if node.tag in ("model", WORLD)]
+        if len(found) != 1:
+            reader.add(root, "sdf", f"has {len(found)} models; one is taken, or one world of many")
             reader.finish()
-        self._node = models[0]
+        world = found[0] if found[0].tag == WORLD else None
         gravity = world.one("gravity") if world else None
-        standard = [0.0, 0.0, -9.8]
-        self._gravity = reader.numbers(
-            gravity or reader.root, gravity.text if gravity else None, 3, "gravity", standard
+        self.gravity = reader.numbers(
+            gravity or root, gravity.text if gravity else None, 3, "gravity", GRAVITY
         )
-        for child in world.children if world else ():
-            if child.tag not in ("model", "gravity"):
-                self._note("element", f"<{child.tag}>", f"in line {child.line} is not represented")
+        return found[0]
 
-    def description(self) -> Description:
-        nodes = {tag: self._named(tag) for tag in ("link", "joint", "frame")}
-        for child in self._node.children:
-            if child.tag in ("model", "include"):
-                self._reader.add(child, child.tag, "nested models are not taken: write the model out as one")
-            elif child.tag not in ("link", "joint", "frame", "pose", "static"):
-                self._note("element", f"<{child.tag}>", f"in line {child.line} is not represented")
-        frames = _Frames(self._reader, self._node, nodes)
-        links = {name: self._link(name, node, frames) for name, node in nodes["link"].items()}
-        if not links:
-            self._reader.add(self._node, "model", "has no links")
-        joints = [
-            joint for name, node in nodes["joint"].items() if (joint := self._joint(name, node, frames))
-        ]
-        static = self._node.word("static") in ("1", "true")
-        name = self._node.attributes.get("name", "")
-        gravity = np.array(self._gravity)
-        return Description(self._reader.path, name, links, joints, self._notes, gravity, base_is_fixed=static)
+    def _read_links(self, scope: Scope) -> None:
+        """And note what else is in the model."""
+        known = {"link", "joint", "frame", "pose", "static", "model", "include"}
+        nodes = [(scope.node, known | {"gravity"} if scope.is_world else known)]
+        if scope.placed_by is not scope.node:
+            nodes.append((scope.placed_by, {"pose", "static", "name", "uri", "placement_frame"}))
+        for child in (
+            child for node, expected in nodes for child in node.children if child.tag not in expected
+        ):
+            self.note("element", f"<{child.tag}>", f"in line {child.line} is not represented")
+        for tag, name in ((tag, name) for tag, named in scope.nodes.items() for name in named):
+            scope.pose_of(tag, name)  # faults of frames that nothing uses are faults, too
+        for name, node in scope.nodes["link"].items():
+            link = self._link(scope, name, node)
+            self.links[link.name] = link
+            self.lines[f"link {link.name}"] = scope.line(node)
+            if scope.is_static:
+                self.grounded.add(link.name)
 
-    def _note(self, topic: str, subject: str, message: str) -> None:
-        self._notes.append(Note(topic, subject, message))
+    def _read_joints(self, scope: Scope) -> None:
+        for name, node in scope.nodes["joint"].items():
+            self.lines[f"joint {scope.prefix}{name}"] = scope.line(node)
+            joint = self._joint(scope, name, node)
+            if joint is not None:
+                self.joints[joint.name] = joint
+                if scope.is_static and joint.kind != "fixed":
+                    self.note("static", f"joint '{joint.name}'", "moves, though its model is static")
 
-    def _named(self, tag: str) -> dict[str, Node]:
-        found: dict[str, Node] = {}
-        for node in self._node.all(tag):
-            name = node.attributes.get("name", "")
-            if not name or name in found or name == WORLD:
-                reason = "is given twice" if name in found else "is the name of the ground"
-                self._reader.add(node, f"{tag} '{name}'", reason if name else "name is missing")
-            found[name] = node
-            self.lines[f"{tag} {name}"] = node.line
-        return found
-
-    def _link(self, name: str, node: Node, frames: _Frames) -> LinkDescription:
-        who, reader = f"link '{name}'", self._reader
-        link = LinkDescription(name, pose=frames.pose(name))
-        for shape in ("visual", "collision"):
-            if node.one(shape) is not None:
-                self._note(shape, who, f"its {shape} geometry is not represented")
+    def _link(self, scope: Scope, name: str, node: Node) -> LinkDescription:
+        link = LinkDescription(scope.prefix + name, pose=scope.absolute @ scope.pose_of("link", name))
+        who, reader = f"link '{link.name}'", scope.reader
+        self.note_geometry(node, who)
         inertial = node.one("inertial")
         if inertial is None:  # the defaults of the format
             link.mass, link.inertia = 1.0, np.eye(3)
-            self._note("inertial", who, "is missing: 1 kg and 1 kg m2, the defaults of SDF")
+            self.note("inertial", who, "is missing: 1 kg and 1 kg m2, the defaults of SDF")
             return link
-        pose = frames.own(inertial, who)
         link.mass = reader.number(inertial, inertial.word("mass"), f"{who} mass", 1.0)
-        link.center = pose.r
-        inertia = inertial.one("inertia")
-        entries = {"ixx": 1.0, "iyy": 1.0, "izz": 1.0, "ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
-        if inertia is not None:
-            for key, default in entries.items():
-                entries[key] = reader.number(inertia, inertia.word(key), f"{who} inertia {key}", default)
-        link.inertia = pose.A @ inertia_matrix(entries) @ pose.A.T
+        inertia = inertial.one("inertia") or inertial
+        set_inertia(link, reader, scope.own(inertial, who), inertia, inertia.word, INERTIA)
         if inertial.one("fluid_added_mass") is not None:
-            self._note("fluid_added_mass", who, "its added mass is not represented")
+            self.note("fluid_added_mass", who, "its added mass is not represented")
         return link
 
-    def _joint(self, name: str, node: Node, frames: _Frames) -> JointDescription | None:
-        who, reader, type_ = f"joint '{name}'", self._reader, node.attributes.get("type", "")
-        parent, child = (node.word(end) or "" for end in ("parent", "child"))
-        for end, link in (("parent", parent), ("child", child)):
-            if not link:
-                reader.add(node, who, f"{end} is missing")
-            elif not frames.is_link(link) and not (link == WORLD and end == "parent"):
-                reader.add(node, f"{who} {end}", f"no link '{link}'")
-        if reader.faults:
+    def _ends(self, scope: Scope, name: str, node: Node) -> tuple[str, str] | None:
+        """The full names of the links that a joint joins."""
+        who, out = f"joint '{scope.prefix}{name}'", []
+        for end in ("parent", "child"):
+            frame = node.word(end) or ""
+            link = scope.link(frame) if frame else None
+            if not frame:
+                scope.reader.add(node, who, f"{end} is missing")
+            elif link is None or (end == "child" and link == WORLD):
+                scope.reader.add(node, f"{who} {end}", f"no link '{frame}'")
+            else:
+                out.append(link)
+        return (out[0], out[1]) if len(out) == 2 else None
+
+    def _joint(self, scope: Scope, name: str, node: Node) -> JointDescription | None:
+        reader, type_ = scope.reader, node.attributes.get("type", "")
+        full = scope.prefix + name
+        who = f"joint '{full}'"
+        ends = self._ends(scope, name, node)
+        if ends is None or reader.faults:
             return None
         if type_ == "gearbox":
             ratio = node.word("gearbox_ratio") or "1"
-            self._note(
-                "gearbox",
-                who,
-                f"gearbox of '{parent}' and '{child}' with ratio {ratio} is not represented",
-            )
+            text = f"gearbox of '{ends[0]}' and '{ends[1]}' with ratio {ratio} is not represented"
+            self.note("gearbox", who, text)
             return None
-        if type_ == "revolute2":
-            type_ = "universal"
         if type_ not in KINDS:
-            reader.add(
-                node,
-                who,
-                f"type '{type_}' is not taken; there are {', '.join(KINDS)}" if type_ else "type is missing",
-            )
+            known = f"type '{type_}' is not taken; there are {', '.join(KINDS)}"
+            reader.add(node, who, known if type_ else "type is missing")
             return None
-        here = frames.pose(name)
-        parent_pose = Frame() if parent == WORLD else frames.pose(parent)
-        joint = JointDescription(
-            name, KINDS[type_], parent, child, parent_pose.inverse @ here, frames.pose(child).inverse @ here
-        )
+        here = scope.absolute @ scope.pose_of("joint", name)
+        in_parent, in_child = (self._pose_of_link(link).inverse @ here for link in ends)
+        joint = JointDescription(full, KINDS[type_], *ends, in_parent, in_child)
         count = {"universal": 2, "fixed": 0, "spherical": 0}.get(joint.kind, 1)
-        axes = [self._axis(node, tag, who, here, frames) for tag in ("axis", "axis2")[:count]]
+        axes = [self._axis(scope, node, tag, who, here) for tag in ("axis", "axis2")[:count]]
         if joint.kind == "universal" and abs(axes[0] @ axes[1]) > 1e-6:
             reader.add(node, f"{who} axis2", "is not perpendicular to axis")
         joint.motions = tuple(Motion(joint.kind != "translational", axis) for axis in axes)
         if joint.kind == "screw":
-            self._screw(node, joint, who)
+            self._screw(reader, node, joint, who)
         if count == 1:
-            self._dynamics(node, joint, who)
+            self._dynamics(scope, node, joint, who)
         elif count:
             self._note_dynamics(node, who)
-        for tag in ("physics", "sensor"):
-            if node.one(tag) is not None:
-                self._note(tag, who, f"its {tag} is not represented")
+        self.note_children(node, who, ("physics", "sensor"))
         return joint
 
-    def _screw(self, node: Node, joint: JointDescription, who: str) -> None:
+    def _pose_of_link(self, link: str) -> Frame:
+        """In the world."""
+        return Frame() if link == WORLD else self.links[link].pose
+
+    def _screw(self, reader: Reader, node: Node, joint: JointDescription, who: str) -> None:
         """SDF's thread_pitch is [rad/m] with the other sign; screw_thread_pitch is [m] per turn."""
         per_turn, per_meter = node.word("screw_thread_pitch"), node.word("thread_pitch")
         if per_turn is not None or per_meter is None:
-            joint.pitch = self._reader.number(node, per_turn, f"{who} screw_thread_pitch")
+            joint.pitch = reader.number(node, per_turn, f"{who} screw_thread_pitch")
         else:
-            rate = self._reader.number(node, per_meter, f"{who} thread_pitch")
+            rate = reader.number(node, per_meter, f"{who} thread_pitch")
             joint.pitch = -2 * np.pi / rate if rate else 0.0
         if joint.pitch == 0:
-            self._reader.add(node, f"{who} screw_thread_pitch", "must not be zero")
+            reader.add(node, f"{who} screw_thread_pitch", "must not be zero")
 
-    def _axis(self, node: Node, tag: str, who: str, here: Frame, frames: _Frames) -> Floats:
-        """A direction of unit length in the joint's frame."""
-        axis = node.one(tag)
-        given = np.array([0.0, 0.0, 1.0])
+    def _axis(self, scope: Scope, node: Node, tag: str, who: str, here: Frame) -> Floats:
+        """A direction of unit length in the joint's frame, which is `here` in the world."""
+        axis, version = node.one(tag), scope.source.version
         if axis is None:
-            self._reader.add(node, f"{who} {tag}", "is missing")
-            return given
+            scope.reader.add(node, f"{who} {tag}", "is missing")
+            return Z
         xyz = axis.one("xyz")
-        if xyz is not None:
-            given = np.array(self._reader.numbers(xyz, xyz.text, 3, f"{who} {tag}"))
-        if not np.linalg.norm(given):
-            self._reader.add(axis, f"{who} {tag}", "has no direction")
-            return np.array([0.0, 0.0, 1.0])
+        given = direction(scope.reader, xyz or axis, xyz.text if xyz else None, f"{who} {tag}", Z)
         expressed_in = xyz.attributes.get("expressed_in") if xyz is not None else None
-        in_model = axis.word("use_parent_model_frame") in ("1", "true") or self._version < (1, 5)
-        if expressed_in:
-            given = here.A.T @ (frames.pose(expressed_in).A @ given)
-        elif in_model and self._version < (1, 7):
-            given = here.A.T @ (frames.model.A @ given)
-        unit: Floats = given / np.linalg.norm(given)
-        return unit
+        in_model = axis.word("use_parent_model_frame") in ("1", "true") or version < (1, 5)
+        if expressed_in or (in_model and version < (1, 7)):
+            frame = scope.absolute @ scope.pose(expressed_in or "", axis)
+            given = here.A.T @ (frame.A @ given)
+        return given
 
-    def _dynamics(self, node: Node, joint: JointDescription, who: str) -> None:
-        axis = node.one("axis")
-        dynamics, limit = (axis.one(tag) if axis else None for tag in ("dynamics", "limit"))
+    def _dynamics(self, scope: Scope, node: Node, joint: JointDescription, who: str) -> None:
+        reader, axis = scope.reader, node.one("axis")
+        dynamics, limit, mimic = (axis.one(tag) if axis else None for tag in ("dynamics", "limit", "mimic"))
         for tag in ("damping", "friction", "spring_stiffness", "spring_reference"):
             field = "stiffness" if tag == "spring_stiffness" else tag
             if dynamics is not None:
-                value = self._reader.number(dynamics, dynamics.word(tag), f"{who} {tag}", 0.0)
-                setattr(joint, field, value)
-        ends = [self._reader.number(limit, limit.word(end), f"{who} {end}", sign * 1e16)
+                setattr(joint, field, reader.number(dynamics, dynamics.word(tag), f"{who} {tag}", 0.0))
+        ends = [reader.number(limit, limit.word(end), f"{who} {end}", sign * 1e16)
                 for end, sign in (("lower", -1), ("upper", 1))] if limit else []  # fmt: skip
         if any(abs(end) < 1e15 for end in ends):
-            self._note("limits", who, f"limits {ends[0]:g} to {ends[1]:g} are not represented")
-        mimic = axis.one("mimic") if axis else None
+            self.note("limits", who, f"limits {ends[0]:g} to {ends[1]:g} are not represented")
         if mimic is not None:
-            multiplier = self._reader.number(mimic, mimic.word("multiplier"), f"{who} multiplier", 1.0)
-            offset = self._reader.number(mimic, mimic.word("offset"), f"{who} offset", 0.0)
-            joint.mimic = mimic.attributes.get("joint", ""), multiplier, offset
+            self.couplings.append(self._mimic(scope, mimic, joint))
+
+    def _mimic(self, scope: Scope, mimic: Node, joint: JointDescription) -> Coupling:
+        leader = mimic.attributes.get("joint", "")
+        return coupling(scope.reader, mimic, joint.name, leader and scope.prefix + leader, mimic.word)
 
     def _note_dynamics(self, node: Node, who: str) -> None:
         for tag in ("axis", "axis2"):
             for what in ("dynamics", "limit", "mimic"):
                 if node.find(tag, what) is not None:
-                    self._note(what, who, f"the {what} of its {tag} is not represented")
-
-
-class _Frames:
-    """Poses of links, joints and frames in the world, through the frames that they are relative to."""
-
-    def __init__(self, reader: Reader, model: Node, nodes: Mapping[str, Mapping[str, Node]]) -> None:
-        self._reader = reader
-        self._kinds = {name: kind for kind, named in nodes.items() for name in named}
-        self._nodes = {name: node for named in nodes.values() for name, node in named.items()}
-        self._known: dict[str, Frame] = {}
-        self._open: list[str] = []
-        self.model = self.own(model, "model")
-
-    def is_link(self, name: str) -> bool:
-        return self._kinds.get(name) == "link"
-
-    def pose(self, name: str) -> Frame:
-        """Of a link, joint or frame; __model__ and world, too."""
-        if name in ("", "__model__"):
-            return self.model
-        if name == WORLD:
-            return Frame()
-        if name not in self._nodes:
-            self._reader.add(self._reader.root, "pose", f"no frame '{name}'")
-            return Frame()
-        if name in self._open:
-            ring = " -> ".join([*self._open[self._open.index(name) :], name])
-            self._reader.add(
-                self._nodes[name], f"{self._kinds[name]} '{name}' pose", f"is relative to itself: {ring}"
-            )
-            return Frame()
-        if name not in self._known:
-            self._open.append(name)
-            self._known[name] = self._resolved(name)
-            self._open.pop()
-        return self._known[name]
-
-    def own(self, node: Node, who: str) -> Frame:
-        """What the <pose> of a node says, in the frame that it is relative to."""
-        pose = node.one("pose")
-        if pose is None:
-            return Frame()
-        angles = 4 if pose.attributes.get("rotation_format") == "quat_xyzw" else 3
-        values = self._reader.numbers(
-            pose, pose.text, 3 + angles, f"{who} pose", [0.0] * 6 + [1.0] * (angles - 3)
-        )
-        if angles == 4:
-            x, y, z, w = values[3:]
-            if not any(values[3:]):
-                self._reader.add(pose, f"{who} pose", "quaternion is zero")
-                return Frame()
-            return from_quaternion(values[:3], (w, x, y, z))
-        degrees = pose.attributes.get("degrees") in ("1", "true")
-        return from_rpy(values[:3], np.radians(values[3:]) if degrees else values[3:])
-
-    def _resolved(self, name: str) -> Frame:
-        """A link is in the model by default, a joint in its child, a frame in what it is attached to."""
-        node, kind = self._nodes[name], self._kinds[name]
-        usual = (
-            ""
-            if kind == "link"
-            else node.word("child") or ""
-            if kind == "joint"
-            else node.attributes.get("attached_to", "")
-        )
-        pose = node.one("pose")
-        given = (
-            (pose.attributes.get("relative_to") or pose.attributes.get("frame")) if pose is not None else None
-        )
-        return self.pose(given or usual) @ self.own(node, f"{kind} '{name}'")
-
-
-def _version(root: Node) -> tuple[int, int]:
-    """(1, 11) where there is none to be understood."""
-    try:
-        major, minor = (int(part) for part in root.attributes.get("version", "").split(".")[:2])
-    except ValueError:
-        return 1, 11
-    return major, minor
+                    self.note(what, who, f"the {what} of its {tag} is not represented")

@@ -43,8 +43,8 @@ def link_states(description: Description, coordinates: Values, velocities: Value
     for joint in tree:
         children.setdefault(joint.parent, []).append(joint)
     carried = {joint.child for joint in tree}
-    q = _with_mimics(description, _checked(description, coordinates, "coordinates"), offsets=True)
-    rates = _with_mimics(description, _checked(description, velocities, "velocities"), offsets=False)
+    q = _with_couplings(description, _checked(description, coordinates, "coordinates"), offsets=True)
+    rates = _with_couplings(description, _checked(description, velocities, "velocities"), offsets=False)
 
     states: dict[str, LinkState] = {WORLD: LinkState()}
     used: set[str] = set()
@@ -87,15 +87,20 @@ def _checked(description: Description, given: Values, what: str) -> dict[str, Fl
     return out
 
 
-def _with_mimics(description: Description, values: dict[str, Floats], offsets: bool) -> dict[str, Floats]:
-    """Joints that follow others, where these are given: multiplier * value + offset."""
+def _with_couplings(description: Description, values: dict[str, Floats], offsets: bool) -> dict[str, Floats]:
+    """Joints that follow others and are not given themselves: multiplier * value + offset."""
+    coupling_of = {coupling.follower: coupling for coupling in description.couplings}
     out = dict(values)
-    for joint in description.joints:
-        if joint.mimic is not None and joint.name not in values:
-            leader, multiplier, offset = joint.mimic
-            followed = values.get(leader, np.zeros(1))
-            if leader in values or (offsets and offset):
-                out[joint.name] = multiplier * followed + (offset if offsets else 0.0)
+    for name in coupling_of:
+        chain = [name]  # up to the first joint whose value is known, or which follows no other
+        while chain[-1] not in out and chain[-1] in coupling_of and chain[-1] not in chain[:-1]:
+            chain.append(coupling_of[chain[-1]].leader)
+        value = out.get(chain[-1], np.zeros(1))
+        for follower in reversed(chain[:-1]):
+            coupling = coupling_of[follower]
+            value = coupling.multiplier * value + (coupling.offset if offsets else 0.0)
+            if value.shape == (1,):
+                out[follower] = value
     return out
 
 

@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Unpack
+from typing import TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.importers.building import Options, build
-from linkwork.importers.description import (
-    Description,
-    Imported,
-    JointDescription,
-    LinkDescription,
-    Motion,
-    Note,
-)
+from linkwork.importers.description import Imported, JointDescription, LinkDescription, Motion
 from linkwork.importers.frames import Frame, from_rpy
+from linkwork.importers.robot_file import RobotFile, coupling, direction, set_inertia
 from linkwork.importers.xml_text import Node, Reader
 from linkwork.rotation import perpendicular
 
@@ -26,6 +20,17 @@ __all__ = ["import_urdf"]
 Floats = NDArray[np.float64]
 
 X = np.array([1.0, 0.0, 0.0])
+
+#: How joints with axes are called here.
+KINDS = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "translational",
+    "planar": "planar",
+}
+
+#: And those without.
+OTHERS = {"fixed": "fixed", "floating": "free", "spherical": "spherical", "ball": "spherical"}
 
 
 def import_urdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
@@ -42,42 +47,34 @@ def import_urdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     """
     reader = Reader(path, "robot")
     robot = _Robot(reader)
-    description = robot.description()
     reader.finish()
-    return build(description, options, robot.lines)
+    name = reader.root.attributes.get("name", "")
+    return build(robot.description(reader.path, name, grounded=robot.links), options, robot.lines)
 
 
-class _Robot:
+_Named = TypeVar("_Named", LinkDescription, JointDescription)
+
+
+class _Robot(RobotFile):
     def __init__(self, reader: Reader) -> None:
+        super().__init__()
         self._reader = reader
-        self.lines: dict[str, int] = {}
-        self._notes: list[Note] = []
-
-    def description(self) -> Description:
-        root = self._reader.root
-        links: dict[str, LinkDescription] = {}
-        joints: dict[str, JointDescription] = {}
+        root = reader.root
         for node in root.children:
             if node.tag == "link":
-                self._once(links, node, self._link(node))
+                self._once(self.links, node, self._link(node))
             elif node.tag == "joint":
                 joint = self._joint(node)
                 if joint is not None:
-                    self._once(joints, node, joint)
+                    self._once(self.joints, node, joint)
             elif node.tag.startswith("xacro:"):
-                self._reader.add(node, node.tag, "is a macro: expand the file by xacro first")
+                reader.add(node, node.tag, "is a macro: expand the file by xacro first")
             elif node.tag not in ("material", "gazebo") or node.children:
-                self._note("element", f"<{node.tag}>", f"in line {node.line} is not represented")
-        self._check_tree(links, joints)
-        name = root.attributes.get("name", "")
-        return Description(
-            self._reader.path, name, links, list(joints.values()), self._notes, base_is_fixed=True
-        )
+                self.note("element", f"<{node.tag}>", f"in line {node.line} is not represented")
+        self._check_tree()
+        self.check_couplings(reader)
 
-    def _note(self, topic: str, subject: str, message: str) -> None:
-        self._notes.append(Note(topic, subject, message))
-
-    def _once(self, known: dict[str, Any], node: Node, made: LinkDescription | JointDescription) -> None:
+    def _once(self, known: dict[str, _Named], node: Node, made: _Named) -> None:
         if made.name in known:
             self._reader.add(node, f"{node.tag} '{made.name}'", "is given twice")
         known[made.name] = made
@@ -92,36 +89,21 @@ class _Robot:
     def _link(self, node: Node) -> LinkDescription:
         link = LinkDescription(self._name(node))
         who = f"link '{link.name}'"
-        for shape in ("visual", "collision"):
-            if node.one(shape) is not None:
-                self._note(shape, who, f"its {shape} geometry is not represented")
+        self.note_geometry(node, who)
         inertial = node.one("inertial")
         if inertial is None:
             return link
-        frame = self._origin(inertial, who)
         mass = inertial.one("mass")
-        link.mass = self._reader.number(
-            inertial, mass.attributes.get("value") if mass else None, f"{who} mass"
-        )
-        link.center = frame.r
+        value = mass.attributes.get("value") if mass else None
+        link.mass = self._reader.number(inertial, value, f"{who} mass")
+        frame = self._origin(inertial, who)
         tensor = inertial.one("inertia")
         if tensor is None:
             self._reader.add(inertial, f"{who} inertia", "is missing")
             return link
-        values = {
-            key: self._reader.number(
-                tensor, tensor.attributes.get(key), f"{who} inertia {key}", default=default
-            )
-            for key, default in (
-                ("ixx", None),
-                ("iyy", None),
-                ("izz", None),
-                ("ixy", 0.0),
-                ("ixz", 0.0),
-                ("iyz", 0.0),
-            )
-        }
-        link.inertia = frame.A @ inertia_matrix(values) @ frame.A.T
+        set_inertia(
+            link, self._reader, frame, tensor, tensor.attributes.get, {"ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
+        )
         return link
 
     def _origin(self, node: Node, who: str) -> Frame:
@@ -145,39 +127,24 @@ class _Robot:
             if not ends[-1]:
                 self._reader.add(node, who, f"{end} is missing")
         joint = JointDescription(name, "fixed", ends[0], ends[1], self._origin(node, who))
-        if type_ in ("revolute", "continuous", "prismatic", "planar"):
-            axis = self._axis(node, who)
-            rotates = type_ in ("revolute", "continuous")
-            joint.kind = "revolute" if rotates else "planar" if type_ == "planar" else "translational"
-            joint.motions = (Motion(rotates, axis),) if type_ != "planar" else _planar(axis)
+        if type_ in KINDS:
+            joint.kind = KINDS[type_]
+            axis = node.one("axis")
+            text = axis.attributes.get("xyz") if axis else None
+            along = direction(self._reader, axis or node, text, f"{who} axis", X)
+            joint.motions = (
+                _planar(along) if type_ == "planar" else (Motion(joint.kind == "revolute", along),)
+            )
             self._dynamics(node, joint, who)
-            self._limits(node, joint, who, type_)
-            self._mimic(node, joint, who)
-        elif type_ == "floating":
-            joint.kind = "free"
-        elif type_ == "spherical" or type_ == "ball":
-            joint.kind = "spherical"
-        elif type_ != "fixed":
+            self._limits(node, who, type_)
+            self._mimic(node, joint)
+        elif type_ in OTHERS:
+            joint.kind = OTHERS[type_]
+        else:
             self._reader.add(node, who, f"type '{type_}' does not exist" if type_ else "type is missing")
             return None
-        for tag in ("calibration", "safety_controller"):
-            if node.one(tag) is not None:
-                self._note(tag, who, f"its {tag} is not represented")
+        self.note_children(node, who, ("calibration", "safety_controller"))
         return joint
-
-    def _axis(self, node: Node, who: str) -> Floats:
-        axis = node.one("axis")
-        if axis is None:
-            return X
-        given = np.array(
-            self._reader.numbers(axis, axis.attributes.get("xyz"), 3, f"{who} axis", [1.0, 0.0, 0.0])
-        )
-        length = np.linalg.norm(given)
-        if length == 0:
-            self._reader.add(axis, f"{who} axis", "has no direction")
-            return X
-        unit: Floats = given / length
-        return unit
 
     def _dynamics(self, node: Node, joint: JointDescription, who: str) -> None:
         dynamics = node.one("dynamics")
@@ -188,33 +155,29 @@ class _Robot:
                 )
                 setattr(joint, what, value)
 
-    def _limits(self, node: Node, joint: JointDescription, who: str, type_: str) -> None:
+    def _limits(self, node: Node, who: str, type_: str) -> None:
         limit = node.one("limit")
         if limit is None:
             return
         lower, upper = (self._reader.number(limit, limit.attributes.get(end), f"{who} limit {end}", 0.0)
                         for end in ("lower", "upper"))  # fmt: skip
         if type_ in ("revolute", "prismatic") and (lower or upper):
-            self._note(
+            self.note(
                 "limits",
                 who,
                 f"limits {lower:g} to {upper:g} {'rad' if type_ == 'revolute' else 'm'} are not represented",
             )
 
-    def _mimic(self, node: Node, joint: JointDescription, who: str) -> None:
+    def _mimic(self, node: Node, joint: JointDescription) -> None:
         mimic = node.one("mimic")
-        if mimic is not None:
-            multiplier = self._reader.number(
-                mimic, mimic.attributes.get("multiplier"), f"{who} mimic multiplier", 1.0
-            )
-            offset = self._reader.number(mimic, mimic.attributes.get("offset"), f"{who} mimic offset", 0.0)
-            leader = mimic.attributes.get("joint", "")
-            if not leader:
-                self._reader.add(mimic, f"{who} mimic", "joint is missing")
-            joint.mimic = leader, multiplier, offset
+        if mimic is None:
+            return
+        texts = mimic.attributes.get
+        self.couplings.append(coupling(self._reader, mimic, joint.name, texts("joint", ""), texts))
 
-    def _check_tree(self, links: dict[str, LinkDescription], joints: dict[str, JointDescription]) -> None:
+    def _check_tree(self) -> None:
         """Every link has at most one parent, and the chain of parents ends."""
+        links, joints = self.links, self.joints
         if not links:
             self._reader.add(self._reader.root, "robot", "has no links")
         by_name = {node.attributes.get("name", ""): node for node in self._reader.root.all("joint")}
@@ -227,8 +190,6 @@ class _Robot:
             if joint.child in parent_of:
                 self._reader.add(node, f"joint '{name}' child", f"link '{joint.child}' has two parents")
             parent_of.setdefault(joint.child, joint.parent)
-            if joint.mimic is not None and joint.mimic[0] not in joints:
-                self._reader.add(node, f"joint '{name}' mimic", f"no joint '{joint.mimic[0]}'")
         for name, joint in joints.items():
             seen, link = {joint.child}, joint.parent
             while link in parent_of and link not in seen:
@@ -243,10 +204,3 @@ class _Robot:
 def _planar(normal: Floats) -> tuple[Motion, ...]:
     x = perpendicular(normal)
     return Motion(False, x), Motion(False, np.cross(normal, x)), Motion(True, normal)
-
-
-def inertia_matrix(values: dict[str, float]) -> Floats:
-    (xx, yy, zz), (xy, xz, yz) = (
-        (values[key] for key in keys) for keys in (("ixx", "iyy", "izz"), ("ixy", "ixz", "iyz"))
-    )
-    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])

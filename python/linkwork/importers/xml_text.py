@@ -56,7 +56,10 @@ class Reader:
             raise ModelFileError(path, [Fault(self.root.line, "", reason)])
 
     def add(self, node: Node, field: str, message: str) -> None:
-        self.faults.append(Fault(node.line, field, message))
+        self.add_line(node.line, field, message)
+
+    def add_line(self, line: int, field: str, message: str) -> None:
+        self.faults.append(Fault(line, field, message))
 
     def finish(self) -> None:
         """ModelFileError: there are faults."""

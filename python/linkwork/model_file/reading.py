@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, islice
@@ -108,11 +110,17 @@ def _check_names(document: schema.Document, checker: _Checker) -> None:
                     _check_body(body, (f"{role}s", k, side), bodies, checker)
             for what, name in _named_functions(record):
                 if name not in document.functions and not checker.full:
-                    hint = nearest(name, document.functions)
-                    checker.add((f"{role}s", k, what), f"'{name}' is neither a number nor in functions{hint}")
+                    checker.add((f"{role}s", k, what), _no_function(name, document.functions))
     for k, shapes in enumerate(document.shapes):
         for j, name in enumerate(shapes.bodies):
             _check_body(name, ("shapes", k, "bodies", j), bodies, checker)
+
+
+def _no_function(name: str, functions: Iterable[str]) -> str:
+    hint = nearest(name, functions)
+    if re.search(r"[-+*/().]", name):
+        hint = f"; a formula of t is written {{expression: {json.dumps(name)}}}"
+    return f"{name!r} is neither a number nor in functions{hint}"
 
 
 def _check_body(name: str, where: Where, bodies: dict[str, str], checker: _Checker) -> None:
@@ -289,5 +297,8 @@ def _place(document: schema.Document, where: Where, error: LinkworkError) -> tup
     word = reason.split(" ", 1)[0].rstrip(":")
     if word in known and getattr(record, word) is not None:
         return (*where, word), reason.removeprefix(word).lstrip(": ")
+    for name, value in ((name, getattr(record, name)) for name in known):
+        if isinstance(value, schema.Record) and word in type(value).model_fields:  # a function of time
+            return (*where, name), reason
     subject = error.code.split("_", 1)[0]  # such as inertia_triangle
     return ((*where, subject) if subject in known else where), reason

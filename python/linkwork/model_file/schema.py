@@ -21,6 +21,7 @@ from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_mo
 
 from linkwork import functions
 from linkwork.elements import KINDS, LENGTHS, Role
+from linkwork.expressions import LONGEST
 from linkwork.model import Model
 from linkwork.shapes import KINDS as SHAPES
 from linkwork.simulation import simulate
@@ -129,7 +130,7 @@ def _argument_type(parameter: inspect.Parameter) -> Any:
     if parameter.annotation in ("float", float):
         return Number
     if parameter.annotation in ("str", str):
-        return Annotated[str, Field(strict=True, min_length=1, max_length=10_000)]
+        return Annotated[str, Field(strict=True, min_length=1, max_length=LONGEST)]
     return Numbers
 
 

@@ -1,33 +1,45 @@
 """YAML 1.2, the part that is data: no anchors and aliases, no tags, no repeated keys, one document.
 
-ruamel.yaml reads the text into events; values are those of the core schema (YAML 1.2.2, section 10.3.2).
+PyYAML reads the text into events, which are the same in YAML 1.1 and 1.2 but for three line breaks that 1.2
+does not have; values are those of the core schema (YAML 1.2.2, section 10.3.2).
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ruamel.yaml import YAML, events
-from ruamel.yaml.error import MarkedYAMLError, YAMLError
+import yaml
+from yaml import events
+from yaml.error import MarkedYAMLError, YAMLError
 
 from linkwork.errors import Fault
 
 #: Levels of lists and mappings in each other.
 DEPTH = 64
 
-_CORE = (
-    (re.compile(r"null|Null|NULL|~|"), lambda _: None),
-    (re.compile(r"true|True|TRUE"), lambda _: True),
-    (re.compile(r"false|False|FALSE"), lambda _: False),
-    (re.compile(r"[-+]?[0-9]{1,300}"), int),
-    (re.compile(r"0o[0-7]{1,300}"), lambda text: int(text[2:], 8)),
-    (re.compile(r"0x[0-9a-fA-F]{1,300}"), lambda text: int(text, 16)),
-    (re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?"), float),
-    (re.compile(r"[-+]?(\.inf|\.Inf|\.INF)|\.nan|\.NaN|\.NAN"), lambda text: float(text.replace(".", ""))),
-)
+#: libyaml's parser where PyYAML is built with it: 50 times as fast.
+LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+#: Line breaks of YAML 1.1 (next line, line separator, paragraph separator), plain characters in 1.2.
+OLD_BREAKS = re.compile("[\x85\u2028\u2029]")
+
+_CORE: Mapping[str, tuple[str, Callable[[str], Any]]] = {
+    "int": (r"[-+]?[0-9]{1,300}", int),
+    "float": (r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?", float),
+    "null": (r"null|Null|NULL|~|", lambda _: None),
+    "true": (r"true|True|TRUE", lambda _: True),
+    "false": (r"false|False|FALSE", lambda _: False),
+    "octal": (r"0o[0-7]{1,300}", lambda text: int(text[2:], 8)),
+    "hexadecimal": (r"0x[0-9a-fA-F]{1,300}", lambda text: int(text, 16)),
+    "special": (
+        r"[-+]?(?:\.inf|\.Inf|\.INF)|\.nan|\.NaN|\.NAN",
+        lambda text: float(text.replace(".", "")),
+    ),
+}
+_VALUE = re.compile("|".join(f"(?P<{name}>(?:{pattern})\\Z)" for name, (pattern, _) in _CORE.items()))
 
 
 class Malformed(Exception):
@@ -37,7 +49,7 @@ class Malformed(Exception):
         self.faults = faults
 
 
-@dataclass
+@dataclass(slots=True)
 class _Node:
     """A list or mapping while it is read; what is in it has a line, and a node where it is one itself."""
 
@@ -59,11 +71,11 @@ class YamlText:
         try:
             self._read(text)
         except MarkedYAMLError as error:
-            mark = error.problem_mark or error.context_mark
+            mark = error.problem_mark or error.context_mark  # counts from 0
             line = mark.line + 1 if mark else 1
             self._faults.append(Fault(line, "", f"is no YAML: {error.problem or error.context}"))
         except (YAMLError, RecursionError, ValueError) as error:
-            line = text.count("\n", 0, getattr(error, "position", None) or 0) + 1
+            line = text.encode().count(b"\n", 0, getattr(error, "position", None) or 0) + 1
             reason = getattr(error, "reason", None) or str(error).splitlines()[0]
             self._faults.append(Fault(line, "", f"is no YAML: {reason}"))
         if self._faults:
@@ -79,29 +91,35 @@ class YamlText:
         return line
 
     def _read(self, text: str) -> None:
+        found = OLD_BREAKS.search(text)
+        if found:
+            line = text.count("\n", 0, found.start()) + 1
+            self._refuse(line, "", f"character U+{ord(found[0]):04X}, a line break of YAML 1.1, is not taken")
         open_nodes, documents = [self._root], 0
-        for event in YAML(typ="safe", pure=True).parse(text):
-            line = event.start_mark.line + 1
-            if isinstance(event, events.DocumentStartEvent):
-                documents += 1
-                if documents > 1 or event.version is not None or event.tags:
-                    self._refuse(line, "", "a model file is one document without directives")
-            elif isinstance(event, events.AliasEvent):
-                self._refuse(line, "", f"alias *{event.anchor}: aliases are not taken; write the value")
-            elif isinstance(event, events.CollectionStartEvent):
+        for event in yaml.parse(text, Loader=LOADER):
+            kind, line = type(event), event.start_mark.line + 1
+            if kind is events.ScalarEvent:
+                if event.anchor is not None or event.tag is not None:
+                    self._check_plain(event, line)
+                parent = open_nodes[-1]
+                is_key = parent.key is None and isinstance(parent.data, dict)
+                plain = not event.style and not is_key
+                self._put(parent, _value(event.value) if plain else event.value, line)
+            elif kind is events.SequenceStartEvent or kind is events.MappingStartEvent:
                 self._check_plain(event, line)
-                node = _Node([] if isinstance(event, events.SequenceStartEvent) else {}, line)
+                node = _Node([] if kind is events.SequenceStartEvent else {}, line)
                 self._put(open_nodes[-1], node.data, line, node)
                 open_nodes.append(node)
                 if len(open_nodes) > DEPTH + 1:
                     self._refuse(line, "", f"lists and mappings are nested more than {DEPTH} deep")
-            elif isinstance(event, events.CollectionEndEvent):
+            elif kind is events.SequenceEndEvent or kind is events.MappingEndEvent:
                 open_nodes.pop()
-            elif isinstance(event, events.ScalarEvent):
-                self._check_plain(event, line)
-                is_key = isinstance(open_nodes[-1].data, dict) and open_nodes[-1].key is None
-                plain = event.style is None and not is_key
-                self._put(open_nodes[-1], _value(event.value) if plain else event.value, line)
+            elif kind is events.DocumentStartEvent:
+                documents += 1
+                if documents > 1 or event.version is not None or event.tags:
+                    self._refuse(line, "", "a model file is one document without directives")
+            elif kind is events.AliasEvent:
+                self._refuse(line, "", f"alias *{event.anchor}: aliases are not taken; write the value")
 
     def _put(self, parent: _Node, value: Any, line: int, node: _Node | None = None) -> None:
         """Add a value to the list or mapping that is open; in a mapping keys and values take turns."""
@@ -140,7 +158,5 @@ class YamlText:
 
 
 def _value(text: str) -> Any:
-    for pattern, value in _CORE:
-        if pattern.fullmatch(text):
-            return value(text)
-    return text
+    found = _VALUE.match(text)
+    return text if found is None else _CORE[found.lastgroup or ""][1](text)

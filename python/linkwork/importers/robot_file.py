@@ -1,0 +1,95 @@
+"""What the readers of URDF and SDF share: notes, the lines of links and joints, quantities that both have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.importers.description import Coupling, Description, JointDescription, LinkDescription, Note
+from linkwork.importers.frames import Frame
+from linkwork.importers.xml_text import Node, Reader
+
+Floats = NDArray[np.float64]
+
+#: The text of a quantity by its name: of an attribute (URDF) or of a child (SDF).
+Texts = Callable[[str], str | None]
+
+
+class RobotFile:
+    """Links and joints of a file on their way into a description."""
+
+    def __init__(self) -> None:
+        self.notes: list[Note] = []
+        self.lines: dict[str, int] = {}  #: of each link and joint, such as "link arm"
+        self.links: dict[str, LinkDescription] = {}
+        self.joints: dict[str, JointDescription] = {}
+        self.couplings: list[Coupling] = []
+
+    def note(self, topic: str, subject: str, message: str) -> None:
+        self.notes.append(Note(topic, subject, message))
+
+    def note_children(self, node: Node, who: str, tags: tuple[str, ...], what: str = "") -> None:
+        """That children with these tags are not represented."""
+        for tag in tags:
+            if node.one(tag) is not None:
+                self.note(tag, who, f"its {tag}{what} is not represented")
+
+    def note_geometry(self, node: Node, who: str) -> None:
+        self.note_children(node, who, ("visual", "collision"), " geometry")
+
+    def check_couplings(self, reader: Reader) -> None:
+        """Faults: joints that follow what is not there, or in the end themselves."""
+        leader_of = {coupling.follower: coupling.leader for coupling in self.couplings}
+        for coupling in self.couplings:
+            line = self.lines.get(f"joint {coupling.follower}", 1)
+            who = f"joint '{coupling.follower}' mimic"
+            if coupling.leader not in self.joints:
+                reader.add_line(line, who, f"no joint '{coupling.leader}'")
+            ring = [coupling.follower]
+            while ring[-1] in leader_of and ring[-1] not in ring[:-1]:
+                ring.append(leader_of[ring[-1]])
+            if len(ring) > 1 and ring[-1] == coupling.follower:
+                reader.add_line(line, who, f"follows itself: {' -> '.join(ring)}")
+
+    def description(self, path: str, name: str, **others: Any) -> Description:
+        """Of what was read. `others` as of Description."""
+        joints = list(self.joints.values())
+        return Description(path, name, self.links, joints, self.notes, couplings=self.couplings, **others)
+
+
+def set_inertia(link: LinkDescription, reader: Reader, frame: Frame, node: Node, texts: Texts,
+                defaults: Mapping[str, float]) -> None:  # fmt: skip
+    """The center of mass and the moments, which are about it and along the axes of `frame`."""
+    entries = {
+        key: reader.number(node, texts(key), f"link '{link.name}' inertia {key}", defaults.get(key))
+        for key in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+    }
+    (xx, yy, zz, xy, xz, yz) = entries.values()
+    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    link.center, link.inertia = frame.r, frame.A @ tensor @ frame.A.T
+
+
+def direction(reader: Reader, node: Node, text: str | None, who: str, default: Floats) -> Floats:
+    """Of unit length; a fault and the default where there is none."""
+    given = np.array(reader.numbers(node, text, 3, who, default.tolist()))
+    length = np.linalg.norm(given)
+    if length == 0:
+        reader.add(node, who, "has no direction")
+        return default
+    unit: Floats = given / length
+    return unit
+
+
+def coupling(reader: Reader, node: Node, follower: str, leader: str, texts: Texts) -> Coupling:
+    """What a <mimic> says."""
+    who = f"joint '{follower}' mimic"
+    if not leader:
+        reader.add(node, who, "joint is missing")
+    multiplier, offset, reference = (
+        reader.number(node, texts(what), f"{who} {what}", default)
+        for what, default in (("multiplier", 1.0), ("offset", 0.0), ("reference", 0.0))
+    )
+    return Coupling(f"{follower} mimic", follower, leader, multiplier, offset - multiplier * reference)
