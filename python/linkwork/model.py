@@ -510,7 +510,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements):
             digest.update(np.ascontiguousarray(array).data)
         for joint, special in self._special.items():
-            digest.update(f"{joint} {special.fingerprint()}".encode())
+            digest.update(f"{joint} {special.arguments()}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
         for name, own in self._user_forces:

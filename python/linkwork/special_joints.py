@@ -41,27 +41,27 @@ class CoupledCoordinate(NamedTuple):
 
 @dataclass(frozen=True)
 class CouplerData:
-    """What a coupler couples, for files."""
+    """What a coupler couples."""
 
     coordinates: tuple[CoupledCoordinate, ...]
-    offset: float | TimeFunction
 
-    def fingerprint(self) -> str:
-        """Of what the arrays of joints do not tell."""
-        return " ".join(f"{coordinate} {factor.hex()}" for _, coordinate, factor in self.coordinates)
+    def arguments(self) -> dict[str, Any]:
+        """Of Model.coupler, but the offset, as plain data."""
+        return {"coordinates": [term._asdict() for term in self.coordinates]}
 
 
 @dataclass(frozen=True)
 class CurveData:
-    """The curve of a point_on_curve, for files."""
+    """The curve of a point_on_curve."""
 
     points: Floats  #: (k, 3) in body a [m]
     at: Floats  #: the point of b (3,) in body b [m]
     closed: bool
 
-    def fingerprint(self) -> str:
-        """Of what the arrays of joints do not tell."""
-        return f"{self.points.tobytes().hex()} {self.closed}"
+    def arguments(self) -> dict[str, Any]:
+        """Of Model.point_on_curve, but the bodies, as plain data."""
+        points, at = self.points.tolist(), self.at.tolist()
+        return {"points": points, "at": at, "closed": self.closed, "frames": "body"}
 
 
 def _coupled(core: _core.Model, terms: Sequence[Any], who: str) -> tuple[CoupledCoordinate, ...]:
@@ -133,7 +133,7 @@ class SpecialJointMethods:
             raise ModelError(f"{who}: {why}", code="derivatives")
         given = [_core.CoupledCoordinate(model._core.find_joint(j), which, c) for j, which, c in terms]
         index = model._core.add_coupler(name, given, constant, signal)
-        return model._keep("coupler", index, CouplerData(terms, function))
+        return model._keep("coupler", index, CouplerData(terms))
 
     def point_on_curve(
         self,
@@ -168,9 +168,8 @@ class SpecialJointMethods:
             curve, point = (curve - r_a) @ A_a, (point - r_b) @ A_b
         elif frames != "body":
             subject.refuse(0, f"frames {frames!r} is not 'space' or 'body'", "unknown_option")
-        foot = A_a.T @ (r_b + A_b @ point - r_a)
-        knots, pieces, across = _spline(curve - foot, closed, subject)
-        origin, frame = np.stack([foot, point])[None], np.broadcast_to(np.eye(3), (1, 2, 3, 3))
+        knots, pieces, across = _spline(curve - curve[0], closed, subject)
+        origin, frame = np.stack([curve[0], point])[None], np.broadcast_to(np.eye(3), (1, 2, 3, 3))
         index = model._core.add_point_on_curve(
             name, bodies, origin, frame, knots.tolist(), pieces, across, closed
         )

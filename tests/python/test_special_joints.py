@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import linkwork as lw
@@ -293,3 +294,37 @@ def test_a_mistake_is_named_and_leaves_the_model_as_it_was(fault: Any, message: 
     with pytest.raises(ModelError) as found:
         fault()
     assert message in str(found.value)
+
+
+@pytest.mark.parametrize("suffix", [".yaml", ".json"])
+def test_special_joints_are_saved_and_loaded_to_the_last_bit(suffix: str, tmp_path: Path) -> None:
+    model, (first, second) = wheels([(0, 0.3, 1), (0.2, 1, 0)], gravity=(1.0, 2.0, -9.0))
+    screw = model.cylindrical("wheel 0", "wheel 1", at=(0, 0, 0), axis=(1, 0, 0), name="both")
+    motion = functions.harmonic(0.1, 3.0)
+    model.coupler([(first, 1.0), (second, 1 / 3), (screw, "displacement", -0.7)], offset=motion, name="c")
+    rail = circle(12, 0.5)
+    model.point_on_curve("wheel 0", "wheel 1", points=rail, at=rail[3], closed=True, name="rail")
+    moved = model.with_initial_state(model.compiled().q0 + 0.0, np.full((2, 6), 0.1))
+    moved.save(tmp_path / f"model{suffix}")
+    again = lw.Model.load(tmp_path / f"model{suffix}")
+    assert again.hash() == moved.hash()
+
+
+def test_a_file_may_couple_a_joint_by_its_only_coordinate(tmp_path: Path) -> None:
+    text = """
+linkwork: 1
+gravity: [0, 0, 0]
+bodies:
+  - {name: a, mass: 1, inertia: [0.02, 0.03, 0.05], omega: [0, 0, 1]}
+  - {name: b, mass: 1, inertia: [0.02, 0.03, 0.05], omega: [0, 0, 2]}
+joints:
+  - {kind: revolute, name: p, a: ground, b: a, at: [0, 0, 0], axis: [0, 0, 1]}
+  - {kind: revolute, name: q, a: ground, b: b, at: [0, 0, 0], axis: [0, 0, 1]}
+  - {kind: coupler, name: belt, coordinates: [{joint: p, factor: 2}, {joint: q, factor: -1}]}
+"""
+    (tmp_path / "belt.yaml").write_text(text)
+    result = lw.simulate(lw.Model.load(tmp_path / "belt.yaml"), t_end=1.0, step=1e-2)
+    assert coordinate(result, "q")[-1] == pytest.approx(2.0, abs=1e-9)
+    (tmp_path / "belt.yaml").write_text(text.replace("joint: q", "joint: r"))
+    with pytest.raises(lw.LinkworkError, match=r"belt.yaml:11: joints\[2\].*no joint named 'r'"):
+        lw.Model.load(tmp_path / "belt.yaml")

@@ -61,8 +61,17 @@ class Placed:
         values = {
             name: getattr(self.record, name) for name in type(self.record).model_fields if name != "kind"
         }
+        for name, value in values.items():
+            if name == "coordinates":
+                values[name] = [_term(record) for record in value]
         own = set(self.info.parameters) | {name.removesuffix("_x") for name in self.info.parameters}
         return {name: self.quantity(value) if name in own else value for name, value in values.items()}
+
+
+def _term(record: schema.CoupledRecord) -> tuple[Any, ...]:
+    """As Model.coupler takes it."""
+    which = () if record.coordinate is None else (record.coordinate,)
+    return (record.joint, *which, record.factor)
 
 
 def batch_key(number: int, element: Placed) -> Hashable:

@@ -19,7 +19,7 @@ from typing import Annotated, Any, Literal, get_origin, get_type_hints
 from annotated_types import Len
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_model
 
-from linkwork import functions
+from linkwork import _core, functions
 from linkwork.elements import KINDS, LENGTHS, Role
 from linkwork.expressions import LONGEST
 from linkwork.model import Model
@@ -228,7 +228,19 @@ class Attached(Element):
 #: The methods of Model that are not called as their kind.
 METHODS = {"applied": "force"}
 
+#: Kinds that have no attached form.
+SPECIAL = frozenset(kind.name for kind in _core.special_joint_kinds())
+
 _BODY = Field(description="name of a body, or ground")
+
+
+class CoupledRecord(Record):
+    """A free coordinate of a joint that stands before."""
+
+    joint: Word
+    coordinate: Word | None = Field(None, description="not needed where the joint has only one")
+    factor: Number
+
 
 #: Types of the arguments that say where an element is.
 _PLACES: Mapping[str, Any] = {
@@ -238,6 +250,8 @@ _PLACES: Mapping[str, Any] = {
     "normal": _either(Vector, _pair(Vector)),
     "axes": _pair(Vector),
     "orientation": _either(Quaternion, _pair(Quaternion)),
+    "coordinates": _list(CoupledRecord, 1),
+    "points": _list(Vector, 2),
 }
 
 
@@ -329,6 +343,7 @@ def _elements_type(role: Role) -> Any:
         Annotated[element_type(role, kind, attached), Tag(f"{kind} {attached}")]
         for kind in KINDS[role]
         for attached in (False, True)
+        if kind not in SPECIAL or not attached
         if attached or hasattr(Model, METHODS.get(kind, kind))
     ]
     return Annotated[_union(variants), Discriminator(tag)]

@@ -141,7 +141,7 @@ def _normalized(p: Floats) -> Floats:
 
 
 def _elements(model: Model, role: Role, names: Mapping[int, str]) -> Iterator[dict[str, Any]]:
-    """Each joint or force in its attached form."""
+    """Each joint or force in its attached form; special joints have none."""
     core = model.compiled()
     arrays = getattr(core, f"{role}_arrays")()
     name_of = getattr(core, f"{role}_name")
@@ -153,13 +153,13 @@ def _elements(model: Model, role: Role, names: Mapping[int, str]) -> Iterator[di
     )
     for k, (kind, (a, b), first) in enumerate(each):
         info, name = kinds[kind], name_of(k)
-        record = {
-            "kind": info.name,
-            "name": name,
-            "a": core.body_name(a),
-            "b": core.body_name(b),
-            "attachment": {"origin": origin[k], "frame": frame[k]},
-        }
+        record: dict[str, Any] = {"kind": info.name, "name": name}
+        if info.placement != "coordinates":
+            record |= {"a": core.body_name(a), "b": core.body_name(b)}
+        if role == "joint" and k in model._special:
+            record |= model._special[k].arguments()
+        else:
+            record["attachment"] = {"origin": origin[k], "frame": frame[k]}
         for place, what in enumerate(info.parameters, first):
             signal = signals[place]
             if signal < 0:
