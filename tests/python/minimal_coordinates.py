@@ -1,7 +1,7 @@
 """Chains of bodies in minimal coordinates by Kane's method: a reference that shares no code with linkwork.
 
-A body moves against the one before it by freedoms: turns, slides, balls. Points and axes are given in space at
-the initial pose, in which all coordinates are zero and all frames are parallel. The equations are
+A body moves against the one before it by freedoms: turns, slides, balls. Points and axes are given in space
+at the initial pose, in which all coordinates are zero and all frames are parallel. The equations are
 
     sum m J^T (J u' + a) + W^T (I (W u' + alpha) + w x I w) = sum J^T F + W^T T
 

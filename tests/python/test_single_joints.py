@@ -279,16 +279,8 @@ def test_a_bushing_bears_a_body_in_six_directions(on: str) -> None:
     orientation = Rotation.from_matrix(FRAME).as_quat()[[3, 0, 1, 2]]
     along, about = np.array([150.0, 220.0, 180.0]), np.array([9.0, 6.0, 7.0])
     slow, brake = np.array([1.0, 2.0, 1.5]), np.array([0.1, 0.05, 0.2])
-    twin.model.bushing(
-        before,
-        twin.last,
-        at=point,
-        orientation=Rotation.from_matrix(frame).as_quat()[[3, 0, 1, 2]],
-        stiffness=along,
-        rotational_stiffness=about,
-        damping=slow,
-        rotational_damping=brake,
-    )
+    twin.model.bushing(before, twin.last, at=point, orientation=orientation, stiffness=along,
+                       rotational_stiffness=about, damping=slow, rotational_damping=brake)  # fmt: skip
     nodes, weights = np.polynomial.legendre.leggauss(12)
 
     def load(t: float, bodies: list[Placed]) -> list[tuple[Floats, Floats]]:
