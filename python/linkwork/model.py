@@ -457,6 +457,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         return int(self._core.force_count)
 
     @property
+    def user_force_count(self) -> int:
+        """Number of the user's own forces, compiled ones included."""
+        return len(self._user_forces)
+
+    @property
     def row_count(self) -> int:
         """Number of constraint equations."""
         return int(self._core.row_count)

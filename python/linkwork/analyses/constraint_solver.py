@@ -1,12 +1,14 @@
 """What constraints leave: motions along which they hold, and motions that correct them.
 
 D is scaled: its columns of rotations by the size of the mechanism, each row to length 1. So its singular
-values are numbers between 0 and sqrt(m) without unit, whatever the model is made of.
+values are numbers between 0 and sqrt(m) without unit, whatever the model is made of. Small models get its
+singular values, large ones its sparse triangular factors and the weakest direction only.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,12 +16,25 @@ from numpy.typing import NDArray
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.errors import LinkworkError, SingularSystemError
 
-__all__ = ["DENSE", "Constraints", "balance", "null_space", "saddle_point", "shared"]
+__all__ = [
+    "DENSE",
+    "Constraints",
+    "SparseConstraints",
+    "balance",
+    "constraints_of",
+    "free_motions",
+    "null_space",
+    "saddle_point",
+    "shared",
+]
 
 Floats = NDArray[np.float64]
 
 #: Up to so many columns of D dense matrices are the faster ones.
 DENSE = 480
+
+#: In place of a pivot of zero, and steps toward the smallest singular value.
+SMALLEST_PIVOT, INVERSE_ITERATIONS = 1e-13, 6
 
 #: Singular values below this part of the largest count as zero.
 RANK_TOLERANCE = 1e-9
@@ -75,6 +90,135 @@ class Constraints:
         order = np.argsort(-share, kind="stable")
         chosen: NDArray[np.intp] = order[share[order] > 0.1 * share[order[0]]]
         return chosen
+
+    def orientation(self, other: Any) -> float:
+        """The sign of det(D_1^T D_2) with another one of the kind: negative where D has lost its rank between
+        two poses that are near."""
+        sign, _ = np.linalg.slogdet(self.U.T @ other.scaled @ self.V)
+        return float(sign)
+
+
+@dataclass(frozen=True)
+class SparseConstraints:
+    """Triangular factors of R D S, of as many independent rows as there are motions: nothing is left free.
+
+    Its smallest singular value by inverse iteration; where that is zero, solutions leave its direction out.
+    The smallest singular values of long chains are small everywhere: `unit` is what counts as one.
+    """
+
+    rows: NDArray[np.intp]  # that are independent
+    scaled: Sparse  # of these rows
+    factor: Any
+    row_scale: Floats
+    column_scale: Floats
+    sigma: float
+    left: Floats  # singular vectors of sigma
+    right: Floats
+    unit: float
+    row_count: int
+
+    @classmethod
+    def of(cls, equations: Equations, D: Sparse, unit: float = 1.0) -> SparseConstraints:
+        from scipy.sparse import eye_array
+        from scipy.sparse.linalg import norm, splu
+
+        rows = equations.independent
+        scaled = D[rows].multiply(equations.scale[None, :]).tocsr()
+        length = norm(scaled, axis=1)
+        R = np.divide(1.0, length, out=np.ones_like(length), where=length > 0)
+        scaled = scaled.multiply(R[:, None]).tocsc()
+        try:
+            factor = splu(scaled)
+        except RuntimeError:  # a pivot of zero: as good as this one
+            factor = splu((scaled + SMALLEST_PIVOT * eye_array(len(rows))).tocsc())
+        right = np.random.default_rng(0).standard_normal(len(rows))
+        for _ in range(INVERSE_ITERATIONS):
+            left = factor.solve(right / np.linalg.norm(right), "T")
+            right = factor.solve(left / np.linalg.norm(left))
+        sigma = 1 / np.linalg.norm(right)
+        left, right = left / np.linalg.norm(left), right * sigma
+        return cls(rows, scaled, factor, R, equations.scale, float(sigma), left, right, unit, D.shape[0])
+
+    @property
+    def rank(self) -> int:
+        return len(self.rows) - int(self.sigma <= RANK_TOLERANCE * self.unit)
+
+    def solve(self, b: Floats) -> Floats:
+        """The x (6n,) that meets the independent rows of D x = b (m,)."""
+        y = self.row_scale * b[self.rows]
+        singular = self.rank < len(self.rows)
+        if singular:
+            y = y - self.left * (self.left @ y)
+        x = self.factor.solve(y)
+        x += self.factor.solve(y - self.scaled @ x)
+        if singular:
+            x = x - self.right * (self.right @ x)
+        out: Floats = self.column_scale * x
+        return out
+
+    def solve_transposed(self, f: Floats) -> Floats:
+        """lambda (m,) with D^T lambda = f (6n,), zero in redundant rows."""
+        y = self.column_scale * f
+        singular = self.rank < len(self.rows)
+        if singular:
+            y = y - self.right * (self.right @ y)
+        z = self.factor.solve(y, "T")
+        if singular:
+            z = z - self.left * (self.left @ z)
+        multipliers = np.zeros(self.row_count)
+        multipliers[self.rows] = self.row_scale * z
+        return multipliers
+
+    def smallest(self, count: int) -> float:
+        """The smallest singular value, in units of `unit`."""
+        return self.sigma / self.unit
+
+    def weakest_rows(self, count: int) -> NDArray[np.intp]:
+        """Rows that nearly depend on each other, the strongest first: left vector of that singular value."""
+        share = np.abs(self.left)
+        order = np.argsort(-share, kind="stable")
+        chosen: NDArray[np.intp] = self.rows[order[share[order] > 0.1 * share[order[0]]]]
+        return chosen
+
+    def orientation(self, other: Any) -> float:
+        """As that of Constraints: the product of the signs of two determinants."""
+        return self._sign() * float(other._sign())
+
+    def _sign(self) -> float:
+        """Of det(R D S)."""
+        pivots = np.prod(np.sign(self.factor.U.diagonal()))
+        return float(pivots * _parity(self.factor.perm_r) * _parity(self.factor.perm_c))
+
+
+def _parity(permutation: NDArray[np.integer[Any]]) -> float:
+    """1 for an even number of exchanges, -1 for an odd one: n less the number of cycles."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    n = len(permutation)
+    graph = coo_array((np.ones(n), (np.arange(n), permutation)), shape=(n, n))
+    cycles, _ = connected_components(graph, directed=False)
+    return -1.0 if (n - cycles) % 2 else 1.0
+
+
+def constraints_of(equations: Equations, D: Sparse, unit: float = 1.0) -> Constraints | SparseConstraints:
+    """Dense for small models; sparse for large ones, of which no freedom may be left."""
+    if D.shape[1] <= DENSE:
+        return Constraints.of(equations, D)
+    return SparseConstraints.of(equations, D, unit)
+
+
+def free_motions(equations: Equations, D: Sparse, count: int) -> Floats:
+    """Up to `count` motions (6n, k) with D x = 0, of length one in scaled columns."""
+    if D.shape[1] <= DENSE:
+        return null_space(equations, D)[:, :count]
+    from scipy.sparse.linalg import eigsh
+
+    scaled = D.multiply(equations.scale[None, :]).tocsr()
+    first = np.random.default_rng(0).standard_normal(D.shape[1])
+    _, x = eigsh((scaled.T @ scaled).tocsc(), k=count, sigma=-RANK_TOLERANCE, v0=first)
+    basis: Floats = equations.scale[:, None] * x
+    return basis
 
 
 def null_space(equations: Equations, D: Sparse) -> Floats:

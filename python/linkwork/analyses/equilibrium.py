@@ -15,7 +15,7 @@ from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.errors import ModelError, NotConvergedError, nearest
 from linkwork.model import Model
-from linkwork.result import Reaction
+from linkwork.result import Reaction, Snapshot
 
 __all__ = ["Equilibrium", "equilibrium"]
 
@@ -29,6 +29,12 @@ ROUNDING = 1e-13
 
 #: The most a step may move a body [rad, sizes of the mechanism].
 LONGEST_STEP = 0.3
+
+#: How the damping mu of the steps grows after one that was not good; mu relative to stiffness that is none.
+GROWTH, UNDAMPED = 10.0, 1e-9
+
+#: A body that has turned so often [rad] while the imbalance did not fall by this part goes round for ever.
+ROUND, PROGRESS = 4 * np.pi, 0.01
 
 #: Of steps, of corrections onto the joints, and of departures from unstable equilibria.
 ITERATIONS, CORRECTIONS, DEPARTURES = 400, 20, 5
@@ -98,18 +104,43 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     constraints included. Steps are limited, and shortened until the forces do work along them, so that the
     mechanism goes down, as it would with much friction: to a stable equilibrium, away from an unstable one.
     Forces of rest count: dampers and regularized friction have none. Masses count by their weight only.
+    Springs about axes count their angle within half a turn of the initial pose.
 
     stable  False: the nearest equilibrium of any kind, by steps that reduce the imbalance
 
     `stability` is that of the stiffness; a rotation counts by the size of the mechanism. Where forces follow
     the bodies, linkwork.linearize has the last word.
 
-    NotConvergedError: no equilibrium, with the body that is driven most. SingularSystemError: a singular
-    pose.
+    NotConvergedError: no equilibrium, with the body that is driven most, or that goes round and round, as by
+    a motor against friction, which does not hold at rest; the error's `state` is the pose that was reached.
+    SingularSystemError: a singular pose.
     """
     search = _Search(Equations(model), stable)
     q = search.find()
     return search.described(q)
+
+
+#: q, the r and lambda of `_Search._balance` there, and the size of forces [N].
+_Balanced = tuple[Floats, Floats, Floats, float]
+
+
+@dataclass
+class _Rounds:
+    """How far bodies have turned since the imbalance was last seen to fall."""
+
+    best: float
+    turned: Floats  # (n, 3) sums of rotation vectors [rad]
+
+    @property
+    def angle(self) -> Floats:
+        angle: Floats = np.linalg.norm(self.turned, axis=1)
+        return angle
+
+    def add(self, x: Floats, size: float) -> None:
+        if size < (1 - PROGRESS) * self.best:
+            self.best, self.turned = size, np.zeros_like(self.turned)
+        else:
+            self.turned = self.turned + x.reshape(-1, 6)[:, 3:]
 
 
 class _Search:
@@ -148,50 +179,60 @@ class _Search:
 
     # (K + mu W) x - D^T dlambda = r,   D x = -Phi
     def _descend(self, q: Floats) -> Floats:
-        """NotConvergedError: the cap."""
-        mu = 0.0
+        """NotConvergedError: the cap, or a body that goes round."""
+        mu, step = 0.0, np.inf
         r, multipliers, scale = self._balance(q)
-        step = np.inf
+        rounds = _Rounds(self._size(r), np.zeros((self.eq.core.body_count, 3)))
         for _ in range(ITERATIONS):
             if self._size(r) <= WANTED * scale or step < ROUNDING:
                 return q
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
             unit = float(abs(self._scaled(K)).max()) or scale / self.eq.length
-            mu = max(mu, 1e-13 * unit)
-            found = None
-            while found is None and mu < 1e12 * unit:
-                found = self._try(q, r, K, mu)
-                mu = mu / 10 if found is not None else max(10 * mu, 1e-4 * unit)
+            found, mu = self._step(q, r, K, max(mu, 1e-13 * unit), unit)
             self.steps += 1
             if found is None or (self._size(r) <= ACCEPTED * scale and self._size(found[1]) >= self._size(r)):
                 break  # no better: rounding
-            step = self._reach(between(q, found[0]))
+            x = between(q, found[0])
+            step = self._reach(x)
             q, r, multipliers, scale = found[0], found[1], found[2], max(scale, found[3])
+            rounds.add(x, self._size(r))
+            if rounds.angle.max() > ROUND:
+                self._fail(q, r, int(rounds.angle.argmax()))
         if self._size(r) > ACCEPTED * scale:
-            self._fail(r)
+            self._fail(q, r)
         return q
 
-    def _try(self, q: Floats, r: Floats, K: Sparse, mu: float) -> tuple[Floats, Floats, Floats, float] | None:
-        """The state after a step; None: it goes too far, or up."""
+    def _step(
+        self, q: Floats, r: Floats, K: Sparse, mu: float, unit: float
+    ) -> tuple[_Balanced | None, float]:
+        """The state after a step, None where none is good, and mu for the next one."""
+        while mu < 1e12 * unit:
+            found = self._try(q, r, K, mu)
+            if not isinstance(found, float):
+                return found, mu / GROWTH
+            mu = found * mu if mu > UNDAMPED * unit else 1e-4 * unit
+        return None, mu
+
+    def _try(self, q: Floats, r: Floats, K: Sparse, mu: float) -> _Balanced | float:
+        """The state after a step; where it goes too far, or up, the factor by which mu should grow."""
         D = self.eq.terms(0.0, q).D[self.rows]
         x = self._solved(K + mu * self.W, D, r, np.zeros(len(self.rows)))
-        if x is None or not np.isfinite(x).all():
-            return None
-        if self.stable and r @ x < 0:
-            return None
-        if self._reach(x) > LONGEST_STEP:
+        if x is None or not np.isfinite(x).all() or (self.stable and r @ x < 0):
+            return GROWTH
+        too_far = self._reach(x) / LONGEST_STEP
+        if too_far > 1.0:
             if self.stable or mu == 0.0:
-                return None
-            x *= LONGEST_STEP / self._reach(x)
+                return float(np.clip(1.1 * too_far, 2.0, GROWTH))
+            x /= too_far
         new = self._on_joints(displaced(q, x))
         if new is None:
-            return None
+            return GROWTH
         after = self._balance(new)
         x = between(q, new)
         decreased = self._size(after[0]) < self._size(r)
         works = (r + after[0]) @ x > 0 if self.stable else decreased
         tiny = self._reach(x) < 1e-7
-        return (new, *after) if works or (tiny and decreased) else None
+        return (new, *after) if works or (tiny and decreased) else GROWTH
 
     def _balance(self, q: Floats) -> tuple[Floats, Floats, float]:
         """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), the size of forces [N]."""
@@ -257,18 +298,28 @@ class _Search:
         return Equilibrium(at_rest, shift, angle, multipliers, self._size(r) / scale, softest, words, kind,
                            self.steps, eq.dynamics)  # fmt: skip
 
-    def _fail(self, r: Floats) -> None:
+    def _fail(self, q: Floats, r: Floats, turning: int | None = None) -> None:
         eq = self.eq
-        body, k = divmod(int(np.abs(r * eq.scale).argmax()), 6)
-        value = f"{r.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
+        if turning is None:
+            body, k = divmod(int(np.abs(r * eq.scale).argmax()), 6)
+            why = "; is there a joint or a spring that could hold it?"
+        else:
+            body, k = turning, 3 + int(np.abs(r.reshape(-1, 6)[turning, 3:]).argmax())
+            why = (
+                ", and goes round and round: friction and dampers do not hold at rest; stop what drives it, "
+                "or hold it by a joint or a spring"
+            )
+        value = float(r.reshape(-1, 6)[body, k])
         name = eq.core.body_name(body)
-        raise NotConvergedError(
+        error = NotConvergedError(
             f"equilibrium: model '{eq.model.name}' found none in {self.steps} steps: body '{name}' is driven "
-            f"by {value} still; is there a joint or a spring that could hold it?",
-            code="no_equilibrium",
+            f"by {value:.3g} {'N' if k < 3 else 'N m'} still{why}",
+            code="no_equilibrium" if turning is None else "goes_round",
             bodies=[name],
-            residuals={name: float(r.reshape(-1, 6)[body, k])},
+            residuals={name: value},
         )
+        error.state = Snapshot(0.0, q.reshape(-1, 7), np.zeros((eq.core.body_count, 6)))
+        raise error
 
     def _scaled(self, K: Sparse) -> Any:
         return K.multiply(self.eq.scale[:, None]).multiply(self.eq.scale[None, :])

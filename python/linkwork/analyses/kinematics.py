@@ -12,7 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, checks
-from linkwork.analyses.constraint_solver import Constraints, null_space
+from linkwork.analyses.constraint_solver import (
+    Constraints,
+    SparseConstraints,
+    constraints_of,
+    free_motions,
+)
 from linkwork.analyses.equations import LISTED, Equations, Sparse
 from linkwork.analyses.tangent import displaced, turned_in, turned_out
 from linkwork.errors import (
@@ -32,9 +37,10 @@ from linkwork.system import System
 __all__ = ["kinematics"]
 
 Floats = NDArray[np.float64]
+AnyConstraints = Constraints | SparseConstraints
 
-#: Dense singular values are what this costs.
-MOST_BODIES = 250
+#: The smallest singular value at the start as a part of what counts as one, see SparseConstraints.
+USUAL = 0.1
 
 #: A pose whose scaled constraints have a singular value below this is singular, or as good as that.
 SINGULAR = 1e-6
@@ -99,7 +105,7 @@ def kinematics(
             previous = follower.at
             frames.add(follower)
     except LinkworkError as error:
-        error.result = frames.result(follower, t, began, failed=True) if frames.moments else None
+        error.result = frames.result(follower, t, began, failed=True) if frames.rows else None
         error.state = Snapshot(follower.at.t, follower.at.q.reshape(-1, 7), follower.at.v.reshape(-1, 6))
         raise
     return frames.result(follower, t, began)
@@ -124,7 +130,7 @@ class _Moment:
     q: Floats
     v: Floats
     a: Floats
-    constraints: Constraints
+    constraints: AnyConstraints
 
     @property
     def x_dot(self) -> Floats:
@@ -142,6 +148,7 @@ class _Follower:
     equations: Equations
     t_end: float
     at: _Moment = field(init=False)
+    unit: float = 1.0  # of singular values
     passages: list[dict[str, Any]] = field(default_factory=list)
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
@@ -151,21 +158,20 @@ class _Follower:
     def freedoms(self) -> int:
         return 6 * self.equations.core.body_count
 
+    def _constraints(self, D: Sparse) -> AnyConstraints:
+        self.counts["factorizations"] += 1
+        return constraints_of(self.equations, D, self.unit)
+
     def begin(self) -> None:
         """Onto the constraints at t = 0. ModelError, NotConvergedError."""
         eq = self.equations
-        if eq.core.body_count > MOST_BODIES:
-            raise OptionError(
-                f"kinematics: {eq.core.body_count} bodies are more than the {MOST_BODIES} that it takes; use "
-                "simulate, which follows drivers as well",
-                code="too_large",
-            )
         q0 = np.array(eq.core.q0)
         self._refuse_velocity_rows()
-        terms = eq.terms(0.0, q0)
-        start = Constraints.of(eq, terms.D)
         if eq.rank.degrees_of_freedom > 0:
             self._refuse_freedoms(q0)
+        start = self._constraints(eq.terms(0.0, q0).D)
+        if isinstance(start, SparseConstraints):
+            self.unit = float(np.clip(start.sigma / USUAL, 1e-6, 1.0))
         q = self._corrected(0.0, q0, start)
         if q is None:
             raise self._no_start()
@@ -234,7 +240,7 @@ class _Follower:
 
     # Newton's method with the D of the last moment, renewed where it converges slowly
     def _corrected(
-        self, t: float, q: Floats, constraints: Constraints, largest: float = np.inf
+        self, t: float, q: Floats, constraints: AnyConstraints, largest: float = np.inf
     ) -> Floats | None:
         eq, total, before = self.equations, 0.0, np.inf
         for _ in range(ITERATIONS):
@@ -248,8 +254,7 @@ class _Follower:
             if size > 0.1 * before:
                 if before < 1e-11:  # rounding
                     return displaced(q, x) if self._closed(Phi) else None
-                constraints = Constraints.of(eq, eq.terms(t, q).D)
-                self.counts["factorizations"] += 1
+                constraints = self._constraints(eq.terms(t, q).D)
                 x = constraints.solve(-Phi)
                 size = _reach(x, eq.length)
             q, before = displaced(q, x), size
@@ -270,11 +275,10 @@ class _Follower:
     def _completed(self, t: float, q: Floats, x_dot: Floats, x_ddot: Floats) -> _Moment:
         """With the velocities and accelerations nearest to these."""
         terms = self.equations.terms(t, q)
-        constraints = Constraints.of(self.equations, terms.D)
+        constraints = self._constraints(terms.D)
         v = turned_in(q, x_dot - constraints.solve(terms.D @ x_dot + terms.Phi_t))
         gamma = self.equations.terms(t, q, v).gamma
         a = turned_in(q, x_ddot - constraints.solve(terms.D @ x_ddot - gamma))
-        self.counts["factorizations"] += 1
         self.counts["evaluations"] += 2
         return _Moment(t, q, v, a, constraints)
 
@@ -293,9 +297,9 @@ class _Follower:
 
     def _refuse_freedoms(self, q: Floats) -> None:
         eq = self.equations
-        Z = null_space(eq, eq.terms(0.0, q).D)
-        left = [eq.motion(z) for z in Z.T[:LISTED]]
         count = eq.rank.degrees_of_freedom
+        Z = free_motions(eq, eq.terms(0.0, q).D, min(count, LISTED))
+        left = [eq.motion(z) for z in Z.T]
         what = "1 freedom is" if count == 1 else f"{count} freedoms are"
         raise ModelError(
             f"kinematics: {what} left to the model '{eq.model.name}': {'; '.join(left)}"
@@ -337,7 +341,7 @@ def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
     """Note a singular pose between two frames, or at the second one."""
     eq, second, count = follower.equations, follower.at, follower.freedoms
     values = [moment.constraints.smallest(count) for moment in (first, second)]
-    crossed = first is not second and _orientation(first, second) < 0
+    crossed = first is not second and first.constraints.orientation(second.constraints) < 0
     found: _Moment | None = None
     if values[1] < SINGULAR:
         found = second
@@ -363,13 +367,6 @@ def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
     warnings.warn(message, LinkworkWarning, stacklevel=3)
 
 
-def _orientation(first: _Moment, second: _Moment) -> float:
-    """The sign of det(D_1^T D_2): negative where D has lost its rank between two poses that are near."""
-    a, b = first.constraints, second.constraints
-    sign, _ = np.linalg.slogdet(a.U.T @ b.scaled @ a.V)
-    return float(sign)
-
-
 def _crossing(follower: _Follower, first: _Moment, second: _Moment) -> _Moment:
     """The pose between two moments where D comes nearest to losing its rank, by bisection of the time."""
     low, high, best = first, second, second
@@ -380,7 +377,8 @@ def _crossing(follower: _Follower, first: _Moment, second: _Moment) -> _Moment:
         best = middle
         if middle.constraints.smallest(follower.freedoms) < SINGULAR:
             break
-        low, high = (low, middle) if _orientation(low, middle) < 0 else (middle, high)
+        crossed = low.constraints.orientation(middle.constraints) < 0
+        low, high = (low, middle) if crossed else (middle, high)
     return best
 
 
@@ -402,10 +400,11 @@ class _Frames:
         massless = (np.asarray(model.compiled().mass) == 0).any()
         formulation = "augmented_lagrangian" if massless else "standard"
         self.system = System(model, formulation=formulation)
-        self.moments: list[_Moment] = []
+        self.rows: dict[str, list[Any]] = {}
 
     def add(self, follower: _Follower) -> None:
-        self.moments.append(follower.at)
+        for name, value in self._values(follower.at).items():
+            self.rows.setdefault(name, []).append(value)
 
     def result(self, follower: _Follower, t: Floats, began: float, failed: bool = False) -> Result:
         fields, dynamics = self._fields(), self.system.compiled()
@@ -417,38 +416,34 @@ class _Frames:
                       "seconds": time.perf_counter() - began, "failed": failed}  # fmt: skip
         return Result(fields, header, statistics)
 
+    def _values(self, it: _Moment) -> dict[str, Any]:
+        dynamics = self.system.compiled()
+        found = dynamics.evaluate(it.t, it.q, it.v)
+        D = self._matrix(found["D"])
+        multipliers = _multipliers(dynamics, it)
+        left = self._inertial_forces(it.a) - found["g"] - D.T @ multipliers
+        multipliers = multipliers + it.constraints.solve_transposed(turned_out(it.q, left))
+        residuals = (found["Phi"], found["Phi_dot"], D @ it.a - found["gamma"])
+        return {
+            "t": it.t,
+            "q": it.q,
+            "v": it.v,
+            "vdot": it.a,
+            "lambda": multipliers,
+            "potential": found["potential"],
+            "power": found["force_power"] - multipliers @ found["Phi_t"],
+            "violation": [float(np.abs(x).max(initial=0.0)) for x in residuals],
+        }
+
     def _fields(self) -> Mapping[str, Floats]:
-        dynamics, mass = self.system.compiled(), np.asarray(self.model.compiled().mass)
-        rows: dict[str, list[Any]] = {name: [] for name in ("lambda", "potential", "power", "violation")}
-        for it in self.moments:
-            found = dynamics.evaluate(it.t, it.q, it.v)
-            D = self._matrix(found["D"])
-            multipliers = _multipliers(dynamics, it)
-            left = self._inertial_forces(it.a) - found["g"] - D.T @ multipliers
-            multipliers = multipliers + it.constraints.solve_transposed(turned_out(it.q, left))
-            residual = D @ it.a - found["gamma"]
-            rows["lambda"].append(multipliers)
-            rows["potential"].append(found["potential"])
-            rows["power"].append(found["force_power"] - multipliers @ found["Phi_t"])
-            rows["violation"].append(
-                [float(np.abs(x).max(initial=0.0)) for x in (found["Phi"], found["Phi_dot"], residual)]
-            )
-        arrays = {name: np.array(values, dtype=float) for name, values in rows.items()}
-        t = np.array([it.t for it in self.moments])
-        v = np.array([it.v for it in self.moments])
-        parts = v.reshape(len(t), -1, 6)
+        mass = np.asarray(self.model.compiled().mass)
+        arrays = {name: np.array(values, dtype=float) for name, values in self.rows.items()}
+        t, power = arrays["t"], arrays.pop("power")
+        parts = arrays["v"].reshape(len(t), -1, 6)
         w = parts[..., 3:]
         kinetic = (mass * (parts[..., :3] ** 2).sum(axis=-1)).sum(axis=-1)
         kinetic = (kinetic + np.einsum("kni,nij,knj->k", w, self.model.compiled().inertia, w)) / 2
-        return {
-            "q": np.array([it.q for it in self.moments]),
-            "v": v,
-            "vdot": np.array([it.a for it in self.moments]),
-            "kinetic": kinetic,
-            "work": _integral(t, arrays.pop("power")),
-            **arrays,
-            "t": t,
-        }
+        return {**arrays, "kinetic": kinetic, "work": _integral(t, power)}
 
     def _matrix(self, D: Mapping[str, Any]) -> Sparse:
         from scipy.sparse import csr_array

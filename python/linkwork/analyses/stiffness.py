@@ -110,10 +110,12 @@ def _force_part(equations: Equations, force: Callable[[Floats], Floats], steps: 
     n = equations.core.body_count
     pairs = np.asarray(equations.core.force_arrays()["bodies"]).reshape(-1, 2)
     J = _colored(n, pairs, force, steps)
+    if not equations.model.user_force_count:
+        return J
     direction = np.random.default_rng(0).uniform(-1, 1, 6 * n)
     expected = _difference(force, steps * direction)
     if np.abs(J @ (steps * direction) - expected).max() > AGREEMENT * np.abs(expected).max():
-        everything = np.stack(np.triu_indices(n, 1), axis=1)  # a force acts beyond its bodies
+        everything = np.stack(np.triu_indices(n, 1), axis=1)  # between whichever bodies the user's forces act
         J = _colored(n, everything, force, steps)
     return J
 

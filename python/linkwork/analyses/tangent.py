@@ -14,10 +14,11 @@ Floats = NDArray[np.float64]
 
 def displaced(q: Floats, x: Floats) -> Floats:
     """q (7n,) after the motion x (6n,): r + dr, and A turned by the rotation vector, exp(phi~) A."""
-    pose, x = q.reshape(-1, 7), x.reshape(-1, 6)
-    out = np.empty_like(pose)
-    out[:, :3] = pose[:, :3] + x[:, :3]
-    out[:, 3:] = _product(_exponential(x[:, 3:]), pose[:, 3:])
+    x, out = x.reshape(-1, 6), q.reshape(-1, 7).copy()
+    out[:, :3] += x[:, :3]
+    turned = np.flatnonzero(x[:, 3:].any(axis=1))  # of few bodies, where derivatives are taken
+    if len(turned):
+        out[turned, 3:] = _product(_exponential(x[turned, 3:]), out[turned, 3:])
     return out.ravel()
 
 

@@ -1,0 +1,50 @@
+"""Static equilibrium where contacts hold, and where nothing does."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.mechanisms.tracked_chain import TENSION, tracked_chain
+
+Z = (0.0, 0.0, 1.0)
+
+
+def wheel(**state: object) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0), name="rig")
+    body = model.body("wheel", mass=2.0, inertia=(0.1, 0.1, 0.2), **state)
+    model.revolute(model.ground, body, at=(0, 0, 0), axis=Z, name="bearing")
+    return model
+
+
+def test_a_motor_against_friction_goes_round() -> None:
+    model = wheel()
+    model.motor(model.ground, "wheel", at=(0, 0, 0), axis=Z, curve=lw.functions.polynomial(5.0, -1.0))
+    model.rotational_friction(model.ground, "wheel", at=(0, 0, 0), axis=Z, coulomb=8.0)
+    with pytest.raises(
+        lw.NotConvergedError, match=r"body 'wheel' is driven by 5 N m still, and goes"
+    ) as caught:
+        lw.equilibrium(model)
+    assert caught.value.code == "goes_round" and caught.value.state is not None
+
+
+def test_a_motor_against_a_spring_rests_far_from_where_it_started() -> None:
+    model = wheel()
+    model.rotational_spring_damper(model.ground, "wheel", axis=Z, stiffness=0.25, torque=0.25 * 3.0)
+    rest = lw.equilibrium(model)
+    assert rest.turned == pytest.approx([3.0], abs=1e-8)
+
+
+def test_a_track_that_is_not_driven_rests_on_its_rollers() -> None:
+    model = tracked_chain(40, speed=0.0)
+    rest = lw.equilibrium(model)
+    q = rest.model.compiled().q0
+    v_dot, _ = lw.System(rest.model).accelerations(0.0, q, np.zeros(6 * model.body_count))
+    assert np.abs(v_dot).max() < 1e-7
+    wheel, idler, guide = (
+        rest.reaction(name).force for name in ("wheel bearing", "idler bearing", "slide guide")
+    )
+    assert wheel[1] + guide[1] == pytest.approx(9.81 * np.sum(model.compiled().mass), rel=1e-9)
+    assert wheel[1] == pytest.approx(idler[1], rel=1e-6)
+    assert idler[0] == pytest.approx(-wheel[0], rel=1e-9)
+    assert idler[0] == pytest.approx(2 * TENSION, rel=0.01)
