@@ -35,7 +35,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork.errors import FileError
 from linkwork.events import Occurrence
-from linkwork.header import Floats, Header, record_reactions
+from linkwork.header import MODEL_NAMES, Floats, Header, record_reactions
 from linkwork.shapes_file import write_shapes
 
 FORMAT, VERSION = "linkwork result", 2
@@ -62,8 +62,14 @@ MODEL_ARRAYS = (
     "joint_origin",
     "reaction_unique",
     "redundant_rows",
+    "joint_first_parameter",
+    "joint_parameters",
+    "force_bodies",
+    "force_frame",
+    "force_origin",
+    "force_first_parameter",
+    "force_parameters",
 )
-MODEL_NAMES = ("body_names", "joint_names", "joint_kinds")
 
 
 class ResultWriter:

@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 
 from linkwork.errors import FileError
 from linkwork.events import Occurrence
-from linkwork.header import Floats, Header
-from linkwork.result_file import FORMAT, MODEL_ARRAYS, MODEL_NAMES, VERSION, reason
+from linkwork.header import MODEL_NAMES, Floats, Header
+from linkwork.result_file import FORMAT, MODEL_ARRAYS, VERSION, reason
 from linkwork.shapes_file import read_shapes
 
 
@@ -100,7 +100,9 @@ def _read_header(file: h5py.File) -> Header:
     if file.attrs["version"] < 2:  # knows nothing of redundancy
         joints = len(values["joint_rows"]) - 1
         values |= {"reaction_unique": np.zeros(joints, bool), "redundant_rows": np.zeros(0, np.int32)}
-    values.update({name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES})
+    values.update(
+        {name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES if name in model}
+    )
     return Header(manifest=json.loads(file.attrs["manifest"]), shapes=read_shapes(model), **values)
 
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.errors import OptionError
-from linkwork.header import Floats
-from linkwork.joint_motion import gaps, joint_kinds
+from linkwork.header import Floats, Header
+from linkwork.joint_motion import joint_kinds, violations
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.view.appearance import Solid, solids
 from linkwork.view.encoding import Pack
@@ -51,7 +51,7 @@ class Choice:
         every = max(1, -(-(count - 1) // (most - 1)))
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
-        share = min(1.0, left / max(1, frames * (12 * n + 14 * joints)))
+        share = min(1.0, left / max(1, frames * (12 * n + 16 * joints)))
         return cls(every, _most(_travel(result), int(share * n)), _most(_load(result), int(share * joints)))
 
 
@@ -84,8 +84,9 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
             "kinds": list(header.joint_kinds),
             "unique": np.asarray(header.reaction_unique, int).tolist(),
             "plotted": choice.joints.tolist(),
-            "held": [int(any(it.translations)) for it in joint_kinds(header)],
+            "held": [int(it.anything) for it in joint_kinds(header)],
         },
+        "lever": lever(header),
         "solids": _add_solids(pack, drawn),
         "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
@@ -118,8 +119,8 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     scalars = (kinetic, potential, energy, work, energy - energy[:1] - work)
     pack.add("energy", np.stack(scalars), "f4")
     pack.add("violation", _thinned(result, "violation", every).T, "f4")
-    gap = joint_gaps(result, choice)
-    pack.add_quantized("gap", np.log10(np.maximum(gap, 1e-17)))
+    for name, values in zip(("gap", "askew"), joint_violations(result, choice), strict=True):
+        pack.add_quantized(name, np.log10(np.maximum(values, 1e-17)))
     return float(error[:, :3].max(initial=0.0))
 
 
@@ -131,17 +132,21 @@ def continuous(q: Floats) -> Floats:
     return np.concatenate([r, p * sign[..., None]], axis=-1)
 
 
-def joint_gaps(result: Result, choice: Choice) -> Floats:
-    """By how much the points of each joint are apart where its equations hold them together (k, j) [m]."""
-    joints = choice.joints
-    gap, axes = gaps(result, joints, choice.every)
+def joint_violations(result: Result, choice: Choice) -> tuple[Floats, Floats]:
+    """Of the chosen joints in the chosen frames: points apart (k, j) [m], axes askew (k, j) [rad]."""
+    apart, askew = violations(result, choice.joints, choice.every)
     if (len(result) - 1) % choice.every:
-        rest = gaps(result, joints, len(result) - 1)
-        gap, axes = np.concatenate([gap, rest[0][-1:]]), np.concatenate([axes, rest[1][-1:]])
-    holds = joint_kinds(result.header)
-    held = np.array([holds[j].translations for j in joints], float).reshape(-1, 3)
-    apart: Floats = np.linalg.norm(np.einsum("kjab,kja->kjb", axes, gap) * held, axis=-1)
-    return apart
+        last = violations(result, choice.joints, len(result) - 1)
+        apart, askew = (
+            np.concatenate([one, end[-1:]]) for one, end in zip((apart, askew), last, strict=True)
+        )
+    return apart, askew
+
+
+def lever(header: Header) -> float:
+    """By which an angle at a joint becomes a length: the longest from a center of mass to a joint [m]."""
+    arms = np.linalg.norm(header.joint_origin, axis=-1)[header.joint_bodies >= 0]
+    return float(arms.max(initial=0.0)) or 1.0
 
 
 def _travel(result: Result) -> Floats:
