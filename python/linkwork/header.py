@@ -25,9 +25,9 @@ MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force
 Reactions = Callable[[Floats, Floats, Floats], tuple[Floats, Floats]]
 
 
-def _none(*shape: int) -> Any:
-    """The default of an array that files of earlier versions do not have."""
-    return field(default_factory=lambda: np.zeros(shape), compare=False)
+def _none(*shape: int) -> Callable[[], Any]:
+    """Gives the default of an array that files of earlier versions do not have."""
+    return lambda: np.zeros(shape)
 
 
 @dataclass(frozen=True)
@@ -49,15 +49,19 @@ class Header:
     joint_origin: Floats  # (J, 2, 3) the joint's points in its two bodies
     reaction_unique: NDArray[np.bool_]  # (J,) False where constraints are redundant: shares of least norm
     redundant_rows: NDArray[np.int32]  # constraint rows that the others imply in every pose
-    joint_first_parameter: Indices = _none(1)  # (J + 1,) offsets of each joint's numbers
-    joint_parameters: Floats = _none(0)  # such as a length; NaN for a function of time
+    joint_first_parameter: Indices = field(
+        default_factory=_none(1)
+    )  # (J + 1,) offsets of each joint's numbers
+    joint_parameters: Floats = field(default_factory=_none(0))  # such as a length; NaN for a function of time
     force_names: Sequence[str] = ()  # of the F force elements
     force_kinds: Sequence[str] = ()
-    force_bodies: Indices = _none(0, 2)  # (F, 2)
-    force_frame: Floats = _none(0, 2, 3, 3)  # (F, 2, 3, 3), force_origin (F, 2, 3): as of joints
-    force_origin: Floats = _none(0, 2, 3)
-    force_first_parameter: Indices = _none(1)  # (F + 1,)
-    force_parameters: Floats = _none(0)
+    force_bodies: Indices = field(default_factory=_none(0, 2))  # (F, 2)
+    force_frame: Floats = field(
+        default_factory=_none(0, 2, 3, 3)
+    )  # (F, 2, 3, 3), force_origin (F, 2, 3): as of joints
+    force_origin: Floats = field(default_factory=_none(0, 2, 3))
+    force_first_parameter: Indices = field(default_factory=_none(1))  # (F + 1,)
+    force_parameters: Floats = field(default_factory=_none(0))
     expected_frames: int | None = None
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
     reactions: Reactions | None = field(default=None, compare=False)

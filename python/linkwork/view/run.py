@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,7 @@ from linkwork.errors import OptionError
 from linkwork.header import Floats, Header
 from linkwork.joint_motion import joint_kinds, violations
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.view.appearance import Solid, solids
+from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
 
 if TYPE_CHECKING:
@@ -64,9 +65,10 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
         raise OptionError("the result has no frames: there is nothing to view", code="empty")
     header = result.header
     choice, pack = Choice.of(result, limit), Pack()
-    drawn = solids(result)
+    drawn = scene(result)
     precision = _add_frames(pack, result, choice)
-    _add_links(pack, result)
+    pack.add("joints.bodies", header.joint_bodies, "i4")
+    pack.add("joints.origin", header.joint_origin, "f4")
     manifest = result.manifest
     low, high = _extent(result, drawn)
     return {
@@ -87,7 +89,9 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
             "held": [int(it.anything) for it in joint_kinds(header)],
         },
         "lever": lever(header),
-        "solids": _add_solids(pack, drawn),
+        "forces": {"names": list(header.force_names), "kinds": list(header.force_kinds)},
+        "solids": _add_solids(pack, drawn.solids),
+        "spans": _add_spans(pack, drawn.spans),
         "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
@@ -166,20 +170,20 @@ def _most(values: Floats, count: int) -> NDArray[np.intp]:
     return np.sort(np.argsort(-values, kind="stable")[:count])
 
 
-def _extent(result: Result, drawn: list[Solid]) -> tuple[Floats, Floats]:
+def _extent(result: Result, drawn: Scene) -> tuple[Floats, Floats]:
     """A box (low, high) around all that is seen, from a sample of frames [m]."""
     n = result.header.body_count
     low, high = np.full((n + 1, 3), np.inf), np.full((n + 1, 3), -np.inf)  # by body, the ground last
-    for it in drawn:
-        for corner in _corners(it.shape):
-            low[it.body], high[it.body] = np.minimum(low[it.body], corner), np.maximum(high[it.body], corner)
+    corners = [(it.body, corner) for it in drawn.solids for corner in _corners(it.shape)]
+    corners += [pair for it in drawn.spans for pair in zip(it.bodies, it.ends, strict=True)]
+    for body, corner in corners:
+        low[body], high[body] = np.minimum(low[body], corner), np.maximum(high[body], corner)
     missing = ~np.isfinite(low)
     low, high = np.where(missing, 0.0, low), np.where(missing, 0.0, high)
     every = max(1, len(result) // 40)
     r, A = result.sampled_positions(every), rotation.matrix(result.recorded("q", np.s_[::every, :, 3:]))
     ground = low[-1:], high[-1:]
-    anything = bool(drawn) and any(it.body < 0 for it in drawn)
-    found = list(ground) if anything else []
+    found = list(ground) if any(body < 0 for body, _ in corners) else []
     for corner in range(8):
         s = np.where([(corner >> axis) & 1 for axis in range(3)], high[:n], low[:n])
         found.append((r + np.einsum("kiab,ib->kia", A, s)).reshape(-1, 3))
@@ -206,21 +210,21 @@ def _corners(shape: Shape) -> Floats:
 
 def _add_solids(pack: Pack, drawn: list[Solid]) -> list[dict[str, Any]]:
     """Groups of one geometry and layer; each instance is a body, an index, a color, a place and a size."""
-    groups: dict[tuple[str, str, int], list[Solid]] = defaultdict(list)
+    groups: dict[tuple[str, str, int, bool], list[Solid]] = defaultdict(list)
     for solid in drawn:
         mesh = id(solid.shape.vertices) if isinstance(solid.shape, Mesh) else 0
-        groups[solid.layer, _geometry(solid.shape), mesh].append(solid)
+        groups[solid.layer, _geometry(solid.shape), mesh, solid.clear].append(solid)
     found = []
-    for number, ((layer, geometry, _), several) in enumerate(groups.items()):
+    for number, ((layer, geometry, _, clear), several) in enumerate(groups.items()):
         key = f"solids{number}"
         pack.add(f"{key}.body", np.array([it.body for it in several]), "i4")
         pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
         pack.add(f"{key}.place", np.array([_place(it.shape) for it in several]), "f4")
-        pack.add(f"{key}.color", np.array([list(bytes.fromhex(it.color[1:])) for it in several]), "u1")
+        pack.add(f"{key}.color", _colors(several), "u1")
         if isinstance(mesh_shape := several[0].shape, Mesh):
             pack.add(f"{key}.vertices", mesh_shape.vertices, "f4")
             pack.add(f"{key}.triangles", mesh_shape.triangles, "i4")
-        found.append({"key": key, "layer": layer, "geometry": geometry})
+        found.append({"key": key, "layer": layer, "geometry": geometry, "clear": clear})
     return found
 
 
@@ -244,12 +248,25 @@ def _place(shape: Shape) -> list[float]:
     return [*shape.position, *shape.orientation, *size]
 
 
-def _add_links(pack: Pack, result: Result) -> None:
-    """Where the points of joints are, and which joints are drawn as a bar between them."""
-    header = result.header
-    pack.add("joints.bodies", header.joint_bodies, "i4")
-    pack.add("joints.origin", header.joint_origin, "f4")
-    pack.add("links", np.flatnonzero([it.distance for it in joint_kinds(header)]), "i4")
+def _add_spans(pack: Pack, drawn: list[Span]) -> list[dict[str, Any]]:
+    """Groups of one form and layer; each instance is an index, two bodies with a point, a radius, a color."""
+    groups: dict[tuple[str, str], list[Span]] = defaultdict(list)
+    for span in drawn:
+        groups[span.layer, span.form].append(span)
+    found = []
+    for number, ((layer, form), several) in enumerate(groups.items()):
+        key = f"spans{number}"
+        pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
+        pack.add(f"{key}.bodies", np.array([it.bodies for it in several]), "i4")
+        pack.add(f"{key}.ends", np.array([it.ends for it in several]), "f4")
+        pack.add(f"{key}.radius", np.array([it.radius for it in several]), "f4")
+        pack.add(f"{key}.color", _colors(several), "u1")
+        found.append({"key": key, "layer": layer, "form": form})
+    return found
+
+
+def _colors(drawn: Sequence[Solid | Span]) -> NDArray[np.uint8]:
+    return np.array([list(bytes.fromhex(it.color[1:])) for it in drawn], np.uint8)
 
 
 def _method(options: dict[str, Any]) -> str:
