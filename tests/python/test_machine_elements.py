@@ -1,4 +1,4 @@
-"""Springs, contacts, gears and discs as they are drawn: where the result says, of the size of their numbers."""
+"""Springs, contacts, gears and discs as they are drawn: where the result says, and of the size it says."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ class Element:
 
 @dataclass(frozen=True)
 class Placed:
-    """A shape on a body, for an element: its symbol, material of the body, or a ball or plane that touches."""
+    """A shape on a body, for an element: its symbol, material of the body, a ball or plane that touches."""
 
     element: Element
     body: int
