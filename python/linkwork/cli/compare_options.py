@@ -42,6 +42,7 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
     ("integrators", Words(), "Such as rk4,dopri5,phem56."),
     ("linear_solvers", Words(), "Such as block,cholmod,umfpack."),
     ("reference", str, "Result file of a known solution; without it one is computed."),
+    ("reference_error", float, "Its own error, as state errors are measured, where it is known."),
     ("processes", click.IntRange(min=1), "Runs at the same time; without it one a processor."),
     ("time_limit", float, "Of one run, wall time [s]."),
     ("resume", str, "Folder that keeps every finished run, and from which a comparison goes on."),

@@ -102,7 +102,7 @@ class Comparison:
                     f"{best.label} with {_with(best)}; try smaller steps.")  # fmt: skip
         best = min(meeting, key=lambda it: (getattr(it, by), getattr(it, of)))
         cost = f"{getattr(best, by):.3g} s" if by == "seconds" else f"{getattr(best, by):,} {COSTS[by]}"
-        doubt = ""
+        doubt = "" if self.reference.error else ", if the reference is that good: its own error is not stated"
         if self.reference.error is not None and self.reference.error[of] > error / ABOVE_REFERENCE:
             doubt = f", though the reference itself is only known to {self.reference.error[of]:.1g}"
         return (f"The cheapest of {len(meeting)} cells that meet a {what} of {error:.2g} is {best.label} "
