@@ -90,9 +90,7 @@ class ResultWriter:
         self._fields: dict[str, h5py.Dataset] = {}
         self._check_room(_frame_bytes(header) * (header.expected_frames or 0) + MARGIN_BYTES)
         with self._failures():
-            self._file = h5py.File(self.path, "w")
-            self._write_header(run or uuid.uuid4().hex)
-            self._file.flush()
+            self._begin(run or uuid.uuid4().hex)
 
     def write(self, chunk: Mapping[str, ArrayLike]) -> None:
         """Append frames: the arrays of `Simulation.advance`, reactions included or to be computed here."""
@@ -171,6 +169,20 @@ class ResultWriter:
         except FileError:
             if error is None:
                 raise
+
+    def _begin(self, run: str) -> None:
+        """Create the file; it takes its name when it can be read, so that a kill leaves no half of a header."""
+        target = Path(os.path.realpath(self.path))
+        if target.exists() and not os.access(target, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        begun = target.with_name(f".{target.name}.{os.getpid()}.begun")
+        try:
+            self._file = h5py.File(begun, "w")
+            self._write_header(run)
+            self._file.flush()
+            os.replace(begun, target)
+        finally:
+            begun.unlink(missing_ok=True)
 
     def _write_header(self, run: str) -> None:
         attributes = {"format": FORMAT, "version": VERSION, "run": run}
