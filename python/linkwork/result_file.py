@@ -33,7 +33,7 @@ import h5py
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.errors import FileError
+from linkwork.errors import FileError, cause, unwritable
 from linkwork.events import Occurrence
 from linkwork.header import MODEL_NAMES, Floats, Header, record_reactions
 from linkwork.shapes_file import write_shapes
@@ -171,9 +171,10 @@ class ResultWriter:
                 raise
 
     def _begin(self, run: str) -> None:
-        """Create the file; it takes its name when it can be read, so that a kill leaves no half of a header."""
+        """Create the file; it takes its name when it can be read: a kill leaves no half of a header."""
         target = Path(os.path.realpath(self.path))
-        if target.exists() and not os.access(target, os.W_OK):
+        mine = os.access in os.supports_effective_ids
+        if target.exists() and not os.access(target, os.W_OK, effective_ids=mine):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         begun = target.with_name(f".{target.name}.{os.getpid()}.begun")
         try:
@@ -224,7 +225,8 @@ class ResultWriter:
             free = shutil.disk_usage(self.path.parent).free
         if needed > free:
             raise FileError(
-                f"output '{self.path}': no room: {_bytes(needed)} needed, {_bytes(free)} free{self._kept()}",
+                f"output '{self.path}': no room: {_bytes(needed)} needed, {_bytes(free)} free{self._kept()}; "
+                "make room, choose another place, or record fewer frames",
                 code="no_room",
             )
 
@@ -235,7 +237,7 @@ class ResultWriter:
             yield
         except (OSError, RuntimeError) as error:
             raise FileError(
-                f"output '{self.path}': cannot be written: {reason(error)}{self._kept()}",
+                f"output '{self.path}': cannot be written: {cause(error, self._kept())}",
                 code="not_writable",
             ) from error
 
@@ -266,9 +268,7 @@ def save(
     except FileError as error:
         raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
     except OSError as error:
-        raise FileError(
-            f"output '{path}': cannot be written: {reason(error)}", code="not_writable"
-        ) from error
+        raise unwritable("output", path, error) from error
     finally:
         beside.unlink(missing_ok=True)
 
@@ -322,14 +322,6 @@ def _encoded(names: Any) -> NDArray[np.bytes_]:
 def _plain(value: Any) -> Any:
     """JSON for numpy's numbers and arrays, and text for the rest."""
     return value.tolist() if isinstance(value, np.generic | np.ndarray) else str(value)
-
-
-def reason(error: Exception) -> str:
-    """The cause in plain words; HDF5 wraps the system's own."""
-    if isinstance(error, OSError) and error.errno:
-        return os.strerror(error.errno).lower()
-    text = str(error).splitlines()[0]
-    return text
 
 
 def _bytes(count: float) -> str:

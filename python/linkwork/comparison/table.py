@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import ERRORS, Outcome
-from linkwork.errors import FileError, OptionError, nearest
+from linkwork.errors import OptionError, nearest, unwritable
 
 if TYPE_CHECKING:
     import pandas
@@ -264,8 +264,7 @@ def _written(text: str, path: str | os.PathLike[str] | None) -> str:
         beside.write_text(text, encoding="utf-8")
         os.replace(beside, path)
     except OSError as error:
-        reason = os.strerror(error.errno).lower() if error.errno else str(error)
-        raise FileError(f"output '{path}': cannot be written: {reason}", code="not_writable") from error
+        raise unwritable("output", path, error) from error
     finally:
         with contextlib.suppress(OSError):
             beside.unlink(missing_ok=True)

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.errors import FileError, OptionError
+from linkwork.errors import FileError, OptionError, unwritable
 from linkwork.header import Floats
 from linkwork.plotting import new_figure
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
@@ -64,8 +64,7 @@ def movie(
             pass
         write(file, pictures, frames_per_second, size)
     except OSError as error:
-        reason = os.strerror(error.errno).lower() if error.errno else str(error)
-        raise FileError(f"movie '{path}': cannot be written: {reason}", code="not_writable") from error
+        raise unwritable("movie", path, error) from error
 
 
 def _write_gif(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[int, int]) -> None:
