@@ -6,6 +6,7 @@ The compiled module raises these same classes. Nothing here prints.
 from __future__ import annotations
 
 import difflib
+import errno
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -27,7 +28,9 @@ __all__ = [
     "SingularSystemError",
     "StepSizeError",
     "ViolationError",
+    "cause",
     "nearest",
+    "unwritable",
 ]
 
 
@@ -130,7 +133,43 @@ class LinkworkWarning(UserWarning):
     """Something that is probably not meant, but can be computed."""
 
 
+#: So many names can be told in a message.
+FEW = 6
+
+#: What to do where the operating system refuses to read or write.
+_REMEDIES = {
+    errno.ENOENT: "check the path",
+    errno.ENOTDIR: "check the path",
+    errno.EISDIR: "name a file in it",
+    errno.EEXIST: "choose another name",
+    errno.EACCES: "change the permissions, or choose another place",
+    errno.EPERM: "change the permissions, or choose another place",
+    errno.EROFS: "choose another place",
+    errno.ENOSPC: "make room, or choose another place",
+    errno.EDQUOT: "make room, or choose another place",
+    errno.EFBIG: "raise the limit of file sizes, or record fewer frames",
+}
+
+
+def cause(error: Exception, beside: str = "") -> str:
+    """Why a file could not be read or written, `beside`, what to do: "is a directory; name a file in it"."""
+    number = getattr(error, "errno", None)
+    if not number:
+        lines = str(error).splitlines()
+        return (lines[0] if lines else type(error).__name__) + beside
+    remedy = _REMEDIES.get(number)
+    return os.strerror(number).lower() + beside + (f"; {remedy}" if remedy else "")
+
+
+def unwritable(what: str, path: str | os.PathLike[str], error: Exception) -> FileError:
+    """Of what was being written: a FileError to raise."""
+    return FileError(f"{what} '{path}': cannot be written: {cause(error)}", code="not_writable")
+
+
 def nearest(word: str, known: Iterable[str]) -> str:
-    """The end of a message about an unknown `word`: `; the nearest is 'rk4'`."""
-    close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.0)
-    return f"; the nearest is '{close[0]}'" if close else ""
+    """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or all, if they are few."""
+    names = list(known)
+    close = difflib.get_close_matches(word, names, n=1, cutoff=0.0 if len(names) > FEW else 0.5)
+    if close:
+        return f"; the nearest is '{close[0]}'"
+    return f"; choose from {', '.join(repr(name) for name in names)}" if names else ""

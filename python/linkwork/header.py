@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, overload
+from functools import cache
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,9 +16,18 @@ if TYPE_CHECKING:
     from linkwork import _core
 
 Floats = NDArray[np.float64]
+Indices = NDArray[np.integer]
+
+#: The texts of a header, one for each body, joint or force element.
+MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force_kinds")
 
 #: reactions(t (k,), q (k, 7n), multipliers (k, m)) -> force [N], torque [N m] (k, joints, 3).
 Reactions = Callable[[Floats, Floats, Floats], tuple[Floats, Floats]]
+
+
+def _none(*shape: int) -> Callable[[], Any]:
+    """Gives the default of an array that files of earlier versions do not have."""
+    return lambda: np.zeros(shape)
 
 
 @dataclass(frozen=True)
@@ -39,6 +49,19 @@ class Header:
     joint_origin: Floats  # (J, 2, 3) the joint's points in its two bodies
     reaction_unique: NDArray[np.bool_]  # (J,) False where constraints are redundant: shares of least norm
     redundant_rows: NDArray[np.int32]  # constraint rows that the others imply in every pose
+    joint_first_parameter: Indices = field(
+        default_factory=_none(1)
+    )  # (J + 1,) offsets of each joint's numbers
+    joint_parameters: Floats = field(default_factory=_none(0))  # such as a length; NaN for a function of time
+    force_names: Sequence[str] = ()  # of the F force elements
+    force_kinds: Sequence[str] = ()
+    force_bodies: Indices = field(default_factory=_none(0, 2))  # (F, 2)
+    force_frame: Floats = field(
+        default_factory=_none(0, 2, 3, 3)
+    )  # (F, 2, 3, 3), force_origin (F, 2, 3): as of joints
+    force_origin: Floats = field(default_factory=_none(0, 2, 3))
+    force_first_parameter: Indices = field(default_factory=_none(1))  # (F + 1,)
+    force_parameters: Floats = field(default_factory=_none(0))
     expected_frames: int | None = None
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
     reactions: Reactions | None = field(default=None, compare=False)
@@ -53,7 +76,7 @@ class Header:
         shapes: Shapes | None = None,
     ) -> Header:
         """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
-        joints, rank = model.joint_arrays(), dynamics.rank()
+        joints, forces, rank = model.joint_arrays(), model.force_arrays(), dynamics.rank()
         return cls(
             manifest=dict(manifest),
             body_names=_Listing(model.body_name, model.body_count),
@@ -70,6 +93,13 @@ class Header:
             joint_origin=joints["origin"],
             reaction_unique=np.array(rank.unique, dtype=bool),
             redundant_rows=np.array(rank.redundant_rows, dtype=np.int32),
+            **_parameters("joint", joints),
+            force_names=_Listing(model.force_name, len(forces["kind"])),
+            force_kinds=_Listing(lambda index: _kind_names()[forces["kind"][index]], len(forces["kind"])),
+            force_bodies=forces["bodies"],
+            force_frame=forces["frame"],
+            force_origin=forces["origin"],
+            **_parameters("force", forces),
             expected_frames=expected_frames,
             shapes=shapes or Shapes(),
             reactions=dynamics.reactions,
@@ -77,8 +107,14 @@ class Header:
 
     def detached(self) -> Header:
         """The same without the compiled model behind it, so that it can go to another process."""
-        names = {name: list(getattr(self, name)) for name in ("body_names", "joint_names", "joint_kinds")}
+        names = {name: list(getattr(self, name)) for name in MODEL_NAMES}
         return replace(self, reactions=None, **names)  # type: ignore[arg-type]
+
+    def parameters(self, role: Literal["joint", "force"], index: int) -> Floats:
+        """The numbers of a joint or force element, as its kind lists them; none in a file that has none."""
+        first = getattr(self, f"{role}_first_parameter")
+        values: Floats = getattr(self, f"{role}_parameters")
+        return values[int(first[index]) : int(first[index + 1])] if index + 1 < len(first) else values[:0]
 
     @property
     def body_count(self) -> int:
@@ -108,6 +144,20 @@ class Header:
             "reaction_torque": (joints, 3),
             "t": (),
         }
+
+
+def _parameters(role: str, arrays: Mapping[str, Any]) -> dict[str, Any]:
+    """The numbers of all elements one after the other, and where those of each begin."""
+    values = np.where(arrays["signals"] < 0, arrays["parameters"], np.nan)
+    first = np.append(arrays["first_parameter"], len(values))
+    return {f"{role}_first_parameter": first, f"{role}_parameters": values}
+
+
+@cache
+def _kind_names() -> list[str]:
+    from linkwork import _core
+
+    return [kind.name for kind in _core.force_kinds()]
 
 
 def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[str, Floats]:

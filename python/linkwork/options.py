@@ -72,8 +72,9 @@ def compile_options(given: Mapping[str, Any]) -> _core.Options:
     return options
 
 
-def _check_names(chosen: Mapping[str, Any]) -> None:
-    known: dict[str, Iterable[str]] = {
+def names() -> dict[str, list[str]]:
+    """What each option that is a name can be."""
+    return {
         "formulation": [info.name for info in _core.formulations()],
         "stabilization": [info.name for info in _core.stabilizations()],
         "linear_solver": ["auto", *(info.name for info in _core.linear_solvers())],
@@ -81,12 +82,18 @@ def _check_names(chosen: Mapping[str, Any]) -> None:
         "on_singular": ["pass", "warn", "stop"],
         "on_violation": ["record", "project", "stop"],
     }
-    for what, names in known.items():
-        if what in chosen and chosen[what] not in names:
-            wrong = chosen[what]
-            raise OptionError(
-                f"{what} '{wrong}' does not exist{nearest(str(wrong), names)}", code="unknown_option"
-            )
+
+
+def _check_names(chosen: Mapping[str, Any]) -> None:
+    for what, known in names().items():
+        if what in chosen:
+            check_name(what, chosen[what], known)
+
+
+def check_name(what: str, name: Any, known: Iterable[str]) -> None:
+    """OptionError: it is none of the known."""
+    if name not in known:
+        raise OptionError(f"{what} '{name}' does not exist{nearest(str(name), known)}", code="unknown_option")
 
 
 def _check_numbers(chosen: Mapping[str, Any]) -> None:

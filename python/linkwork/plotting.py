@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from linkwork.errors import FileError, nearest
+from linkwork.errors import FileError, nearest, unwritable
 from linkwork.header import Floats
 
 if TYPE_CHECKING:
@@ -264,6 +264,5 @@ def written(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
         try:
             figure.savefig(path, dpi=110)
         except OSError as error:
-            reason = os.strerror(error.errno).lower() if error.errno else str(error)
-            raise FileError(f"picture '{path}': cannot be written: {reason}", code="not_writable") from error
+            raise unwritable("picture", path, error) from error
     return figure

@@ -33,9 +33,9 @@ import h5py
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.errors import FileError
+from linkwork.errors import FileError, cause, unwritable
 from linkwork.events import Occurrence
-from linkwork.header import Floats, Header, record_reactions
+from linkwork.header import MODEL_NAMES, Floats, Header, record_reactions
 from linkwork.shapes_file import write_shapes
 
 FORMAT, VERSION = "linkwork result", 2
@@ -62,8 +62,14 @@ MODEL_ARRAYS = (
     "joint_origin",
     "reaction_unique",
     "redundant_rows",
+    "joint_first_parameter",
+    "joint_parameters",
+    "force_bodies",
+    "force_frame",
+    "force_origin",
+    "force_first_parameter",
+    "force_parameters",
 )
-MODEL_NAMES = ("body_names", "joint_names", "joint_kinds")
 
 
 class ResultWriter:
@@ -84,9 +90,7 @@ class ResultWriter:
         self._fields: dict[str, h5py.Dataset] = {}
         self._check_room(_frame_bytes(header) * (header.expected_frames or 0) + MARGIN_BYTES)
         with self._failures():
-            self._file = h5py.File(self.path, "w")
-            self._write_header(run or uuid.uuid4().hex)
-            self._file.flush()
+            self._begin(run or uuid.uuid4().hex)
 
     def write(self, chunk: Mapping[str, ArrayLike]) -> None:
         """Append frames: the arrays of `Simulation.advance`, reactions included or to be computed here."""
@@ -166,6 +170,21 @@ class ResultWriter:
             if error is None:
                 raise
 
+    def _begin(self, run: str) -> None:
+        """Create the file; it takes its name when it can be read: a kill leaves no half of a header."""
+        target = Path(os.path.realpath(self.path))
+        mine = os.access in os.supports_effective_ids
+        if target.exists() and not os.access(target, os.W_OK, effective_ids=mine):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        begun = target.with_name(f".{target.name}.{os.getpid()}.begun")
+        try:
+            self._file = h5py.File(begun, "w")
+            self._write_header(run)
+            self._file.flush()
+            os.replace(begun, target)
+        finally:
+            begun.unlink(missing_ok=True)
+
     def _write_header(self, run: str) -> None:
         attributes = {"format": FORMAT, "version": VERSION, "run": run}
         self._file.attrs.update(attributes)
@@ -206,7 +225,8 @@ class ResultWriter:
             free = shutil.disk_usage(self.path.parent).free
         if needed > free:
             raise FileError(
-                f"output '{self.path}': no room: {_bytes(needed)} needed, {_bytes(free)} free{self._kept()}",
+                f"output '{self.path}': no room: {_bytes(needed)} needed, {_bytes(free)} free{self._kept()}; "
+                "make room, choose another place, or record fewer frames",
                 code="no_room",
             )
 
@@ -217,7 +237,7 @@ class ResultWriter:
             yield
         except (OSError, RuntimeError) as error:
             raise FileError(
-                f"output '{self.path}': cannot be written: {reason(error)}{self._kept()}",
+                f"output '{self.path}': cannot be written: {cause(error, self._kept())}",
                 code="not_writable",
             ) from error
 
@@ -248,9 +268,7 @@ def save(
     except FileError as error:
         raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
     except OSError as error:
-        raise FileError(
-            f"output '{path}': cannot be written: {reason(error)}", code="not_writable"
-        ) from error
+        raise unwritable("output", path, error) from error
     finally:
         beside.unlink(missing_ok=True)
 
@@ -304,14 +322,6 @@ def _encoded(names: Any) -> NDArray[np.bytes_]:
 def _plain(value: Any) -> Any:
     """JSON for numpy's numbers and arrays, and text for the rest."""
     return value.tolist() if isinstance(value, np.generic | np.ndarray) else str(value)
-
-
-def reason(error: Exception) -> str:
-    """The cause in plain words; HDF5 wraps the system's own."""
-    if isinstance(error, OSError) and error.errno:
-        return os.strerror(error.errno).lower()
-    text = str(error).splitlines()[0]
-    return text
 
 
 def _bytes(count: float) -> str:

@@ -185,7 +185,12 @@ def _adaptive(
     check_number("rtol", rtol, positive=True)
     if rtol < LEAST_RTOL:
         raise OptionError(
-            f"rtol {rtol:g} is below {LEAST_RTOL:g}: double precision holds no more", code="rtol"
+            f"rtol {rtol:g} is below {LEAST_RTOL:g}: double precision holds no more; give a larger one",
+            code="rtol",
+        )
+    if rtol >= 1:
+        raise OptionError(
+            f"rtol {rtol:g} allows errors as large as the motion: give 1e-3 or less", code="rtol"
         )
     atol = USUAL_RATIO * rtol if atol is None else atol
     check_number("atol", atol, positive=True)

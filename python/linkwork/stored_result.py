@@ -20,11 +20,15 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.errors import FileError
+from linkwork.errors import FileError, cause
 from linkwork.events import Occurrence
-from linkwork.header import Floats, Header
-from linkwork.result_file import FORMAT, MODEL_ARRAYS, MODEL_NAMES, VERSION, reason
+from linkwork.header import MODEL_NAMES, Floats, Header
+from linkwork.result_file import FORMAT, MODEL_ARRAYS, VERSION
 from linkwork.shapes_file import read_shapes
+
+#: In HDF5's message about a file of another kind, and what is said instead.
+NO_SIGNATURE = "file signature not found"
+NO_HDF5 = "is no HDF5 file; give one that a run has written"
 
 
 @dataclass(frozen=True)
@@ -78,10 +82,14 @@ def read(path: str | os.PathLike[str]) -> StoredRun:
     path = Path(path)
     with _opened(path) as file:
         if file.attrs.get("format") != FORMAT:
-            raise FileError(f"result '{path}': is not a result file of linkwork", code="not_a_result")
+            raise FileError(
+                f"result '{path}': is not a result file of linkwork; give one that a run has written",
+                code="not_a_result",
+            )
         if file.attrs["version"] > VERSION:
             raise FileError(
-                f"result '{path}': has version {file.attrs['version']}, this linkwork reads up to {VERSION}",
+                f"result '{path}': has version {file.attrs['version']}, this linkwork reads up to {VERSION}; "
+                "update linkwork",
                 code="not_a_result",
             )
         run = str(file.attrs["run"])
@@ -100,7 +108,9 @@ def _read_header(file: h5py.File) -> Header:
     if file.attrs["version"] < 2:  # knows nothing of redundancy
         joints = len(values["joint_rows"]) - 1
         values |= {"reaction_unique": np.zeros(joints, bool), "redundant_rows": np.zeros(0, np.int32)}
-    values.update({name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES})
+    values.update(
+        {name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES if name in model}
+    )
     return Header(manifest=json.loads(file.attrs["manifest"]), shapes=read_shapes(model), **values)
 
 
@@ -155,11 +165,14 @@ def _opened(path: Path) -> Iterator[h5py.File]:
         with _open(path) as file:
             yield file
     except FileNotFoundError as error:
-        raise FileError(f"result '{path}': no such file", code="not_found") from error
+        raise FileError(f"result '{path}': no such file; check the path", code="not_found") from error
     except (OSError, RuntimeError) as error:
-        raise FileError(f"result '{path}': cannot be read: {reason(error)}", code="not_readable") from error
+        why = NO_HDF5 if NO_SIGNATURE in str(error) else cause(error)
+        raise FileError(f"result '{path}': cannot be read: {why}", code="not_readable") from error
     except KeyError as error:
-        raise FileError(f"result '{path}': is damaged: {reason(error)}", code="not_readable") from error
+        raise FileError(
+            f"result '{path}': is damaged: {cause(error)}; copy it again, or run again", code="not_readable"
+        ) from error
 
 
 def _open(path: Path) -> h5py.File:

@@ -281,7 +281,7 @@ def test_tables_show_what_was_measured_and_what_was_left_out(capsys: pytest.Capt
         (["rhs", "--mechanism", "chian"], "the nearest is 'chain'"),
         (["rhs", "--solver", "blok"], "the nearest is 'block'"),
         (["rhs", "--set", "joint"], "'joint' is not NAME=VALUE"),
-        (["rhs", "--set", "bodies=many"], "bodies=many: not a valid int"),
+        (["rhs", "--set", "bodies=many"], "bodies=many: give a value of type int"),
         (["rhs", "--repeats", "0"], "repeats 0 is too small"),
         (["rhs", "--limit", "nan"], "limit nan s must be a finite number"),
         (["rhs", "--bodies", "0"], "bodies 0: the smallest 'chain' has 1"),

@@ -217,6 +217,12 @@ def test_a_known_solution_can_be_the_reference(tmp_path: Path) -> None:
     found = quick(integrators=["rk4"])
     assert [it.pose_error for it in given] == pytest.approx([it.pose_error for it in found], rel=1e-3)
     assert given.reference.error is None
+    assert "own error not stated" in str(given)
+    assert given.recommend(1.0).endswith("if the reference is that good: its own error is not stated.")
+    told = quick(reference=tmp_path / "exact.h5", reference_error=1e-3, integrators=["rk4"])
+    assert "own error about 1.0e-03" in str(told)
+    assert told.recommend(1.0).endswith(" s.")
+    assert "only known to 0.001" in told.recommend(2e-3)
 
 
 def test_a_reference_of_other_times_is_compared_where_the_times_meet() -> None:

@@ -86,6 +86,17 @@ def completed(line: str, shell: str = "bash") -> list[str]:
     return [word.split(",", 1)[1] for word in done.stdout.splitlines()]
 
 
+@pytest.mark.parametrize("line", [
+    "linkwork view ru", "linkwork run ru", "linkwork run four_bar --output ru", "linkwork report ru",
+    "linkwork compare four_bar --html ru", "linkwork view run.h5 --with ru", "linkwork convert ru",
+])  # fmt: skip
+def test_where_a_file_is_wanted_the_shell_completes_files(line: str) -> None:
+    environment = {**os.environ, "_LINKWORK_COMPLETE": "bash_complete", "COMP_WORDS": line,
+                   "COMP_CWORD": str(line.count(" "))}  # fmt: skip
+    done = subprocess.run(PROGRAM, shell=True, capture_output=True, text=True, env=environment, check=True)
+    assert done.stdout == "file,ru\n"
+
+
 @pytest.mark.parametrize(("line", "answer"), [
     ("linkwork va", ["validate"]),
     ("linkwork run four", ["four_bar"]),
@@ -93,6 +104,10 @@ def completed(line: str, shell: str = "bash") -> list[str]:
     ("linkwork run four_bar --integrator dop", ["dopri5", "dop853"]),
     ("linkwork compare four_bar --integrators rk4,phem", ["rk4,phem56"]),
     ("linkwork bench s", ["scaling", "step"]),
+    ("linkwork report four", ["four_bar"]),
+    ("linkwork validate heavy", ["heavy_top"]),
+    ("linkwork run four_bar --on-s", ["--on-singular"]),
+    ("linkwork run four_bar --on-singular w", ["warn"]),
 ])  # fmt: skip
 def test_a_word_that_is_begun_is_completed(line: str, answer: list[str]) -> None:
     assert completed(line) == answer
@@ -111,18 +126,38 @@ def test_completion_script_is_accepted_by_its_shell(shell: str, capsys: pytest.C
 
 def test_bash_completes_at_the_tab_key(tmp_path: Path) -> None:
     """As bash does: the function that the script registers fills COMPREPLY."""
-    program = tmp_path / "linkwork"
-    program.write_text(f'#!/bin/sh\nexec {PROGRAM} "$@"\n')
-    program.chmod(0o755)
     text = """
 eval "$(linkwork completion bash)"
 COMP_WORDS=(linkwork check bri) COMP_CWORD=2
 $(complete -p linkwork | sed 's/.*-F \\([^ ]*\\) .*/\\1/') linkwork bri check
 echo "${COMPREPLY[@]}"
 """
-    environment = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    done = subprocess.run(["bash", "-c", text], capture_output=True, text=True, env=environment)
+    done = subprocess.run(["bash", "-c", text], capture_output=True, text=True, env=with_program(tmp_path))
     assert done.stdout.split() == ["bricard"], done.stderr
+
+
+def with_program(folder: Path) -> dict[str, str]:
+    """The environment of a shell that finds `linkwork` in that folder."""
+    program = folder / "linkwork"
+    program.write_text(f'#!/bin/sh\nexec {PROGRAM} "$@"\n')
+    program.chmod(0o755)
+    return {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "HOME": str(folder), "TERM": "dumb"}
+
+
+@pytest.mark.skipif(shutil.which("fish") is None, reason="fish is not installed")
+def test_fish_completes_at_the_tab_key(tmp_path: Path) -> None:
+    text = 'linkwork completion fish | source; complete -C "linkwork check bri"'
+    done = subprocess.run(["fish", "-c", text], capture_output=True, text=True, env=with_program(tmp_path))
+    assert done.stdout.split("\t")[0].strip() == "bricard", done.stderr
+
+
+@pytest.mark.skipif(shutil.which("zsh") is None, reason="zsh is not installed")
+def test_zsh_without_a_completion_of_its_own_takes_the_script(tmp_path: Path) -> None:
+    text = 'eval "$(linkwork completion zsh)"; print $_comps[linkwork]'
+    done = subprocess.run(
+        ["zsh", "-f", "-c", text], capture_output=True, text=True, env=with_program(tmp_path), cwd=tmp_path
+    )
+    assert (done.stdout, done.stderr) == ("_linkwork_completion\n", "")
 
 
 # --- log ---

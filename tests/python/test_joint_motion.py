@@ -1,12 +1,13 @@
-"""By how much the points of joints are apart."""
+"""By how much the points of joints are apart, and their axes askew."""
 
 from __future__ import annotations
 
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.joint_motion import Holds, gaps
-from linkwork.view.run import Choice, joint_gaps
+from linkwork.elements import KINDS
+from linkwork.joint_motion import Holds, gaps, violations
+from linkwork.view.run import Choice, joint_violations
 
 
 def test_gap_of_a_chain_is_the_distance_of_its_points() -> None:
@@ -26,5 +27,55 @@ def test_gap_in_the_page_is_the_violation_and_never_a_prescribed_motion() -> Non
     pinned.spherical(pinned.ground, body, at=((0, 0, 0), (1e-3, 0, 0)), frames="body")
     with pytest.warns(lw.LinkworkWarning):
         result = lw.simulate(pinned, t_end=1e-3, step=1e-3, stabilization="none", assemble=False)
-    apart = joint_gaps(result, Choice.of(result, 1e6))
+    apart, askew = joint_violations(result, Choice.of(result, 1e6))
     np.testing.assert_allclose(apart, 1e-3, rtol=1e-9)
+    np.testing.assert_array_equal(askew, 0)
+
+
+#: Arguments of each placement, in the two bodies: axes along z, or along z and x.
+PLACES = {
+    "axis": {"at": ((0, 0, 0), (0, 0, 0)), "axis": ((0, 0, 1), (0, 0, 1))},
+    "direction": {"axis": ((0, 0, 1), (0, 0, 1))},
+    "frame": {"at": ((0, 0, 0), (0, 0, 0)), "orientation": ((1, 0, 0, 0), (1, 0, 0, 0))},
+    "orientation": {"orientation": ((1, 0, 0, 0), (1, 0, 0, 0))},
+    "centers": {"at": ((0, 0, 0), (0.3, 0, 0)), "axis": ((0, 0, 1), (0, 0, 1))},
+    "shafts": {"at": ((0, 0, 0), (0, 0, 0)), "axes": ((0, 0, 1), (0, 0, 1))},
+    "two_axes": {"at": ((0, 0, 0), (0, 0, 0)), "axes": ((0, 0, 1), (1, 0, 0))},
+    "two_directions": {"axes": ((0, 0, 1), (1, 0, 0))},
+}
+
+
+@pytest.mark.parametrize("kind", [
+    kind for kind, info in KINDS["joint"].items()
+    if any(name.startswith("rotation about") for name in info.equations) and "angle" not in info.parameters
+])  # fmt: skip
+def test_axes_askew_are_what_the_equations_of_rotations_measure(kind: str) -> None:
+    """A body turned by 1e-3 rad about a random axis: the sines of the angles are the rows of Phi."""
+    info = KINDS["joint"][kind]
+    axis = np.random.default_rng(3).normal(size=3)
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1, inertia=(1, 1, 1))
+    numbers = {name: 0.3 for name in info.parameters if name != "length"}
+    getattr(model, kind)("ground", body, **PLACES[info.placement], **numbers, frames="body")
+    model = model.with_initial_state(
+        np.concatenate([np.zeros(3), lw.rotation.about(axis, 1e-3)]), np.zeros(6)
+    )
+    with pytest.warns(lw.LinkworkWarning):
+        result = lw.simulate(model, t_end=1e-3, step=1e-3, stabilization="none", assemble=False)
+    _, askew = violations(result, np.arange(1))
+    core = model.compiled()
+    rows = [name.startswith("rotation") for name in info.equations]
+    phi = lw.System(model).compiled().evaluate(0.0, core.q0, core.v0)["Phi"][rows]
+    assert askew[0, 0] > 1e-4
+    assert askew[0, 0] == pytest.approx(np.linalg.norm(phi), rel=1e-3)
+
+
+def test_distance_held_is_compared_with_its_length() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1, inertia=(1, 1, 1))
+    model.distance("ground", body, at=((0, 0, 0), (0.3, 0, 0.4)), length=0.49, frames="body")
+    with pytest.warns(lw.LinkworkWarning):
+        result = lw.simulate(model, t_end=1e-3, step=1e-3, stabilization="none", assemble=False)
+    apart, askew = violations(result, np.arange(1))
+    assert apart[0, 0] == pytest.approx(0.01, rel=1e-9)
+    assert not askew.any()

@@ -178,6 +178,46 @@ def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -
     assert_whole(result)
 
 
+BEGIN_A_LARGE_FILE = """
+    import sys, synthetic
+    from linkwork.result_file import ResultWriter
+    header = synthetic.header(20000, 20000)
+    print("started", flush=True)
+    while True:
+        ResultWriter(sys.argv[1], header, run="new").close()
+"""
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_file_of_a_writer_killed_while_it_begins_opens(tmp_path: Path, seed: int) -> None:
+    """Over an old file: it is the old or the new one, at every moment."""
+    ResultWriter(tmp_path / "run.h5", synthetic.header(), run="old").close()
+    writer = start(BEGIN_A_LARGE_FILE, tmp_path / "run.h5")
+    assert writer.stdout is not None
+    writer.stdout.readline()
+    time.sleep(random.Random(seed).uniform(0.0, 0.3))
+    writer.kill()
+    writer.wait()
+    assert len(Result.load(tmp_path / "run.h5")) == 0
+
+
+def test_read_only_file_is_not_replaced(tmp_path: Path) -> None:
+    if os.geteuid() == 0:
+        pytest.skip("root may write anywhere")
+    (tmp_path / "run.h5").write_bytes(b"kept")
+    (tmp_path / "run.h5").chmod(0o444)
+    with pytest.raises(FileError, match="permission denied"):
+        ResultWriter(tmp_path / "run.h5", synthetic.header())
+    assert (tmp_path / "run.h5").read_bytes() == b"kept"
+
+
+def test_output_that_is_a_link_is_written_through(tmp_path: Path) -> None:
+    (tmp_path / "link.h5").symlink_to(tmp_path / "run.h5")
+    ResultWriter(tmp_path / "link.h5", synthetic.header()).close()
+    assert (tmp_path / "link.h5").is_symlink() and (tmp_path / "run.h5").is_file()
+    assert len(Result.load(tmp_path / "link.h5")) == 0
+
+
 SIMULATE_FOR_AN_HOUR = """
     import sys, linkwork as lw
     model = lw.Model()

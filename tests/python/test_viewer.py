@@ -287,3 +287,48 @@ def test_meshes_are_drawn_in_their_color(tab: chromium.Page, tmp_path: Path) -> 
     assert green.mean() > 0.02
     assert green[int(expected[1]), int(expected[0])]
     assert tab.complaints == []
+
+
+def test_springs_reach_from_point_to_point(tab: chromium.Page, tmp_path: Path) -> None:
+    """Ends of the coil in the picture, against the points of the bodies, at three times."""
+    model = lw.Model(gravity=(0, 0, -9.81))
+    body = model.body("body", mass=1, inertia=(0.1, 0.1, 0.2), position=(0, 0, -1), omega=(3, 1, 2))
+    model.spring_damper("ground", body, at=((0.3, 0, 0), (0.1, 0.2, -0.9)), stiffness=50, name="rope")
+    result = lw.simulate(model, t_end=1.0, step=1e-2)
+    opened(tab, result.view(), tmp_path)
+    coil = "linkwork.world.figures[0].parts.find((it) => it.layer === 'force').mesh"
+    for frame in (0, 40, 100):
+        tab.evaluate(f"linkwork.player.seek({float(result.t[frame])!r})")
+        m = np.reshape(tab.evaluate(f"Array.from({coil}.instanceMatrix.array)"), (4, 4)).T
+        ends = [m @ (0, 0, z, 1) for z in (-0.5, 0.5)]
+        A = lw.rotation.matrix(result.q[frame, 0, 3:])
+        expected = result.position[frame, 0] + A @ (0.1, 0.2, 0.1)
+        np.testing.assert_allclose(ends[0][:3], (0.3, 0, 0), atol=1e-6)
+        np.testing.assert_allclose(ends[1][:3], expected, atol=1e-4)
+    tab.evaluate("document.querySelector('input[data-show=forces]').click()")
+    assert tab.evaluate(f"{coil}.visible") is False
+    assert tab.complaints == []
+
+
+def test_joint_whose_axes_are_askew_is_colored_by_it(tab: chromium.Page, tmp_path: Path) -> None:
+    """1e-3 rad at an arm of 0.5 m counts as 5e-4 m; the legend says so."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1, inertia=(1, 1, 1), position=(0.5, 0, 0))
+    model.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    turn = lw.rotation.about((0, 1, 0), 1e-3)
+    turned = model.with_initial_state([*(lw.rotation.matrix(turn) @ (0.5, 0, 0)), *turn], np.zeros(6))
+    with pytest.warns(lw.LinkworkWarning):
+        result = lw.simulate(turned, t_end=1e-2, step=1e-3, stabilization="none", assemble=False)
+    opened(tab, result.view(), tmp_path)
+    power = tab.evaluate("linkwork.runs[0].violationOf(0)")
+    assert 10**power == pytest.approx(5e-4, rel=1e-3)
+    tab.evaluate(
+        "(() => { const s = document.querySelector('.coloring'); s.value = 'gap';"
+        " s.dispatchEvent(new Event('change')) })()"
+    )
+    assert "angles times 0.5 m" in tab.evaluate("document.querySelector('.gap-key').textContent")
+    pin = "linkwork.world.figures[0].parts.find((it) => it.layer === 'joint').mesh.instanceColor.array"
+    bright = tab.evaluate(f"Array.from({pin}).slice(0, 3)")
+    assert bright[0] > 2 * bright[2]  # yellow to red, not blue
+    tab.evaluate("linkwork.panels[0].choose('gap', 'pin')")
+    assert "axes askew" in tab.evaluate("linkwork.panels[0].element.querySelector('.legend').textContent")

@@ -43,7 +43,7 @@ def run(words: list[str], debug: bool) -> int:
     except click.exceptions.Exit as end:
         return end.exit_code
     except click.ClickException as error:
-        return _complain(_sentence(error.format_message()), 2)
+        return _complain(_sentence(error), 2)
     except (KeyboardInterrupt, click.Abort) as stop:
         return _complain(str(stop) or "interrupted", 130)
     except BrokenPipeError:
@@ -68,9 +68,28 @@ def _complain(message: str, code: int) -> int:
     return code
 
 
-def _sentence(message: str) -> str:
-    """click's messages in the manner of ours: no capital, no full stop."""
-    message = message.strip().rstrip(".")
+#: click's words, and ours.
+_WORDS = {
+    "is not a valid float range": "is not a number",
+    "is not a valid float": "is not a number",
+    "is not a valid integer range": "is not a whole number",
+    "is not a valid integer": "is not a whole number",
+    "requires an argument": "needs a value, which you give after it",
+    "Choose from:": "choose from",
+}
+
+#: A message with one of these says what to do.
+_ADVICE = ("the nearest is", "choose from", "not one of", "needs a", "write ", "give ", "such as")
+
+
+def _sentence(error: click.ClickException) -> str:
+    """click's messages in the manner of ours: one line, no capital, no full stop, and what to do."""
+    message = " ".join(error.format_message().split()).rstrip(".")
+    for theirs, ours in _WORDS.items():
+        message = message.replace(theirs, ours)
+    context = getattr(error, "ctx", None)
+    if context is not None and not any(advice in message for advice in _ADVICE):
+        message += f"; `{context.command_path} --help` shows what is possible"
     return message[:1].lower() + message[1:]
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from linkwork.cli import base
+from linkwork.cli import base, shells
 
 
 @click.group(cls=base.Group, what="benchmark")
@@ -42,6 +42,7 @@ MECHANISM = click.option(
     default="chain",
     show_default=True,
     metavar="NAME",
+    shell_complete=shells.names_of("mechanism", files=True),
     help="A mechanism of `linkwork list`, or a file.",
 )
 PARAMETERS = click.option(

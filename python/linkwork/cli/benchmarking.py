@@ -91,7 +91,7 @@ def _converted(name: str, value: str, kind: type) -> Any:
     try:
         return WORDS[value.lower()] if kind is bool else kind(value)
     except (KeyError, ValueError):
-        raise OptionError(f"{name}={value}: not a valid {kind.__name__}", code="parameter") from None
+        raise OptionError(f"{name}={value}: give a value of type {kind.__name__}", code="parameter") from None
 
 
 def _whole_numbers(words: str) -> list[int]:

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.shell_completion import CompletionItem
 
-from linkwork.cli import base
+from linkwork.cli import base, shells
 from linkwork.cli.bench_commands import bench
 from linkwork.cli.report import report
 from linkwork.cli.view import view
@@ -22,7 +23,9 @@ Action = Callable[..., None]
 
 @click.group(context_settings=SETTINGS, cls=base.Group, invoke_without_command=True)
 @click.version_option(package_name="linkwork", message="%(prog)s %(version)s")
-@click.option("--log", metavar="FILE", help="Append what happens to this file; before the command.")
+@click.option(
+    "--log", type=click.Path(), metavar="FILE", help="Append what happens to this file; before the command."
+)
 @click.pass_context
 def linkwork(context: click.Context, log: str | None) -> None:
     """Simulate spatial mechanisms and compare the methods that solve their equations.
@@ -78,6 +81,10 @@ class MechanismGroup(base.Group):
             "linearize": mechanism_commands.linearize_command,
         }[self.name or ""]
         return make(name, named(name)) if name in MECHANISMS or is_file(name) else None
+
+    def shell_complete(self, context: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Names, or files where none begins like that."""
+        return super().shell_complete(context, incomplete) or [CompletionItem(incomplete, type="file")]
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
         from linkwork.mechanisms import MECHANISMS
@@ -158,7 +165,7 @@ linkwork.add_command(bench)
 
 
 @linkwork.command()
-@click.argument("problems", nargs=-1, metavar="[PROBLEM]...")
+@click.argument("problems", nargs=-1, metavar="[PROBLEM]...", shell_complete=shells.names_of("problem"))
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 @click.pass_context
 def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -> None:
@@ -196,7 +203,12 @@ def list_mechanisms(as_json: bool) -> None:
 
 @linkwork.command()
 @click.option(
-    "--output-dir", default=".", show_default=True, metavar="DIR", help="Where the result and the picture go."
+    "--output-dir",
+    default=".",
+    show_default=True,
+    type=click.Path(),
+    metavar="DIR",
+    help="Where the result and the picture go.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def demo(output_dir: str, as_json: bool) -> None:
@@ -242,8 +254,8 @@ def schema() -> None:
 
 
 @linkwork.command()
-@click.argument("source", metavar="IN")
-@click.argument("target", metavar="OUT")
+@click.argument("source", type=click.Path(), metavar="IN")
+@click.argument("target", type=click.Path(), metavar="OUT")
 @click.option(
     "--floating/--fixed", default=None, help="Links that nothing carries move freely, or are the ground."
 )

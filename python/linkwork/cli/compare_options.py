@@ -16,7 +16,7 @@ class Words(click.ParamType):  # type: ignore[type-arg]  # generic in newer vers
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         words = [word.strip() for word in str(value).split(",") if word.strip()]
-        return words or self.fail("names nothing", param, context)
+        return words or self.fail("names nothing; write words with commas between", param, context)
 
 
 class Numbers(Words):
@@ -41,10 +41,11 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
     ("stabilizations", Words(), "Such as none,projection,baumgarte:5:5,'baumgarte:1/h:sqrt(2)/h'."),
     ("integrators", Words(), "Such as rk4,dopri5,phem56."),
     ("linear_solvers", Words(), "Such as block,cholmod,umfpack."),
-    ("reference", str, "Result file of a known solution; without it one is computed."),
+    ("reference", click.Path(), "Result file of a known solution; without it one is computed."),
+    ("reference_error", float, "Its own error, as state errors are measured, where it is known."),
     ("processes", click.IntRange(min=1), "Runs at the same time; without it one a processor."),
     ("time_limit", float, "Of one run, wall time [s]."),
-    ("resume", str, "Folder that keeps every finished run, and from which a comparison goes on."),
+    ("resume", click.Path(), "Folder that keeps every finished run, and from which a comparison goes on."),
 )
 
 NAMES = tuple(name for name, _, _ in _OPTIONS)
@@ -56,9 +57,11 @@ def options() -> list[click.Option]:
         *(click.Option(["--" + name.replace("_", "-"), name], type=kind, help=text,
                        shell_complete=shells.names_of(name.removesuffix("s")))
           for name, kind, text in _OPTIONS),
-        click.Option(["--error"], type=float, default=1e-3, show_default=True,
+        click.Option(["--error"], type=click.FloatRange(0, min_open=True), default=1e-3, show_default=True,
                      help="State error for which a method is recommended; 1 is the size of the motion."),
-        click.Option(["--html"], metavar="FILE", help="Write a page with table and pictures."),
-        click.Option(["--csv"], metavar="FILE", help="Write the table."),
-        click.Option(["--plot"], metavar="FILE", help="Write the error over time spent (.png, .pdf, .svg)."),
+        click.Option(["--html"], type=click.Path(), metavar="FILE",
+                     help="Write a page with table and pictures."),
+        click.Option(["--csv"], type=click.Path(), metavar="FILE", help="Write the table."),
+        click.Option(["--plot"], type=click.Path(), metavar="FILE",
+                     help="Write the error over time spent (.png, .pdf, .svg)."),
     ]  # fmt: skip

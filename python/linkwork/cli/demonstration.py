@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from linkwork.cli import output as out
-from linkwork.errors import FileError
+from linkwork.errors import FileError, cause
 
 if TYPE_CHECKING:
     from linkwork.result import Result
@@ -167,5 +167,6 @@ def _make_directory(path: str) -> None:
     try:
         Path(path).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise FileError(f"output directory '{path}': cannot be made: {(error.strerror or '').lower()}",
-                        code="not_writable") from error  # fmt: skip
+        raise FileError(
+            f"output directory '{path}': cannot be made: {cause(error)}", code="not_writable"
+        ) from error

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 
-from linkwork.errors import FileError
+from linkwork.errors import unwritable
 
 FORMAT = "%(asctime)s %(levelname)s %(name)s: %(message)s"
 
@@ -14,9 +14,7 @@ def write_to(path: str) -> None:
     try:
         handler = logging.FileHandler(path, encoding="utf-8")
     except OSError as error:
-        raise FileError(
-            f"log '{path}': cannot be written: {(error.strerror or str(error)).lower()}", code="not_writable"
-        ) from error
+        raise unwritable("log", path, error) from error
     handler.setFormatter(logging.Formatter(FORMAT))
     logger = logging.getLogger("linkwork")
     logger.addHandler(handler)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import math
 import os
@@ -10,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from linkwork.errors import FileError
+from linkwork.errors import FileError, unwritable
 
 
 def print_json(document: Any) -> None:
@@ -50,11 +51,14 @@ def check_writable(path: str | os.PathLike[str]) -> None:
     """FileError, before a long run, where a file to be written at its end could not be."""
     parent = Path(path).absolute().parent
     if not parent.is_dir():
-        raise FileError(f"output '{path}': cannot be written: no directory '{parent}'", code="not_writable")
+        raise FileError(
+            f"output '{path}': cannot be written: no directory '{parent}'; make it, or choose another place",
+            code="not_writable",
+        )
     if Path(path).is_dir():
-        raise FileError(f"output '{path}': cannot be written: is a directory", code="not_writable")
+        raise unwritable("output", path, OSError(errno.EISDIR, ""))
     if not os.access(path if os.path.exists(path) else parent, os.W_OK):
-        raise FileError(f"output '{path}': cannot be written: permission denied", code="not_writable")
+        raise unwritable("output", path, OSError(errno.EACCES, ""))
 
 
 def _plain(value: Any) -> Any:

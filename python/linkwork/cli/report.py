@@ -7,15 +7,16 @@ from pathlib import Path
 import click
 
 import linkwork as lw
-from linkwork.cli import base
+from linkwork.cli import base, shells
 from linkwork.errors import nearest
 
 
 @click.command(cls=base.Command)
-@click.argument("subject", metavar="NAME|FILE")
+@click.argument("subject", metavar="NAME|FILE", shell_complete=shells.names_of("mechanism", files=True))
 @click.option(
-    "--output", "-o", required=True, metavar="PAGE", help="Write the page there, such as report.html."
-)
+    "--output", "-o", required=True, type=click.Path(), metavar="PAGE",
+    help="Write the page there, such as report.html.",
+)  # fmt: skip
 @click.option("--t-end", type=float, metavar="S", help="End of the run of a mechanism [s].")
 @click.option("--step", type=float, metavar="S", help="Its step [s].")
 def report(subject: str, output: str, t_end: float | None, step: float | None) -> None:

@@ -22,7 +22,7 @@ class _Limits(click.ParamType):  # type: ignore[type-arg]  # generic in newer ve
             pairs = (word.partition("=") for word in value.split(","))
             return {level.strip(): float(limit) for level, _, limit in pairs}
         except ValueError:
-            self.fail(f"'{value}' is neither a number nor LEVEL=NUMBER,...", param, context)
+            self.fail(f"'{value}' is no limit; write 1e-8, or position=1e-8,velocity=1e-6", param, context)
 
 
 #: name of the argument of `simulate`, type, help
@@ -54,6 +54,11 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
         "Of positions, or by level: position=1e-8,velocity=1e-6,acceleration=1e-9.",
     ),
     ("on_violation", str, "Beyond --violation-limit: record, project or stop."),
+    (
+        "start",
+        click.Path(),
+        "Go on from the last frame of this result file, which is of the same mechanism, at its time.",
+    ),
     ("record_every", int, "Steps between recorded frames; without it about 1000 frames."),
 )
 
@@ -77,7 +82,15 @@ def outputs() -> list[click.Option]:
     """Where the results go."""
     return [
         click.Option(
-            ["--output"], metavar="FILE", help="Write the result to this HDF5 file, while the run goes on."
+            ["--output"],
+            type=click.Path(),
+            metavar="FILE",
+            help="Write the result to this HDF5 file, while the run goes on.",
         ),
-        click.Option(["--plot"], metavar="FILE", help="Write a picture of the result (.png, .pdf, .svg)."),
+        click.Option(
+            ["--plot"],
+            type=click.Path(),
+            metavar="FILE",
+            help="Write a picture of the result (.png, .pdf, .svg).",
+        ),
     ]

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
 from linkwork.errors import OptionError
+from linkwork.result import Result, Snapshot
 
 if TYPE_CHECKING:
+    from linkwork import Model
     from linkwork.mechanisms import Mechanism
 
 
@@ -31,8 +33,11 @@ def simulate_and_show(
         out.check_writable(plot)
         plotting.check_format(plot)
     model = mechanism.function(**parameters)
+    settings = _settings(mechanism, options)
+    if "start" in settings:
+        settings["start"] = _last_state(settings["start"], model, settings["t_end"])
     try:
-        result = lw.simulate(model, **_settings(mechanism, options), output=output)
+        result = lw.simulate(model, **settings, output=output)
     except KeyboardInterrupt as stop:
         raise KeyboardInterrupt(
             f"interrupted; '{output}' has the frames so far" if output else "interrupted"
@@ -63,6 +68,29 @@ def _settings(mechanism: Mechanism, options: Mapping[str, Any]) -> dict[str, Any
             "t_end is missing: give --t-end, or `simulation: {t_end: ...}` in the file", code="t_end"
         )
     return settings
+
+
+def _last_state(path: str, model: Model, t_end: float) -> Snapshot:
+    """Of a result file. OptionError: it is of other bodies, has no frame, or ends too late."""
+    found = Result.load(path)
+    core = model.compiled()
+    own = [core.body_name(body) for body in range(core.body_count)]
+    if list(found.body_names) != own:
+        raise OptionError(
+            f"start '{path}': its bodies ({len(found.body_names)}) are not those of this mechanism "
+            f"({len(own)}): give a result of the same mechanism with the same parameters",
+            code="start",
+        )
+    if not len(found):
+        raise OptionError(f"start '{path}': has no frame to go on from: give another result", code="start")
+    last = found.snapshot()
+    if last.t >= t_end:
+        raise OptionError(
+            f"start '{path}': its last frame is at {last.t:g} s, the end of the run at {t_end:g} s: "
+            "give a later --t-end",
+            code="start",
+        )
+    return last
 
 
 def _recommended(mechanism: Mechanism, options: Mapping[str, Any]) -> dict[str, Any]:

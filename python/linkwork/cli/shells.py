@@ -11,6 +11,12 @@ from click.shell_completion import CompletionItem
 
 PROGRAM, VARIABLE = "linkwork", "_LINKWORK_COMPLETE"
 
+#: Where zsh has not begun its completion yet.
+ZSH_BEGINS = "(( $+functions[compdef] )) || { autoload -Uz compinit && compinit }\n"
+
+#: Options of which linkwork.options knows the names.
+CHOICES = ("formulation", "stabilization", "linear_solver", "system", "on_singular", "on_violation")
+
 Completion = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
 
 
@@ -18,7 +24,8 @@ def script(command: click.Command, shell: str) -> str:
     """What the shell has to read."""
     found = shell_completion.get_completion_class(shell)
     assert found is not None
-    return found(command, {}, PROGRAM, VARIABLE).source()
+    text: str = found(command, {}, PROGRAM, VARIABLE).source()
+    return text.replace("#compdef linkwork\n", f"#compdef linkwork\n{ZSH_BEGINS}") if shell == "zsh" else text
 
 
 def complete(command: click.Command) -> int:
@@ -26,15 +33,16 @@ def complete(command: click.Command) -> int:
     return shell_completion.shell_complete(command, {}, PROGRAM, VARIABLE, os.environ[VARIABLE])
 
 
-def names_of(option: str) -> Completion | None:
-    """Names that an option takes; of a list the word after the last comma is completed."""
+def names_of(option: str, *, files: bool = False) -> Completion | None:
+    """Names that an option takes, or (`files`) a file; of a list the word after the last comma."""
     known = _KNOWN.get(option)
     if known is None:
         return None
 
     def complete_name(context: click.Context, parameter: click.Parameter, word: str) -> list[CompletionItem]:
         before, comma, begun = word.rpartition(",")
-        return [CompletionItem(before + comma + name) for name in known() if name.startswith(begun)]
+        found = [CompletionItem(before + comma + name) for name in known() if name.startswith(begun)]
+        return found or ([CompletionItem(word, type="file")] if files else [])
 
     return complete_name
 
@@ -45,27 +53,30 @@ def _integrators() -> Iterable[str]:
     return METHODS
 
 
-def _formulations() -> Iterable[str]:
-    from linkwork import _core
+def _mechanisms() -> Iterable[str]:
+    from linkwork.mechanisms import MECHANISMS
 
-    return [info.name for info in _core.formulations()]
-
-
-def _stabilizations() -> Iterable[str]:
-    from linkwork import _core
-
-    return [info.name for info in _core.stabilizations()]
+    return MECHANISMS
 
 
-def _linear_solvers() -> Iterable[str]:
-    from linkwork import _core
+def _problems() -> Iterable[str]:
+    from linkwork.validation import PROBLEMS
 
-    return ["auto", *(info.name for info in _core.linear_solvers())]
+    return PROBLEMS
+
+
+def _choices(option: str) -> Callable[[], Iterable[str]]:
+    def known() -> Iterable[str]:
+        from linkwork.options import names
+
+        return names()[option]
+
+    return known
 
 
 _KNOWN: dict[str, Callable[[], Iterable[str]]] = {
     "integrator": _integrators,
-    "formulation": _formulations,
-    "stabilization": _stabilizations,
-    "linear_solver": _linear_solvers,
+    **{option: _choices(option) for option in CHOICES},
+    "mechanism": _mechanisms,
+    "problem": _problems,
 }

@@ -8,9 +8,15 @@ from linkwork.cli import base
 
 
 @click.command(cls=base.Command)
-@click.argument("file")
-@click.option("--html", "page", metavar="PAGE", help="Write the page there instead of opening a browser.")
-@click.option("--with", "other", metavar="FILE", help="A second run, laid over the first.")
+@click.argument("file", type=click.Path())
+@click.option(
+    "--html",
+    "page",
+    type=click.Path(),
+    metavar="PAGE",
+    help="Write the page there instead of opening a browser.",
+)
+@click.option("--with", "other", type=click.Path(), metavar="FILE", help="A second run, laid over the first.")
 @click.option(
     "--limit", type=click.FloatRange(min=0, min_open=True), default=16.0, show_default=True, metavar="MB",
     help="Most recorded data in the page; frames beyond are left out evenly.",

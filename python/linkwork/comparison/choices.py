@@ -12,6 +12,7 @@ from typing import Any
 from linkwork import integrators
 from linkwork.errors import OptionError
 from linkwork.integrators import EmbeddedPair
+from linkwork.options import check_name, names
 
 __all__ = ["DEFAULT_CHOICES", "Cell", "Choice", "Entry", "cells", "choices"]
 
@@ -190,6 +191,7 @@ def _entry(axis: str, entry: Entry) -> Mapping[str, Any]:
     if len(numbers) > len(known):
         takes = f"takes {' and '.join(known)}" if known else "takes no numbers"
         raise OptionError(f"{axis} '{entry}': {name} {takes}, not {len(numbers)} numbers", code=axis)
+    check_name(axis, name, integrators.METHODS if axis == "integrator" else names()[axis])
     given = {option: _read(entry, number) for option, number in zip(known, numbers, strict=False)}
     return {axis: name, **given}
 

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from linkwork.comparison import runs
-from linkwork.comparison.choices import Cell, Entry, cells, choices
+from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
-from linkwork.comparison.reference import GOOD_ENOUGH, Reference, given_reference, solved_reference
+from linkwork.comparison.reference import GOOD_ENOUGH, Floats, Reference, given_reference, solved_reference
 from linkwork.comparison.runs import Outcome, Runs, Sampling
 from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
@@ -48,6 +48,7 @@ def compare(
     steps: Iterable[float] | float | None = None,
     tolerances: Iterable[float] | float | None = None,
     reference: Result | str | os.PathLike[str] | None = None,
+    reference_error: float | None = None,
     processes: int | None = None,
     time_limit: float | None = None,
     resume: str | os.PathLike[str] | None = None,
@@ -68,6 +69,8 @@ def compare(
     tolerances      rtol of steps that follow it (atol = rtol / 1000), for integrators with an error estimate
     reference       a known solution, with frames at multiples of the steps; None: one is computed by DOP853
                     with projection at a tight tolerance, its own error by a second, tighter one
+    reference_error
+                    of a known solution, as state errors are measured, where it is known
     processes       at the same time; None: one a processor
     time_limit      of one cell [s]; beyond it the cell is lost
     resume          a folder in which every finished cell is kept at once, and from which an interrupted
@@ -76,47 +79,73 @@ def compare(
     options         further options of every cell, see linkwork.options.Options
 
     A cell that is refused, diverges or fails does not stop the others: its `status` and `reason` say so.
-    Figures are those of `simulate` with the options of the cell, at up to 200 frames. Times are of processes
+    Figures are those of `simulate` with the options of the cell, the largest of up to 200 frames, not of all
+    steps. Times are of processes
     that run side by side: fewer of them than processors give better ones.
 
     OptionError: a grid without cells, no reference. ModelError: the model cannot be simulated. FileError: of
     `reference` or `resume`. LinkworkWarning: the reference is too inaccurate to compare with.
     """
     model, t_end, recommended = _resolved(model, t_end)
-    for name, number in (("processes", processes), ("time_limit", time_limit)):
+    _check(processes, time_limit, reference, reference_error, options)
+    axes = (formulations, stabilizations, integrators, linear_solvers)
+    rtols, asked = _numbers("tolerances", tolerances) or [], _numbers("steps", steps)
+    methods = choices(*axes, options, adaptive=bool(rtols) and not asked)
+    if asked is None and not rtols:
+        asked = usual_steps(recommended) if recommended is not None else None
+        if asked is None and reference is None:
+            asked = _suggested_steps(model, t_end, processes)
+    grid = _grid(methods, asked or [], rtols)
+    store = _store(resume, model, t_end, reference)
+    count = processes or processor_count()
+    known = {} if store is None else store.found()
+    log.info("comparison of %s: %d runs, %d of them known", model.name or "model", len(grid),
+             sum(item.key in known for item in grid))  # fmt: skip
+    with counting(progress, 1 + len(grid)) as report:
+        sampling = Sampling.of(t_end, asked or [], frame_bytes(model))
+        if reference is not None:
+            exact = _checked(given_reference(reference, reference_error), model, t_end)
+        else:
+            exact = _solved(model, t_end, sampling.times(asked or []), store, count, report)
+        times = exact.motion.t if reference is not None else None
+        task = Runs(model, t_end, sampling, exact, times)
+        found = _run(task, grid, known, store, count, time_limit, report)
+    manifest = {"model": model.name, "model_hash": model.hash(), "processes": count, **platform_facts()}
+    outcomes = [it for it in found if isinstance(it, Outcome)]
+    return Comparison(outcomes, exact, t_end, manifest, [it for it in found if isinstance(it, OrderStudy)])
+
+
+def _check(
+    processes: int | None,
+    time_limit: float | None,
+    reference: object,
+    reference_error: float | None,
+    options: Mapping[str, Any],
+) -> None:
+    """OptionError: numbers that are not positive, options that there are not."""
+    numbers = {"processes": processes, "time_limit": time_limit, "reference_error": reference_error}
+    for name, number in numbers.items():
         if number is not None:
             check_number(name, number, positive=True)
+    if reference_error is not None and reference is None:
+        raise OptionError(
+            "reference_error is that of a known solution: give reference, too, or leave it to be estimated",
+            code="conflict",
+        )
     for name in options:
         if name not in Options.__annotations__:
             raise OptionError(f"option '{name}' does not exist{nearest(name, _NAMES)}", code="option")
-    rtols, asked = _numbers("tolerances", tolerances) or [], _numbers("steps", steps)
-    adaptive = bool(rtols) and not asked
-    methods = choices(formulations, stabilizations, integrators, linear_solvers, options, adaptive=adaptive)
-    if asked is None and not rtols and recommended is not None:
-        asked = usual_steps(recommended)
-    if asked is None and not rtols and reference is None:
-        asked = _suggested_steps(model, t_end, processes)
-    if not asked and not rtols:
+
+
+def _grid(methods: Sequence[Choice], steps: Sequence[float], rtols: Sequence[float]) -> list[Cell | Study]:
+    """Every method at every step and tolerance, and a study of its order. OptionError: there are none."""
+    if not steps and not rtols:
         raise OptionError(
             "steps and tolerances are missing: give steps=[1e-2, 5e-3] [s] or tolerances=[1e-6, 1e-8]",
             code="step",
         )
-    grid = cells(methods, asked or [], rtols)
-    store = _store(resume, model, t_end, reference)
-    sampling = Sampling.of(t_end, asked or [], frame_bytes(model))
-    known = {} if store is None else store.found()
-    studies = [Study(choice, max(asked), min(asked)) for choice in methods] if asked else []
-    count = processes or processor_count()
-    log.info("comparison of %s: %d cells, %d of them known", model.name or "model", len(grid),
-             sum(cell.key in known for cell in grid))  # fmt: skip
-    with counting(progress, 1 + len(grid) + len(studies)) as report:
-        exact = _reference(model, t_end, sampling, asked or [], reference, store, count, report)
-        times = exact.motion.t if reference is not None else None
-        task = Runs(model, t_end, sampling, exact, times)
-        found = _run(task, [*grid, *studies], known, store, count, time_limit, report)
-    manifest = {"model": model.name, "model_hash": model.hash(), "processes": count, **platform_facts()}
-    outcomes = [it for it in found if isinstance(it, Outcome)]
-    return Comparison(outcomes, exact, t_end, manifest, [it for it in found if isinstance(it, OrderStudy)])
+    studies = [Study(choice, max(steps), min(steps)) for choice in methods] if steps else []
+    return [*cells(methods, steps, rtols), *studies]
 
 
 def _numbers(name: str, given: Any) -> list[float] | None:
@@ -163,19 +192,15 @@ def _run(
     return [found[item.key] for item in items]
 
 
-def _reference(
+def _solved(
     model: Model,
     t_end: float,
-    sampling: Sampling,
-    steps: Sequence[float],
-    given: Result | str | os.PathLike[str] | None,
+    times: Floats,
     store: Store | None,
     processes: int,
     report: Callable[[int, str], None],
 ) -> Reference:
-    if given is not None:
-        return _checked(given_reference(given), model, t_end)
-    times = sampling.times(steps)
+    """The one in the store, or a new one. LinkworkWarning: it is too inaccurate to compare with."""
     stored = store.reference() if store is not None else None
     if stored is not None and len(stored.motion.at(times)[1]) == len(times):
         return stored

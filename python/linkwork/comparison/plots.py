@@ -160,11 +160,10 @@ def _dress(ax: Axes, comparison: Comparison) -> None:
 
 
 def _save(figure: Figure, path: str | os.PathLike[str]) -> None:
-    from linkwork.errors import FileError
+    from linkwork.errors import unwritable
 
     check_format(path)
     try:
         figure.savefig(path, dpi=130)
     except OSError as error:
-        reason = os.strerror(error.errno).lower() if error.errno else str(error)
-        raise FileError(f"picture '{path}': cannot be written: {reason}", code="not_writable") from error
+        raise unwritable("picture", path, error) from error

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,9 +18,12 @@ from linkwork.model import Model
 from linkwork.result import Result
 from linkwork.simulation import simulate
 
-__all__ = ["Reference", "given_reference", "solved_reference"]
+__all__ = ["ERRORS", "Reference", "given_reference", "solved_reference"]
 
 Floats = NDArray[np.float64]
+
+#: Of a run against the reference, see `measures`.
+ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")
 
 #: Tried one after the other: rtol; each is judged by a run with a tolerance ten times smaller.
 TOLERANCES, TIGHTER = (1e-12, 1e-11, 1e-10), 0.1
@@ -66,13 +69,22 @@ def largest(differences: Differences, scales: Scales) -> dict[str, float]:
     }
 
 
-def given_reference(reference: Result | str | os.PathLike[str]) -> Reference:
-    """A known solution; its error is not known. FileError: the file cannot be read."""
+def given_reference(
+    reference: Result | str | os.PathLike[str], state_error: float | None = None
+) -> Reference:
+    """A known solution; its error is what its owner says, if anything. FileError: the file cannot be read.
+
+    A statement about states is one about poses and velocities; reactions are taken to be as good.
+    """
     result = reference if isinstance(reference, Result) else Result.load(reference)
     name = "given result" if isinstance(reference, Result) else str(reference)
     options = result.manifest.get("options", {})
     words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
-    return _made(result, ": ".join(filter(None, [name, ", ".join(words)])), None)
+    words += [f"{key} {options[key]:g}" for key in ("step", "rtol") if options.get(key)]
+    made = _made(result, ": ".join(filter(None, [name, ", ".join(words)])), None)
+    if state_error is None:
+        return made
+    return replace(made, error=dict.fromkeys(ERRORS, state_error))
 
 
 def solved_reference(

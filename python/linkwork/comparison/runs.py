@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from linkwork.comparison import order
 from linkwork.comparison.choices import Cell
 from linkwork.comparison.measures import Differences, Sampled
-from linkwork.comparison.reference import Reference, largest
+from linkwork.comparison.reference import ERRORS, Reference, largest
 from linkwork.errors import (
     LinkworkError,
     ModelError,
@@ -40,9 +40,6 @@ FRAMES, FEWEST_FRAMES = 200, 20
 
 #: And the memory that they may take [bytes].
 RUN_BYTES = 2**28
-
-#: Of a run against the reference, see `measures`.
-ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")
 
 #: Kept of the statistics of a run.
 COUNTS = ("steps", "rejected_steps", "evaluations", "factorizations", "iterations", "singular_poses")

@@ -21,7 +21,7 @@ from linkwork.comparison.measures import Sampled, Scales
 from linkwork.comparison.order import OrderStudy, Study
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import Outcome
-from linkwork.errors import FileError
+from linkwork.errors import FileError, unwritable
 
 __all__ = ["Store"]
 
@@ -114,5 +114,4 @@ class Store:
                 )
 
     def _unwritable(self, error: OSError) -> FileError:
-        reason = os.strerror(error.errno).lower() if error.errno else str(error)
-        return FileError(f"folder '{self.folder}': cannot be written: {reason}", code="not_writable")
+        return unwritable("folder", self.folder, error)

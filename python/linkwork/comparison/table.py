@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import ERRORS, Outcome
-from linkwork.errors import FileError, OptionError, nearest
+from linkwork.errors import OptionError, nearest, unwritable
 
 if TYPE_CHECKING:
     import pandas
@@ -102,7 +102,7 @@ class Comparison:
                     f"{best.label} with {_with(best)}; try smaller steps.")  # fmt: skip
         best = min(meeting, key=lambda it: (getattr(it, by), getattr(it, of)))
         cost = f"{getattr(best, by):.3g} s" if by == "seconds" else f"{getattr(best, by):,} {COSTS[by]}"
-        doubt = ""
+        doubt = "" if self.reference.error else ", if the reference is that good: its own error is not stated"
         if self.reference.error is not None and self.reference.error[of] > error / ABOVE_REFERENCE:
             doubt = f", though the reference itself is only known to {self.reference.error[of]:.1g}"
         return (f"The cheapest of {len(meeting)} cells that meet a {what} of {error:.2g} is {best.label} "
@@ -264,8 +264,7 @@ def _written(text: str, path: str | os.PathLike[str] | None) -> str:
         beside.write_text(text, encoding="utf-8")
         os.replace(beside, path)
     except OSError as error:
-        reason = os.strerror(error.errno).lower() if error.errno else str(error)
-        raise FileError(f"output '{path}': cannot be written: {reason}", code="not_writable") from error
+        raise unwritable("output", path, error) from error
     finally:
         with contextlib.suppress(OSError):
             beside.unlink(missing_ok=True)

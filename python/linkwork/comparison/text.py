@@ -68,7 +68,9 @@ def notes(comparison: Comparison) -> list[str]:
     """What the table rests on, and why cells are missing."""
     reference = comparison.reference
     own = (
-        f"own error about {reference.error['state_error']:.1e}" if reference.error else "own error not known"
+        f"own error about {reference.error['state_error']:.1e}"
+        if reference.error
+        else "own error not stated: smaller errors cannot be told from it"
     )
     scales = reference.scales
     unique = f"{len(reference.unique_joints)} of {reference.joint_count}"
@@ -77,7 +79,8 @@ def notes(comparison: Comparison) -> list[str]:
         reactions = "reactions are not compared: those of no joint follow from the motion"
     found = [
         f"Reference: {reference.description}; {own}.",
-        f"Errors: largest over {_frames(comparison)}; of poses relative to {scales.length:.3g} m and 1 rad, "
+        f"Errors, violations, energies: largest over {_frames(comparison)} of each run.",
+        f"Errors: of poses relative to {scales.length:.3g} m and 1 rad, "
         f"of velocities to {scales.speed:.3g} m/s, {reactions}.",
         "Order, h -> 0: of poses, early in the motion, with steps smaller than those of the table.",
         *_floors(comparison),

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 from xml.parsers import expat
 
-from linkwork.errors import Fault, FileError, ModelFileError
+from linkwork.errors import Fault, FileError, ModelFileError, cause
 
 #: Largest file [bytes], and levels of elements in each other.
 SIZE, DEPTH = 2**26, 100
@@ -94,7 +94,7 @@ class Reader:
             with open(self.path, "rb") as file:
                 content = file.read(SIZE + 1)
         except OSError as error:
-            raise FileError(f"'{self.path}': {error.strerror or error}", code="not_readable") from error
+            raise FileError(f"'{self.path}': {cause(error)}", code="not_readable") from error
         if not content.strip():
             self._refuse(1, "the file is empty")
         builder = _Builder(self)

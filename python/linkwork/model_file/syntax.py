@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from linkwork.errors import Fault, FileError, ModelFileError, nearest
+from linkwork.errors import Fault, FileError, ModelFileError, cause, nearest
 from linkwork.model_file import json_text, yaml_text
 
 #: Keys and indices from the root of a document to a value.
@@ -65,7 +65,7 @@ def _text(path: str | os.PathLike[str], most: int, suffix: str) -> str:
         with open(path, "rb") as file:
             content = file.read(most + 1)
     except OSError as error:
-        raise FileError(f"model file '{path}': {error.strerror or error}", code="not_readable") from error
+        raise FileError(f"model file '{path}': {cause(error)}", code="not_readable") from error
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from linkwork import _core
 from linkwork.elements import KINDS, Role
-from linkwork.errors import FileError, ModelError, OptionError, nearest
+from linkwork.errors import ModelError, OptionError, nearest, unwritable
 from linkwork.functions import Sum, Table, TimeFunction
 from linkwork.model import Model
 from linkwork.model_file import schema
@@ -277,9 +277,11 @@ def _write_whole(path: Path, lines: Iterator[str]) -> None:
             file.writelines(lines)
         os.chmod(temporary, 0o666 & ~_umask())
         os.replace(temporary, path)
-    except (OSError, UnicodeEncodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "a name is no valid text"
-        raise FileError(f"model file '{path}': cannot be written: {reason}", code="not_writable") from error
+    except UnicodeEncodeError as error:
+        no_text = ValueError("a name is no valid text; rename what has it")
+        raise unwritable("model file", path, no_text) from error
+    except OSError as error:
+        raise unwritable("model file", path, error) from error
     finally:
         if temporary is not None and os.path.exists(temporary):
             os.unlink(temporary)

@@ -18,15 +18,20 @@ from linkwork import rotation
 from linkwork.header import Floats, Header
 from linkwork.joint_motion import Holds, gaps, joint_kinds
 from linkwork.shapes import Box, Cylinder, Rod, Shape, Sphere
+from linkwork.view import machine_elements
+from linkwork.view.machine_elements import Form, at
 
 if TYPE_CHECKING:
     from linkwork.result import Result
 
-Layer = Literal["body", "joint", "ground"]
+Layer = Literal["body", "joint", "force", "ground"]
 
 #: Muted, and distinguishable with any color vision; bodies take them in turn.
 BODY_COLORS = ("#4c78a8", "#e08a3c", "#5a9e6f", "#b279a2", "#c9a227", "#6fb1c7", "#9c6b4e", "#8a8fa3")
-JOINT_COLOR, GROUND_COLOR = "#3a424d", "#8b929c"
+JOINT_COLOR, GROUND_COLOR, FORCE_COLOR, PLANE_COLOR = "#3a424d", "#8b929c", "#7d6b9e", "#b9bfc7"
+
+#: Of what is stretched between two points.
+SPAN_COLORS = {"bar": "#7a828c", "coil": FORCE_COLOR, "damper": "#98a1ab"}
 
 #: Moments of inertia that differ by less are taken for equal.
 EQUAL = 1e-3
@@ -37,13 +42,47 @@ SAMPLED_FRAMES, SLIDES = 100, 500
 
 @dataclass(frozen=True)
 class Solid:
-    """A shape on a body, -1 the ground; `index` of the body or joint that it shows."""
+    """A shape on a body, -1 the ground; `index` of the body, joint or force element that it shows."""
 
     layer: Layer
     index: int
     body: int
     shape: Shape
     color: str
+    clear: bool = False  #: one looks through it
+
+
+@dataclass(frozen=True)
+class Span:
+    """A bar, coil or damper between points of two bodies; `index` of the joint or force element."""
+
+    layer: Literal["joint", "force"]
+    index: int
+    form: Form
+    bodies: tuple[int, int]
+    ends: Floats  # (2, 3) in the bodies [m]
+    radius: float  # [m]
+    color: str
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Everything that is drawn, in the order of the bodies, joints and force elements."""
+
+    solids: list[Solid]
+    spans: list[Span]
+
+
+def scene(result: Result) -> Scene:
+    """What is drawn of a result."""
+    header = result.header
+    thickness = _thickness(header, _points_of_bodies(header, joint_kinds(header)))
+    spans = [
+        Span(it.element.role, it.element.index, it.form, it.element.bodies, it.element.origin, it.radius,
+             SPAN_COLORS[it.form])
+        for it in machine_elements.stretched(header, thickness)
+    ]  # fmt: skip
+    return Scene(solids(result), spans)
 
 
 def solids(result: Result) -> list[Solid]:
@@ -53,16 +92,29 @@ def solids(result: Result) -> list[Solid]:
     points = _points_of_bodies(header, holds)
     thickness = _thickness(header, points)
     given = header.shapes.by_body()
+    parts = [_element(it) for it in machine_elements.solid_parts(result, thickness)]
+    wheels = {it.body for it in parts if it.layer == "body"}
     found = [
         Solid("body", i, i, shape, shape.color or BODY_COLORS[i % len(BODY_COLORS)])
         for i in range(header.body_count)
         for shape in given.get(i) or default_shapes(points[i], header.mass[i], header.inertia[i], thickness)
+        if i in given or i not in wheels or isinstance(shape, Rod)  # a wheel needs no solid of its inertia
     ]
     found += [Solid("ground", -1, -1, shape, shape.color or GROUND_COLOR) for shape in given.get(-1, ())]
     slides = _slides(result, [j for j, it in enumerate(holds) if it.sliding])
     for j, it in enumerate(holds):
         found += _joint(header, j, it, thickness, slides.get(j))
-    return found
+    return found + parts
+
+
+def _element(it: machine_elements.Placed) -> Solid:
+    """Wheels and balls have the color of their body; balls stand for more than one sees of a body."""
+    role, index = it.element.role, it.element.index
+    if it.part in ("body", "ball") and it.body >= 0:
+        color, ball = BODY_COLORS[it.body % len(BODY_COLORS)], it.part == "ball"
+        return Solid("force" if ball else "body", index if ball else it.body, it.body, it.shape, color, ball)
+    color = PLANE_COLOR if it.part != "symbol" else FORCE_COLOR if role == "force" else JOINT_COLOR
+    return Solid(role, index, it.body, it.shape, color)
 
 
 # --- bodies ------------------------------------------------------------------------------------------------
@@ -167,12 +219,16 @@ def _distinct(points: Sequence[Floats], least: float) -> list[Floats]:
 
 
 def _points_of_bodies(header: Header, holds: Sequence[Holds]) -> dict[int, list[Floats]]:
-    """Where placed joints sit on each body."""
+    """Where placed joints and bushings sit on each body."""
     points: dict[int, list[Floats]] = defaultdict(list)
     for j, it in enumerate(holds):
         for body, origin in zip(header.joint_bodies[j], header.joint_origin[j], strict=True):
             if body >= 0 and it.placed:
                 points[int(body)].append(origin)
+    for bearing in machine_elements.bearings(header):
+        for body, origin in zip(bearing.bodies, bearing.origin, strict=True):
+            if body >= 0:
+                points[body].append(origin)
     return points
 
 
@@ -200,7 +256,7 @@ def _joint(header: Header, j: int, it: Holds, r: float, slide: tuple[float, floa
     if -1 in (first, second) and not it.sliding and it.translations != (False, False, False):
         side = 0 if first < 0 else 1
         foot = [
-            _at(Box((4.4 * r, 4.4 * r, 1.2 * r)), header.joint_origin[j, side], header.joint_frame[j, side])
+            at(Box((4.4 * r, 4.4 * r, 1.2 * r)), header.joint_origin[j, side], header.joint_frame[j, side])
         ]
     found = [Solid("joint", j, first, shape, JOINT_COLOR) for shape in _symbol(it, origin, axes, r)]
     found += [Solid("ground", j, -1, shape, GROUND_COLOR) for shape in foot]
@@ -209,7 +265,7 @@ def _joint(header: Header, j: int, it: Holds, r: float, slide: tuple[float, floa
         z = axes[:, 2]
         ends = origin + (low - 6 * r) * z, origin + (high + 6 * r) * z
         rail = Solid("ground", j, first, Rod(*ends, 0.55 * r), GROUND_COLOR)
-        sleeve = _at(_sleeve(it.rotations, r), header.joint_origin[j, 1], header.joint_frame[j, 1])
+        sleeve = at(_sleeve(it.rotations, r), header.joint_origin[j, 1], header.joint_frame[j, 1])
         return [rail, Solid("joint", j, second, sleeve, JOINT_COLOR)]
     return found
 
@@ -223,24 +279,18 @@ def _symbol(it: Holds, origin: Floats, axes: Floats, r: float) -> list[Shape]:
     """Pin, ball, cross, block, plate, or a small ball for what has no usual symbol."""
     match it.translations, it.rotations:
         case (True, True, True), 0:
-            return [_at(Sphere(1.9 * r), origin, axes)]
+            return [at(Sphere(1.9 * r), origin, axes)]
         case (True, True, True), 1:
             cross = [Cylinder(0.8 * r, 5 * r, axis=axis) for axis in ((0, 0, 1), (1, 0, 0))]
-            return [_at(pin, origin, axes) for pin in cross]
+            return [at(pin, origin, axes) for pin in cross]
         case (True, True, True), 2:
-            return [_at(Cylinder(1.5 * r, 4.2 * r), origin, axes)]
+            return [at(Cylinder(1.5 * r, 4.2 * r), origin, axes)]
         case (True, True, True), _:
-            return [_at(Box((3 * r, 3 * r, 3 * r)), origin, axes)]
+            return [at(Box((3 * r, 3 * r, 3 * r)), origin, axes)]
         case (False, False, True), _:
-            return [_at(Box((14 * r, 14 * r, 0.3 * r)), origin, axes)]
+            return []  # its plane is drawn where something moves on it
         case _:
-            return [_at(Sphere(1.2 * r), origin, axes)]
-
-
-def _at(shape: Shape, origin: Floats, axes: Floats) -> Shape:
-    """The same shape, given in the axes of a joint, in those of the body."""
-    p = rotation.from_matrix(axes @ rotation.matrix(shape.orientation))
-    return Shape.of({**shape.description(), "position": origin + axes @ shape.position, "orientation": p})
+            return [at(Sphere(1.2 * r), origin, axes)]
 
 
 def _slides(result: Result, joints: Sequence[int]) -> dict[int, tuple[float, float]]:

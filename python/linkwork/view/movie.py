@@ -16,11 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.errors import FileError, OptionError
+from linkwork.errors import FileError, OptionError, unwritable
 from linkwork.header import Floats
 from linkwork.plotting import new_figure
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.view.appearance import Solid, solids
+from linkwork.view.appearance import Scene, Solid, Span, scene
 
 if TYPE_CHECKING:
     from linkwork.result import Result
@@ -64,8 +64,7 @@ def movie(
             pass
         write(file, pictures, frames_per_second, size)
     except OSError as error:
-        reason = os.strerror(error.errno).lower() if error.errno else str(error)
-        raise FileError(f"movie '{path}': cannot be written: {reason}", code="not_writable") from error
+        raise unwritable("movie", path, error) from error
 
 
 def _write_gif(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[int, int]) -> None:
@@ -102,6 +101,31 @@ class _Faces:
     body: NDArray[np.intp]  # (m,)
     color: Floats  # (m, 3) red, green, blue in 0 .. 1
 
+    def placed(self, r: Floats, A: Floats) -> Floats:
+        """The corners where the bodies are (m, corners, 3), inertial."""
+        moved: Floats = r[self.body, None] + np.einsum("mab,mcb->mca", A[self.body], self.corners)
+        return moved
+
+
+@dataclass(frozen=True)
+class _Stretched:
+    """Polygons between a point of one body and a point of another; z of corners is 0 to 1 between them."""
+
+    corners: Floats  # (m, corners, 3) x and y [m]
+    body: NDArray[np.intp]  # (m, 2)
+    ends: Floats  # (m, 2, 3) body coordinates
+    color: Floats  # (m, 3)
+
+    def placed(self, r: Floats, A: Floats) -> Floats:
+        """As of faces of bodies."""
+        ends = r[self.body] + np.einsum("msab,msb->msa", A[self.body], self.ends)
+        along = ends[:, 1] - ends[:, 0]
+        length = np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
+        x = rotation.perpendicular(along / length)
+        y = np.cross(along / length, x)
+        moved: Floats = ends[:, :1] + np.einsum("mca,mab->mcb", self.corners, np.stack([x, y, along], axis=1))
+        return moved
+
 
 class Painter:
     """Draws poses of a run in parallel projection, from the side that shows the most."""
@@ -109,7 +133,7 @@ class Painter:
     def __init__(self, result: Result, size: tuple[int, int]) -> None:
         """OptionError: too many faces."""
         self._result, self._size = result, size
-        self._faces = _faces(solids(result))
+        self._faces = _faces(scene(result))
         count = sum(len(faces.body) for faces in self._faces)
         if count > MOST_FACES:
             raise OptionError(
@@ -151,9 +175,7 @@ class Painter:
         polygons: list[Floats] = []
         depths, colors = [], []
         for faces in self._faces:
-            seen = (
-                r[faces.body, None] + np.einsum("mab,mcb->mca", A[faces.body], faces.corners)
-            ) @ self._axes
+            seen = faces.placed(r, A) @ self._axes
             normal = np.cross(seen[:, 1] - seen[:, 0], seen[:, 2] - seen[:, 0])
             normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
             front = normal[:, 2] > 0
@@ -184,8 +206,7 @@ class Painter:
         for time in sample:
             r, A = self._pose(float(time))
             for faces in self._faces:
-                moved = r[faces.body, None] + np.einsum("mab,mcb->mca", A[faces.body], faces.corners)
-                seen = moved @ self._axes[:, :2]
+                seen = faces.placed(r, A) @ self._axes[:, :2]
                 low, high = np.minimum(low, seen.min((0, 1))), np.maximum(high, seen.max((0, 1)))
         return low, high
 
@@ -217,11 +238,39 @@ def _eye(result: Result) -> Floats:
 # --- faces -------------------------------------------------------------------------------------------------
 
 
-def _faces(drawn: list[Solid]) -> list[_Faces]:
-    """Of all solids, by number of corners."""
+def _faces(drawn: Scene) -> list[_Faces | _Stretched]:
+    """Of all solids, by number of corners, and of all spans."""
+    return [*_solid_faces([it for it in drawn.solids if not it.clear]), *_span_faces(drawn.spans)]
+
+
+def _span_faces(drawn: list[Span]) -> Iterator[_Stretched]:
+    for it in drawn:
+        for corners in _span(it):
+            count = len(corners)
+            yield _Stretched(corners, np.tile(it.bodies, (count, 1)), np.tile(it.ends, (count, 1, 1)),
+                             np.tile(_color(it), (count, 1)))  # fmt: skip
+
+
+def _color(it: Solid | Span) -> Floats:
+    return np.array(list(bytes.fromhex(it.color[1:]))) / 255
+
+
+def _span(it: Span) -> list[Floats]:
+    """Polygons (m, corners, 3) along z from 0 to 1."""
+    if it.form == "coil":
+        return [_helix() * (it.radius, it.radius, 1)]
+    pieces = [(1.0, 0.0, 1.0)] if it.form == "bar" else [(1.0, 0.14, 0.64), (0.3, 0.0, 1.0)]
+    return [
+        part * (width * it.radius, width * it.radius, high - low) + (0, 0, (low + high) / 2)
+        for width, low, high in pieces
+        for part in _cylinder(8)
+    ]
+
+
+def _solid_faces(drawn: list[Solid]) -> list[_Faces]:
     by_corners: dict[int, list[_Faces]] = {}
     for it in drawn:
-        color = np.array(list(bytes.fromhex(it.color[1:]))) / 255
+        color = _color(it)
         for corners in _surface(it.shape):
             count = len(corners)
             faces = _Faces(corners, np.full(count, it.body), np.tile(color, (count, 1)))
@@ -274,6 +323,16 @@ def _cylinder(sides: int = 14, slices: int = 6) -> list[Floats]:
     top = np.column_stack([ring, np.full(sides, 0.5)])
     bottom = np.column_stack([ring, np.full(sides, -0.5)])[::-1]
     return [np.array(walls), np.stack([top, bottom])]
+
+
+def _helix(coils: int = 7, pieces: int = 10, wire: float = 0.15) -> Floats:
+    """A wire on a circle of radius one: a ribbon that is seen from both sides, z from 0 to 1."""
+    angle = np.linspace(0, 2 * np.pi * coils, coils * pieces + 1)
+    middle = np.stack([np.cos(angle), np.sin(angle), 0.08 + 0.84 * angle / angle[-1]], axis=1)
+    middle = np.concatenate([[[0, 0, 0]], middle, [[0, 0, 1]]])
+    up = np.array([0, 0, wire / 14])
+    front = np.stack([middle[:-1] - up, middle[1:] - up, middle[1:] + up, middle[:-1] + up], axis=1)
+    return np.concatenate([front, front[:, ::-1]])
 
 
 def _sphere(rings: int = 9, sides: int = 14) -> Floats:

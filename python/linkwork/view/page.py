@@ -12,7 +12,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from linkwork.errors import FileError
+from linkwork.errors import unwritable
 from linkwork.view.run import LIMIT, document
 
 if TYPE_CHECKING:
@@ -48,10 +48,7 @@ class Page:
         try:
             Path(path).write_text(self.html, encoding="utf-8")
         except OSError as error:
-            reason = os.strerror(error.errno).lower() if error.errno else str(error)
-            raise FileError(
-                f"page '{path}': cannot be written: {reason}; choose another place", code="not_writable"
-            ) from error
+            raise unwritable("page", path, error) from error
 
     def open(self) -> Path:
         """In the web browser, from a temporary file that stays."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -11,10 +12,10 @@ from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.errors import OptionError
-from linkwork.header import Floats
-from linkwork.joint_motion import gaps, joint_kinds
+from linkwork.header import Floats, Header
+from linkwork.joint_motion import joint_kinds, violations
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.view.appearance import Solid, solids
+from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class Choice:
         every = max(1, -(-(count - 1) // (most - 1)))
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
-        share = min(1.0, left / max(1, frames * (12 * n + 14 * joints)))
+        share = min(1.0, left / max(1, frames * (12 * n + 16 * joints)))
         return cls(every, _most(_travel(result), int(share * n)), _most(_load(result), int(share * joints)))
 
 
@@ -64,9 +65,10 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
         raise OptionError("the result has no frames: there is nothing to view", code="empty")
     header = result.header
     choice, pack = Choice.of(result, limit), Pack()
-    drawn = solids(result)
+    drawn = scene(result)
     precision = _add_frames(pack, result, choice)
-    _add_links(pack, result)
+    pack.add("joints.bodies", header.joint_bodies, "i4")
+    pack.add("joints.origin", header.joint_origin, "f4")
     manifest = result.manifest
     low, high = _extent(result, drawn)
     return {
@@ -84,9 +86,12 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
             "kinds": list(header.joint_kinds),
             "unique": np.asarray(header.reaction_unique, int).tolist(),
             "plotted": choice.joints.tolist(),
-            "held": [int(any(it.translations)) for it in joint_kinds(header)],
+            "held": [int(it.anything) for it in joint_kinds(header)],
         },
-        "solids": _add_solids(pack, drawn),
+        "lever": lever(header),
+        "forces": {"names": list(header.force_names), "kinds": list(header.force_kinds)},
+        "solids": _add_solids(pack, drawn.solids),
+        "spans": _add_spans(pack, drawn.spans),
         "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
@@ -118,8 +123,8 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     scalars = (kinetic, potential, energy, work, energy - energy[:1] - work)
     pack.add("energy", np.stack(scalars), "f4")
     pack.add("violation", _thinned(result, "violation", every).T, "f4")
-    gap = joint_gaps(result, choice)
-    pack.add_quantized("gap", np.log10(np.maximum(gap, 1e-17)))
+    for name, values in zip(("gap", "askew"), joint_violations(result, choice), strict=True):
+        pack.add_quantized(name, np.log10(np.maximum(values, 1e-17)))
     return float(error[:, :3].max(initial=0.0))
 
 
@@ -131,17 +136,21 @@ def continuous(q: Floats) -> Floats:
     return np.concatenate([r, p * sign[..., None]], axis=-1)
 
 
-def joint_gaps(result: Result, choice: Choice) -> Floats:
-    """By how much the points of each joint are apart where its equations hold them together (k, j) [m]."""
-    joints = choice.joints
-    gap, axes = gaps(result, joints, choice.every)
+def joint_violations(result: Result, choice: Choice) -> tuple[Floats, Floats]:
+    """Of the chosen joints in the chosen frames: points apart (k, j) [m], axes askew (k, j) [rad]."""
+    apart, askew = violations(result, choice.joints, choice.every)
     if (len(result) - 1) % choice.every:
-        rest = gaps(result, joints, len(result) - 1)
-        gap, axes = np.concatenate([gap, rest[0][-1:]]), np.concatenate([axes, rest[1][-1:]])
-    holds = joint_kinds(result.header)
-    held = np.array([holds[j].translations for j in joints], float).reshape(-1, 3)
-    apart: Floats = np.linalg.norm(np.einsum("kjab,kja->kjb", axes, gap) * held, axis=-1)
-    return apart
+        last = violations(result, choice.joints, len(result) - 1)
+        apart, askew = (
+            np.concatenate([one, end[-1:]]) for one, end in zip((apart, askew), last, strict=True)
+        )
+    return apart, askew
+
+
+def lever(header: Header) -> float:
+    """By which an angle at a joint becomes a length: the longest from a center of mass to a joint [m]."""
+    arms = np.linalg.norm(header.joint_origin, axis=-1)[header.joint_bodies >= 0]
+    return float(arms.max(initial=0.0)) or 1.0
 
 
 def _travel(result: Result) -> Floats:
@@ -161,20 +170,20 @@ def _most(values: Floats, count: int) -> NDArray[np.intp]:
     return np.sort(np.argsort(-values, kind="stable")[:count])
 
 
-def _extent(result: Result, drawn: list[Solid]) -> tuple[Floats, Floats]:
+def _extent(result: Result, drawn: Scene) -> tuple[Floats, Floats]:
     """A box (low, high) around all that is seen, from a sample of frames [m]."""
     n = result.header.body_count
     low, high = np.full((n + 1, 3), np.inf), np.full((n + 1, 3), -np.inf)  # by body, the ground last
-    for it in drawn:
-        for corner in _corners(it.shape):
-            low[it.body], high[it.body] = np.minimum(low[it.body], corner), np.maximum(high[it.body], corner)
+    corners = [(it.body, corner) for it in drawn.solids for corner in _corners(it.shape)]
+    corners += [pair for it in drawn.spans for pair in zip(it.bodies, it.ends, strict=True)]
+    for body, corner in corners:
+        low[body], high[body] = np.minimum(low[body], corner), np.maximum(high[body], corner)
     missing = ~np.isfinite(low)
     low, high = np.where(missing, 0.0, low), np.where(missing, 0.0, high)
     every = max(1, len(result) // 40)
     r, A = result.sampled_positions(every), rotation.matrix(result.recorded("q", np.s_[::every, :, 3:]))
     ground = low[-1:], high[-1:]
-    anything = bool(drawn) and any(it.body < 0 for it in drawn)
-    found = list(ground) if anything else []
+    found = list(ground) if any(body < 0 for body, _ in corners) else []
     for corner in range(8):
         s = np.where([(corner >> axis) & 1 for axis in range(3)], high[:n], low[:n])
         found.append((r + np.einsum("kiab,ib->kia", A, s)).reshape(-1, 3))
@@ -201,21 +210,21 @@ def _corners(shape: Shape) -> Floats:
 
 def _add_solids(pack: Pack, drawn: list[Solid]) -> list[dict[str, Any]]:
     """Groups of one geometry and layer; each instance is a body, an index, a color, a place and a size."""
-    groups: dict[tuple[str, str, int], list[Solid]] = defaultdict(list)
+    groups: dict[tuple[str, str, int, bool], list[Solid]] = defaultdict(list)
     for solid in drawn:
         mesh = id(solid.shape.vertices) if isinstance(solid.shape, Mesh) else 0
-        groups[solid.layer, _geometry(solid.shape), mesh].append(solid)
+        groups[solid.layer, _geometry(solid.shape), mesh, solid.clear].append(solid)
     found = []
-    for number, ((layer, geometry, _), several) in enumerate(groups.items()):
+    for number, ((layer, geometry, _, clear), several) in enumerate(groups.items()):
         key = f"solids{number}"
         pack.add(f"{key}.body", np.array([it.body for it in several]), "i4")
         pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
         pack.add(f"{key}.place", np.array([_place(it.shape) for it in several]), "f4")
-        pack.add(f"{key}.color", np.array([list(bytes.fromhex(it.color[1:])) for it in several]), "u1")
+        pack.add(f"{key}.color", _colors(several), "u1")
         if isinstance(mesh_shape := several[0].shape, Mesh):
             pack.add(f"{key}.vertices", mesh_shape.vertices, "f4")
             pack.add(f"{key}.triangles", mesh_shape.triangles, "i4")
-        found.append({"key": key, "layer": layer, "geometry": geometry})
+        found.append({"key": key, "layer": layer, "geometry": geometry, "clear": clear})
     return found
 
 
@@ -239,12 +248,25 @@ def _place(shape: Shape) -> list[float]:
     return [*shape.position, *shape.orientation, *size]
 
 
-def _add_links(pack: Pack, result: Result) -> None:
-    """Where the points of joints are, and which joints are drawn as a bar between them."""
-    header = result.header
-    pack.add("joints.bodies", header.joint_bodies, "i4")
-    pack.add("joints.origin", header.joint_origin, "f4")
-    pack.add("links", np.flatnonzero([it.distance for it in joint_kinds(header)]), "i4")
+def _add_spans(pack: Pack, drawn: list[Span]) -> list[dict[str, Any]]:
+    """Groups of one form and layer; each instance is an index, two bodies with a point, a radius, a color."""
+    groups: dict[tuple[str, str], list[Span]] = defaultdict(list)
+    for span in drawn:
+        groups[span.layer, span.form].append(span)
+    found = []
+    for number, ((layer, form), several) in enumerate(groups.items()):
+        key = f"spans{number}"
+        pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
+        pack.add(f"{key}.bodies", np.array([it.bodies for it in several]), "i4")
+        pack.add(f"{key}.ends", np.array([it.ends for it in several]), "f4")
+        pack.add(f"{key}.radius", np.array([it.radius for it in several]), "f4")
+        pack.add(f"{key}.color", _colors(several), "u1")
+        found.append({"key": key, "layer": layer, "form": form})
+    return found
+
+
+def _colors(drawn: Sequence[Solid | Span]) -> NDArray[np.uint8]:
+    return np.array([list(bytes.fromhex(it.color[1:])) for it in drawn], np.uint8)
 
 
 def _method(options: dict[str, Any]) -> str:

@@ -128,7 +128,7 @@ class Page {
     });
     canvas.addEventListener("dblclick", (event) => {
       const found = world.under(event.offsetX, event.offsetY);
-      if (!found || found.run !== this.runs[0] || found.name === "ground") return;
+      if (!found || found.run !== this.runs[0] || found.name === "ground" || found.kind === "force") return;
       const ids = found.kind === "body" ? ["position", "velocity", "omega", "orientation"] : ["force", "torque", "gap"];
       const panel = this.panels.find((it) => ids.includes(it.id));
       if (panel) panel.choose(panel.id, found.name);
@@ -224,7 +224,8 @@ function escaped(text) {
 function layout(runs) {
   const [run] = runs;
   const two = runs.length > 1;
-  const counts = `${run.bodyCount} ${run.bodyCount === 1 ? "body" : "bodies"}, ${run.jointCount} ${run.jointCount === 1 ? "joint" : "joints"}`;
+  const forces = run.forces.names.length;
+  const counts = `${run.bodyCount} ${run.bodyCount === 1 ? "body" : "bodies"}, ${run.jointCount} ${run.jointCount === 1 ? "joint" : "joints"}${forces ? `, ${forces} force element${forces === 1 ? "" : "s"}` : ""}`;
   const { recorded, shown } = run.frames;
   const frames = recorded === shown ? `${recorded} frames` : `${shown} of ${recorded} frames`;
   const size = document.documentElement.outerHTML.length / 1e6;
@@ -242,12 +243,13 @@ function layout(runs) {
     <details class="menu"><summary>Show</summary>
       <div class="choices">
         <label><input type="checkbox" data-show="joints" checked> Joints</label>
+        ${run.forces.names.length ? '<label><input type="checkbox" data-show="forces" checked> Springs, contacts</label>' : ""}
         <label><input type="checkbox" data-show="paths" checked> Paths</label>
         <label><input type="checkbox" data-show="axes"> Axes of bodies</label>
         <label><input type="checkbox" data-show="grid" checked> Grid</label>
         ${two ? '<label><input type="checkbox" data-show="second" checked> Second run</label>' : ""}
         <label class="row">Reactions <select class="arrows"><option value="none">none</option><option value="force">forces</option><option value="torque">torques</option></select></label>
-        <label class="row">Color of joints <select class="coloring"><option value="body">plain</option><option value="gap">gap</option></select></label>
+        <label class="row">Color of joints <select class="coloring"><option value="body">plain</option><option value="gap">violation</option></select></label>
       </div>
     </details>
     <button class="theme" title="Light or dark" aria-label="Light or dark">◐</button>
@@ -259,7 +261,7 @@ function layout(runs) {
   <div class="tip" hidden></div>
   <div class="keys">
     <div class="arrow-key" hidden><span><i class="unique"></i>follows from the motion</span><span><i class="shared"></i>not unique: a share of least norm</span></div>
-    <div class="gap-key" hidden>gap <span>1e${GAP.low}</span><i style="background:linear-gradient(90deg, ${gaps})"></i><span>1e${GAP.high} m</span></div>
+    <div class="gap-key" hidden>violation <span>1e${GAP.low}</span><i style="background:linear-gradient(90deg, ${gaps})"></i><span>1e${GAP.high} m; angles times ${figure(run.lever)} m</span></div>
   </div>
   <p class="facts"><span class="now"></span><span>${escaped(facts)}</span></p>
 </section>

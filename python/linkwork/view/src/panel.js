@@ -106,7 +106,7 @@ export class Panel {
     this.data = columns.length > 1 ? uPlot.join(columns) : columns[0];
     const joint = of === "joint" ? runs[0].joints.names.indexOf(this.object) : -1;
     this.note = joint >= 0 && this.id !== "gap" && !runs[0].joints.unique[joint] ? "not unique: a share of least norm" : "";
-    if (joint >= 0 && this.id === "gap" && !runs[0].joints.held[joint]) this.note = "this joint does not hold its points together";
+    if (joint >= 0 && this.id === "gap" && !runs[0].joints.held[joint]) this.note = "this joint rolls, turns as a thread, or drives: no points or axes that could be apart";
     this.#legend();
     this.plot?.destroy();
     const style = getComputedStyle(this.element);
@@ -129,7 +129,7 @@ export class Panel {
         ],
         series: [{}, ...this.lines.map((it) => ({
           label: it.name, stroke: it.color, width: it.number ? 1.4 : 1.6, dash: it.number ? [5, 4] : undefined,
-          spanGaps: this.player.runs.length > 1, points: { show: false },
+          pxAlign: 0, spanGaps: this.player.runs.length > 1, points: { show: false },
         }))],
       },
       this.data,

@@ -24,11 +24,11 @@ export class Run {
     this.force = this.series("force"); // 3 a plotted joint, inertial axes
     this.torque = this.series("torque");
     this.gap = this.series("gap"); // log10 of meters, one a plotted joint
+    this.askew = this.series("askew"); // log10 of radians
     this.energy = this.array("energy");
     this.violation = this.array("violation");
     this.jointBodies = this.array("joints.bodies");
     this.jointOrigin = this.array("joints.origin");
-    this.links = this.array("links");
     this.pose = new Float32Array(7 * this.bodyCount + 7); // the ground comes last
     this.pose[7 * this.bodyCount + 3] = 1;
     this.frame = 0;
@@ -106,10 +106,15 @@ export class Run {
 
   /** The joint's point on its first (0) or second (1) body, inertial, at the present pose. */
   jointPoint(joint, side, out) {
-    const body = this.jointBodies[2 * joint + side];
+    return this.point(this.jointBodies, this.jointOrigin, joint, side, out);
+  }
+
+  /** The same of any element k: `bodies` two each, `origin` two points each, in the bodies. */
+  point(bodies, origin, k, side, out) {
+    const body = bodies[2 * k + side];
     const at = 7 * (body < 0 ? this.bodyCount : body);
-    const s = 6 * joint + 3 * side;
-    turned(this.pose, at + 3, this.jointOrigin[s], this.jointOrigin[s + 1], this.jointOrigin[s + 2], out);
+    const s = 6 * k + 3 * side;
+    turned(this.pose, at + 3, origin[s], origin[s + 1], origin[s + 2], out);
     out[0] += this.pose[at];
     out[1] += this.pose[at + 1];
     out[2] += this.pose[at + 2];
@@ -139,7 +144,7 @@ export class Run {
       found.push(
         { id: "force", label: "Reaction force", unit: "N", of: "joint", parts: xyz, source: [this.force, 3, 0], norm: true },
         { id: "torque", label: "Reaction torque", unit: "N m", of: "joint", parts: xyz, source: [this.torque, 3, 0], norm: true },
-        { id: "gap", label: "Gap of a joint", unit: "m", of: "joint", log: true, parts: ["gap"], source: [this.gap, 1, 0], power: true },
+        { id: "gap", label: "Violation of a joint", unit: "m; rad", of: "joint", log: true, parts: ["points apart"], source: [this.gap, 1, 0], power: true },
       );
     }
     return found;
@@ -154,7 +159,7 @@ export class Run {
     const index = names.indexOf(object);
     const place = own.every ? index : (own.of === "body" ? this.placeOfBody : this.placeOfJoint).get(index);
     if (index < 0 || place === undefined) return [];
-    if (own.id === "gap" && !this.joints.held[index]) return []; // its points are not held together
+    if (own.id === "gap" && !this.joints.held[index]) return []; // nothing that could be told from poses
     const [source, width, first] = own.source;
     const channels = source.length / this.count;
     const lines = own.parts.map((part, c) => {
@@ -162,8 +167,15 @@ export class Run {
       for (let k = 0; k < this.count; k++) values[k] = source[k * channels + width * place + first + c];
       return [part, own.power ? values.map((x) => 10 ** x) : values];
     });
+    if (own.id === "gap") lines.push(["axes askew", Float64Array.from({ length: this.count }, (_, k) => 10 ** this.askew[k * channels + place])]);
     if (own.norm) lines.push(["magnitude", lines[0][1].map((_, k) => Math.hypot(...lines.map((l) => l[1][k])))]);
     return lines;
+  }
+
+  /** log10 of the violation of a plotted joint in the present frame [m]: angles count by the lever. */
+  violationOf(place) {
+    const at = this.frame * this.joints.plotted.length + place;
+    return Math.max(this.gap[at], this.askew[at] + Math.log10(this.lever));
   }
 
   row(matrix, i) {

@@ -1,10 +1,10 @@
 // The three-dimensional picture of one run, or of two laid over each other. It is drawn when something changed.
 
 import {
-  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight,
-  DynamicDrawUsage, GridHelper, Group, HemisphereLight, InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4,
-  MeshLambertMaterial, MeshStandardMaterial, PerspectiveCamera, Points, PointsMaterial, Quaternion, Raycaster, Scene, SphereGeometry, Vector2,
-  Vector3, WebGLRenderer,
+  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, Curve, CylinderGeometry, DirectionalLight,
+  DynamicDrawUsage, GridHelper, Group, HemisphereLight, InstancedMesh, LatheGeometry, Line, LineBasicMaterial, LineSegments, Matrix4,
+  MeshLambertMaterial, MeshStandardMaterial, PerspectiveCamera, Points, PointsMaterial, Quaternion, Raycaster, Scene, SphereGeometry,
+  TubeGeometry, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { turned } from "./run.js";
@@ -12,7 +12,6 @@ import { turned } from "./run.js";
 const GHOST = "#d1495b";
 const UNIQUE = "#1f9d78";
 const SHARED = "#d99a00";
-const LINK = "#7a828c";
 const PATHS = 6; // bodies of which the way is drawn
 const DOTS = 200; // bodies from which on each has a dot
 const FRAMES = 2000; // bodies of which the axes are drawn
@@ -30,12 +29,12 @@ export class World {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.changed());
-    this.shown = { joints: true, paths: true, grid: true, axes: false, second: true };
+    this.shown = { joints: true, forces: true, paths: true, grid: true, axes: false, second: true };
     this.arrows = "none";
     this.coloring = "body";
     this.#place();
     this.#light();
-    const instances = runs.reduce((sum, run) => sum + run.solids.reduce((n, it) => n + run.arrays[`${it.key}.body`].shape[0], 0), 0);
+    const instances = runs.reduce((sum, run) => sum + [...run.solids, ...run.spans].reduce((n, it) => n + run.arrays[`${it.key}.color`].shape[0], 0), 0);
     this.figures = runs.map((run, number) => new Figure(run, number > 0, instances > MANY, this));
     for (const figure of this.figures) this.scene.add(figure.group);
     this.update();
@@ -141,6 +140,7 @@ export class World {
     const { run } = part.figure;
     if (part.layer === "body") return { kind: "body", name: run.bodies.names[index], run };
     if (index < 0) return { kind: "body", name: "ground", run };
+    if (part.layer === "force") return { kind: "force", name: run.forces.names[index], detail: run.forces.kinds[index].replaceAll("_", " "), run };
     return { kind: "joint", name: run.joints.names[index], detail: run.joints.kinds[index].replaceAll("_", " "), run };
   }
 
@@ -189,7 +189,7 @@ class Figure {
   constructor(run, ghost, coarse, world) {
     Object.assign(this, { run, ghost, world, group: new Group(), point: new Float32Array(3) });
     this.materials = [];
-    this.parts = run.solids.map((it) => new Part(this, it, coarse));
+    this.parts = [...run.solids.map((it) => new Part(this, it, coarse)), ...run.spans.map((it) => new Span(this, it, coarse))];
     for (const part of this.parts) this.group.add(part.mesh);
     this.bodyColor = new Map();
     for (const part of this.parts.filter((it) => it.layer === "body")) {
@@ -197,7 +197,6 @@ class Figure {
     }
     this.#paths();
     this.#dots();
-    this.#links();
     this.#axes();
     this.#arrows(coarse);
     this.recolor();
@@ -216,14 +215,12 @@ class Figure {
     this.group.visible = !this.ghost || shown.second;
     if (!this.group.visible) return;
     for (const part of this.parts) {
-      part.mesh.visible = part.layer === "body" || shown.joints;
+      part.mesh.visible = part.layer === "body" || (part.layer === "force" ? shown.forces : shown.joints);
       if (part.mesh.visible) part.update();
     }
     this.paths.visible = shown.paths;
     this.axes.visible = shown.axes;
-    this.links.visible = shown.joints && this.run.links.length > 0;
     this.arrows.visible = arrows !== "none";
-    if (this.links.visible) this.#moveLinks();
     if (this.dots) this.#moveDots();
     if (this.axes.visible) this.#moveAxes();
     if (this.arrows.visible) this.#moveArrows();
@@ -288,24 +285,6 @@ class Figure {
       for (let c = 0; c < 3; c++) position.array[3 * i + c] = this.run.pose[7 * i + c];
     }
     position.needsUpdate = true;
-  }
-
-  /** Bars between the two points of joints that hold a distance. */
-  #links() {
-    const count = Math.max(this.run.links.length, 1);
-    this.links = instanced(new CylinderGeometry(1, 1, 1, 8).rotateX(Math.PI / 2), this.material(this.ghost ? GHOST : LINK), count);
-    this.group.add(this.links);
-  }
-
-  #moveLinks() {
-    const radius = 0.004 * this.world.size;
-    const [a, b] = [new Float32Array(3), new Float32Array(3)];
-    this.run.links.forEach((joint, k) => {
-      this.run.jointPoint(joint, 0, a);
-      this.run.jointPoint(joint, 1, b);
-      stretch(this.links, k, new Vector3(...a), new Vector3(...b), radius);
-    });
-    this.links.instanceMatrix.needsUpdate = true;
   }
 
   /** x, y, z of every body and of the inertial frame, in red, green, blue. */
@@ -389,21 +368,26 @@ class Figure {
 
 /** The instances of one geometry in one layer. */
 class Part {
-  constructor(figure, { key, layer, geometry }, coarse) {
+  constructor(figure, { key, layer, geometry, form, clear }, coarse) {
     const { run } = figure;
     Object.assign(this, { figure, layer });
-    this.body = run.array(`${key}.body`);
     this.index = run.array(`${key}.index`);
-    this.local = run.array(`${key}.place`); // position, Euler parameters, size
+    this.place(run, key);
     this.colors = run.array(`${key}.color`);
-    const shape = geometry === "mesh" ? meshGeometry(run.array(`${key}.vertices`), run.array(`${key}.triangles`)) : GEOMETRIES[geometry](coarse);
-    this.mesh = instanced(shape, figure.material("#ffffff", coarse), this.body.length);
+    const shape = geometry === "mesh" ? meshGeometry(run.array(`${key}.vertices`), run.array(`${key}.triangles`)) : GEOMETRIES[form ?? geometry](coarse);
+    this.mesh = instanced(shape, figure.material("#ffffff", coarse), this.index.length);
+    if (clear) Object.assign(this.mesh.material, { transparent: true, opacity: 0.3, depthWrite: false });
+  }
+
+  place(run, key) {
+    this.body = run.array(`${key}.body`);
+    this.local = run.array(`${key}.place`); // position, Euler parameters, size
   }
 
   recolor() {
     const color = new Color();
     const { ghost, world } = this.figure;
-    for (let k = 0; k < this.body.length; k++) {
+    for (let k = 0; k < this.index.length; k++) {
       setColor(color, this.colors.subarray(3 * k, 3 * k + 3));
       if (ghost) color.set(GHOST);
       else if (this.layer === "joint" && world.dark) color.set("#d5dae1");
@@ -414,10 +398,9 @@ class Part {
 
   colorByGap() {
     const { run } = this.figure;
-    const width = run.joints.plotted.length;
     for (let k = 0; k < this.index.length; k++) {
       const place = run.placeOfJoint.get(this.index[k]);
-      if (place !== undefined && run.joints.held[this.index[k]]) this.mesh.setColorAt(k, gapColor(run.gap[run.frame * width + place]));
+      if (place !== undefined && run.joints.held[this.index[k]]) this.mesh.setColorAt(k, gapColor(run.violationOf(place)));
     }
     this.mesh.instanceColor.needsUpdate = true;
   }
@@ -459,12 +442,51 @@ class Part {
   }
 }
 
-/** Edges and diameters of one; cylinders along z. */
+/** Bars, coils and dampers between points of two bodies. */
+class Span extends Part {
+  update() {
+    const { run, point } = this.figure;
+    const [a, b] = [new Vector3(), new Vector3()];
+    this.radius.forEach((radius, k) => {
+      a.fromArray(run.point(this.bodies, this.ends, k, 0, point));
+      b.fromArray(run.point(this.bodies, this.ends, k, 1, point));
+      stretch(this.mesh, k, a, b, radius);
+    });
+    this.mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  place(run, key) {
+    this.bodies = run.array(`${key}.bodies`);
+    this.ends = run.array(`${key}.ends`);
+    this.radius = run.array(`${key}.radius`);
+  }
+}
+
+const COILS = 7;
+const SLENDER = 12; // length of a spring over its radius at which its wire is round
+
+class Helix extends Curve {
+  /** From end to end along z, with a straight piece at each. */
+  getPoint(s, out = new Vector3()) {
+    const turn = Math.min(Math.max((s - 0.08) / 0.84, 0), 1);
+    const radius = Math.min(1, 12 * Math.min(turn, 1 - turn));
+    const angle = 2 * Math.PI * COILS * turn;
+    return out.set(radius * Math.cos(angle), radius * Math.sin(angle), SLENDER * (s - 0.5));
+  }
+}
+
+/** Edges and diameters of one; cylinders along z. Spans are of length one along z, and of radius one. */
 const GEOMETRIES = {
   box: () => new BoxGeometry(1, 1, 1),
   sphere: (coarse) => (coarse ? new SphereGeometry(0.5, 8, 6) : new SphereGeometry(0.5, 28, 18)),
   cylinder: (coarse) => new CylinderGeometry(0.5, 0.5, 1, coarse ? 8 : 28).rotateX(Math.PI / 2),
+  bar: (coarse) => new CylinderGeometry(1, 1, 1, coarse ? 6 : 10).rotateX(Math.PI / 2),
+  coil: (coarse) => new TubeGeometry(new Helix(), COILS * (coarse ? 8 : 24), 0.17, coarse ? 3 : 7).scale(1, 1, 1 / SLENDER),
+  damper: (coarse) => new LatheGeometry(DAMPER.map(([radius, z]) => new Vector2(radius, z)), coarse ? 6 : 16).rotateX(Math.PI / 2),
 };
+
+/** Half a section of a damper, along its length: an eye, the cylinder, the rod. */
+const DAMPER = [[0, -0.5], [0.3, -0.5], [0.3, -0.36], [1, -0.36], [1, 0.14], [0.3, 0.14], [0.3, 0.5], [0, 0.5]];
 
 function meshGeometry(vertices, triangles) {
   const geometry = new BufferGeometry();
