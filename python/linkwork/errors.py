@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import difflib
 import os
+import sys
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -28,6 +30,7 @@ __all__ = [
     "StepSizeError",
     "ViolationError",
     "nearest",
+    "warn",
 ]
 
 
@@ -134,3 +137,11 @@ def nearest(word: str, known: Iterable[str]) -> str:
     """The end of a message about an unknown `word`: `; the nearest is 'rk4'`."""
     close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.0)
     return f"; the nearest is '{close[0]}'" if close else ""
+
+
+def warn(message: str) -> None:
+    """LinkworkWarning at the line of the user's, the nearest outside this package."""
+    package, frame, level = os.path.dirname(__file__) + os.sep, sys._getframe(1), 2
+    while frame.f_code.co_filename.startswith(package) and frame.f_back is not None:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, LinkworkWarning, stacklevel=level)

@@ -49,13 +49,16 @@ class ProgressInfo:
     #: last frame; None before anything is known
     step: float | None = None
     violation: float | None = None
+    #: where the run began [s]
+    t_start: float = 0.0
 
     @property
     def fraction(self) -> float:
         """Share of the run that is done, 0 to 1."""
         if self.steps_total > 0:
             return min(self.steps_done / self.steps_total, 1.0)
-        return min(self.t / self.t_end, 1.0) if self.t_end > 0 else 1.0
+        span = self.t_end - self.t_start
+        return min((self.t - self.t_start) / span, 1.0) if span > 0 else 1.0
 
     @property
     def rate(self) -> float:
@@ -75,7 +78,9 @@ class Report(Protocol):
 
 
 @contextmanager
-def reporting(progress: ProgressOption, t_end: float, steps_total: int = 0) -> Iterator[Report]:
+def reporting(
+    progress: ProgressOption, t_end: float, steps_total: int = 0, t_start: float = 0.0
+) -> Iterator[Report]:
     """Give the run its `report(t, steps_done, violation)`; a line that was shown is cleared at the end.
 
     `progress`: None = automatic (a line where the run takes more than two seconds and standard error is a
@@ -83,7 +88,7 @@ def reporting(progress: ProgressOption, t_end: float, steps_total: int = 0) -> I
     every report. The log is written in any case, every ten seconds, where its level allows.
     """
     started = time.monotonic()
-    before = 0.0, 0
+    before = t_start, 0
     with _shown(progress is None) as show:
 
         def report(t: float, steps_done: int, violation: float | None = None) -> None:
@@ -92,7 +97,7 @@ def reporting(progress: ProgressOption, t_end: float, steps_total: int = 0) -> I
             step = (t - before[0]) / taken if taken > 0 and before[1] > 0 else None
             before = t, steps_done
             elapsed = time.monotonic() - started
-            info = ProgressInfo(t, t_end, steps_done, steps_total, elapsed, step, violation)
+            info = ProgressInfo(t, t_end, steps_done, steps_total, elapsed, step, violation, t_start)
             show(info.elapsed, info.fraction, lambda: describe(info))
             if callable(progress):
                 progress(info)

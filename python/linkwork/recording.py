@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import time
-import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
@@ -12,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import LinkworkError, LinkworkWarning
+from linkwork.errors import LinkworkError, warn
 from linkwork.events import Occurrence
 from linkwork.header import Header
 from linkwork.integrators import Integrator
@@ -143,11 +142,9 @@ def _warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
     if count > warned:
         last = [it for it in statistics["passages"] if not it["rows_changed"]][-1]
         names = ", ".join(f"'{name}'" for name in last["joints"])
-        warnings.warn(
+        warn(
             f"singular pose at t = {last['t']:.6g} s: the equations of {names} depend on each other for a "
-            "moment, where the motion could go on in several ways",
-            LinkworkWarning,
-            stacklevel=4,
+            "moment, where the motion could go on in several ways"
         )
     return count
 

@@ -153,12 +153,17 @@ def plan(
         _check_record_every(record_every)
     most_frames = min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
     if rtol is None and atol is None:
-        return _fixed(t_end, step, record_every, times, most_frames)
+        return _fixed(t_end, step, record_every, times, most_frames, t_start)
     return _adaptive(t_end, step, rtol, atol, record_every, times, most_frames, t_start)
 
 
 def _fixed(
-    t_end: float, step: float | None, record_every: int | None, times: ArrayLike | None, most_frames: int
+    t_end: float,
+    step: float | None,
+    record_every: int | None,
+    times: ArrayLike | None,
+    most_frames: int,
+    t_start: float,
 ) -> Fixed:
     if step is None:
         raise OptionError("step is missing: give a step [s], or rtol for steps that follow it", code="step")
@@ -167,7 +172,7 @@ def _fixed(
             "times needs steps that follow tolerances: give rtol, or record_every instead of times",
             code="conflict",
         )
-    every = record_every or max(1, math.ceil(min(t_end / step, MOST_STEPS) / most_frames))
+    every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
     return Fixed(t_end, step, int(every))
 
 

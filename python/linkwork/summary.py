@@ -49,7 +49,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
     found, manifest = numbers(result), result.manifest
     model = manifest.get("model") or "model"
     counts = f"{found['bodies']} bodies, {found['joints']} joints, {found['constraints']} constraints"
-    end = f"0 to {found['t_end']:.6g} s" if found["frames"] else "nothing"
+    end = f"{result.t[0]:g} to {found['t_end']:.6g} s" if found["frames"] else "nothing"
     violation = ", ".join(f"{level} {_figure(value)}" for level, value in found["max_violation"].items())
     return [
         ("model", f"{model}: {counts}"),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -17,11 +16,11 @@ from linkwork.analyses.equations import LISTED, Equations, Sparse
 from linkwork.analyses.tangent import displaced, turned_in, turned_out
 from linkwork.errors import (
     LinkworkError,
-    LinkworkWarning,
     ModelError,
     NotConvergedError,
     OptionError,
     SingularSystemError,
+    warn,
 )
 from linkwork.header import Header
 from linkwork.manifest import manifest
@@ -360,7 +359,7 @@ def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
     )
     if on_singular == "stop":
         raise SingularSystemError(message, code="singular_pose", joints=names, time=found.t)
-    warnings.warn(message, LinkworkWarning, stacklevel=3)
+    warn(message)
 
 
 def _orientation(first: _Moment, second: _Moment) -> float:
