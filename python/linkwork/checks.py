@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
 from linkwork.errors import ModelError, OptionError, warn
+from linkwork.extent import extent
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model
 from linkwork.result import Snapshot
@@ -22,6 +23,18 @@ RESIDUAL_TOLERANCE = 1e-9
 
 #: Of a coordinate, relative.
 ROUNDOFF = 1e-14
+
+#: Kinds of force elements that remember what no state holds, and how they begin at one.
+REMEMBERING = {
+    **dict.fromkeys(
+        ("rotational_spring_damper", "nonlinear_rotational_spring_damper", "rotational_stop"),
+        "full turns are not in a state: its angle begins within half a turn of zero",
+    ),
+    **dict.fromkeys(
+        ("sphere_plane_contact", "sphere_sphere_contact"),
+        "the speed at which a contact began is not in a state: one that is under way begins anew",
+    ),
+}
 
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
@@ -85,7 +98,7 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
     NotConvergedError: joints contradict each other.
     """
     core = model.compiled()
-    size, reach = _extent(core)
+    size, reach = extent(core)
     speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
     position, velocity = joint_residuals(model, dynamics)
     small = SMALL_RESIDUAL if correct else np.inf
@@ -109,7 +122,10 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
 
 
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
-    """OptionError: the state of another mechanism. LinkworkWarning: the joints do not hold in it."""
+    """OptionError: the state of another mechanism.
+
+    LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
+    """
     core, y = model.compiled(), start.y
     if len(y) != 13 * model.body_count or not np.isfinite(y).all():
         raise OptionError(
@@ -117,7 +133,7 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
             f"{model.body_count} bodies of model '{model.name}'",
             code="start",
         )
-    size, _ = _extent(core)
+    size, _ = extent(core)
     speed = max(1.0, float(np.abs(start.v).max(initial=0.0))) * max(1.0, size)
     position, velocity = joint_residuals(model, dynamics, start)
     remarks = [
@@ -126,6 +142,17 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
+    if start.t > 0:
+        _check_remembered(core)
+
+
+def _check_remembered(core: _core.Model) -> None:
+    """LinkworkWarning: what starts otherwise than it went on before."""
+    kinds = [kind.name for kind in _core.force_kinds()]
+    of_force = [REMEMBERING.get(kinds[kind]) for kind in core.force_arrays()["kind"]]
+    for what in sorted(set(filter(None, of_force))):
+        names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
+        warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
@@ -171,16 +198,6 @@ def check_stiffness(method: Integrator, system: System, step: float) -> None:
 def _complex(value: complex) -> str:
     real = abs(value.imag) < 1e-6 * abs(value)
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
-
-
-def _extent(core: _core.Model) -> tuple[float, float]:
-    """Size of the mechanism, wherever it is, 1 where it has none; and its largest coordinate [m]."""
-    arrays = core.joint_arrays()
-    on_ground = arrays["bodies"] < 0
-    arms, pins = arrays["origin"][~on_ground], arrays["origin"][on_ground]
-    points = np.concatenate([core.q0.reshape(-1, 7)[:, :3], pins])
-    size = max(float(np.ptp(points, axis=0).max()), float(np.abs(arms).max(initial=0.0)))
-    return size or 1.0, float(np.abs(points).max())
 
 
 def _inaccuracy(

@@ -63,7 +63,8 @@ def simulate(
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
-                  `state` of an error. The work and multistep methods begin anew
+                  `state` of an error. The work and multistep methods begin anew, and so do full turns
+                  of rotational springs and contacts that are under way: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
                   of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.errors import LinkworkError
+from linkwork.extent import extent
 from linkwork.system import System
 
 Floats = NDArray[np.float64]
@@ -45,8 +46,8 @@ def fastest(system: System) -> Fastest | None:
     y = system.initial_state()
     nq = 7 * system.model.body_count
     reach = np.empty_like(y)  # units of the linearization
-    for part in (slice(0, nq), slice(nq, None)):
-        reach[part] = max(1.0, np.abs(y[part]).max())
+    reach[:nq] = max(1.0, extent(core).size)
+    reach[nq:] = max(1.0, np.abs(y[nq:]).max())
     try:
         H, basis = _arnoldi(lambda z: _directional(system, y, reach, z), _start(system))
     except LinkworkError:  # no accelerations beside the initial state: the run will say so, if it must

@@ -75,3 +75,24 @@ def test_start_that_is_not_finite_is_refused(broken: float) -> None:
     state = halfway(model)
     with pytest.raises(lw.OptionError, match="start: .*no finite state"):
         lw.simulate(model, 2.0, 1e-2, start=state._replace(v=np.full((1, 6), broken)), progress=False)
+
+
+def test_what_force_elements_remember_and_no_state_holds_is_a_warning_that_names_them() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("wheel", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1), omega=(0, 0, 5.0))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1))
+    model.rotational_spring_damper("ground", "wheel", axis=(0, 0, 1), stiffness=0.01, name="mainspring")
+    model.sphere_plane_contact(
+        "ground",
+        "wheel",
+        at=((0, 0, 0), (0, 0, 1)),
+        normal=(0, 0, 1),
+        radius=0.5,
+        stiffness=1e3,
+        name="floor",
+    )
+    state = halfway(model)
+    with pytest.warns(lw.LinkworkWarning) as caught:
+        lw.simulate(model, 1.01, 1e-2, start=state, progress=False)
+    said = " ".join(str(warning.message) for warning in caught)
+    assert "mainspring: full turns" in said and "floor: the speed at which a contact began" in said
