@@ -288,7 +288,7 @@ def in_units(mechanism: Mechanism, units: Units) -> Mechanism:
 # Drivers and forces that vary in time are in other units, too: what they do enters Phi_t, gamma and g.
 @pytest.mark.parametrize("units", UNITS)
 @pytest.mark.parametrize("formulation", SAME_EQUATIONS)
-@examples(12)
+@examples(8)
 @given(mechanism=mechanisms())
 def test_units_do_not_matter(mechanism: Mechanism, formulation: str, units: str) -> None:
     """The penalty of each equation is scaled to its inertia."""
