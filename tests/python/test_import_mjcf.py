@@ -6,10 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import linkwork as lw
+import mujoco
 import numpy as np
 import pytest
-
-mujoco = pytest.importorskip("mujoco")
 
 SLIDER_CRANK = Path(__file__).parent / "robots" / "slider_crank.xml"
 
