@@ -158,7 +158,7 @@ def test_no_text_is_made_where_nothing_is_shown(monkeypatch: pytest.MonkeyPatch)
     made: list[ProgressInfo] = []
     monkeypatch.setattr(progress, "describe", made.append)
     monkeypatch.setattr(progress, "SILENT_SECONDS", 0.0)
-    with reporting(None, 1.0, 10**5) as report:
+    with reporting(False, 1.0, 10**5) as report:
         for step in range(100):
             report(0.0, step)
     assert made == []
