@@ -121,6 +121,13 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
     return assembly
 
 
+def start_time(start: Snapshot | None) -> float:
+    """Where a run begins [s]. OptionError: what is no Snapshot."""
+    if start is not None and not isinstance(start, Snapshot):
+        raise OptionError(f"start {start!r} is no linkwork.Snapshot(t, q, v)", code="start")
+    return 0.0 if start is None else float(start.t)
+
+
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
     """OptionError: the state of another mechanism.
 

@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 Reactions = Callable[[Floats, Floats, Floats], tuple[Floats, Floats]]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Header:
     """n bodies, J joints, m constraint rows. SI units; ground is body index -1."""
 
@@ -74,6 +74,9 @@ class Header:
             shapes=shapes or Shapes(),
             reactions=dynamics.reactions,
         )
+
+    def __repr__(self) -> str:
+        return f"<Header: {self.body_count} bodies, {self.joint_count} joints, {self.row_count} equations>"
 
     def detached(self) -> Header:
         """The same without the compiled model behind it, so that it can go to another process."""

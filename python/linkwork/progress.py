@@ -15,11 +15,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
+from linkwork.errors import OptionError
+
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-#: What `simulate(progress=...)` takes: None shows a line, False shows nothing.
-ProgressOption = Callable[["ProgressInfo"], object] | Literal[False] | None
+#: What `simulate(progress=...)` takes: None or True shows a line, False shows nothing.
+ProgressOption = Callable[["ProgressInfo"], object] | bool | None
 
 #: What a series of tasks takes: None shows a line, False shows nothing.
 ShowOption = Literal[False] | None
@@ -86,10 +88,16 @@ def reporting(
     `progress`: None = automatic (a line where the run takes more than two seconds and standard error is a
     terminal or the program a notebook), False = nothing, or a function that is called with a ProgressInfo at
     every report. The log is written in any case, every ten seconds, where its level allows.
+    OptionError: anything else.
     """
+    if not (callable(progress) or progress is None or isinstance(progress, bool)):
+        raise OptionError(
+            f"progress {progress!r} is neither None, True or False, nor a function of ProgressInfo",
+            code="progress",
+        )
     started = time.monotonic()
     before = t_start, 0
-    with _shown(progress is None) as show:
+    with _shown(progress is None or progress is True) as show:
 
         def report(t: float, steps_done: int, violation: float | None = None) -> None:
             nonlocal before

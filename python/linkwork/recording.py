@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import LinkworkError, warn
+from linkwork.errors import LinkworkError, OptionError, warn
 from linkwork.events import Occurrence
 from linkwork.header import Header
 from linkwork.integrators import Integrator
@@ -190,5 +190,11 @@ def _steps(run: _core.Simulation, step: PythonStep, system: System, until: float
         t, y, h = run.begin_step()
         if h == 0.0:
             return True
-        run.accept(np.asarray(step(system, t, y, h), dtype=float))
+        reached = np.asarray(step(system, t, y, h), dtype=float)
+        if reached.shape != y.shape:
+            raise OptionError(
+                f"integrator {step!r}: returned shape {reached.shape}, not that of y, {y.shape} (t = {t:g} s)",
+                code="integrator",
+            )
+        run.accept(reached)
     return False

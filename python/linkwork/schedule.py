@@ -203,7 +203,10 @@ def _adaptive(
 
 
 def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np.float64]:
-    asked = np.atleast_1d(np.asarray(times, dtype=float))
+    try:
+        asked = np.atleast_1d(np.asarray(times, dtype=float))
+    except (TypeError, ValueError) as error:
+        raise OptionError(f"times {times!r} are not numbers", code="times") from error
     if asked.ndim != 1 or not len(asked) or not np.isfinite(asked).all() or (np.diff(asked) <= 0).any():
         raise OptionError("times must be finite and ascending, one at least", code="times")
     if asked[0] < t_start or asked[-1] > t_end:

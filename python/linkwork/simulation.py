@@ -90,7 +90,7 @@ def simulate(
     LinkworkWarning: they were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
-    t_start = 0.0 if start is None else start.t
+    t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     checks.check_bodies(model)
     checks.check_tables(model, t_end)

@@ -14,6 +14,7 @@ import time
 import tracemalloc
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -119,6 +120,16 @@ def test_result_can_be_saved_over_the_file_it_came_from(tmp_path: Path) -> None:
     loaded.save(tmp_path / "run.h5")
     np.testing.assert_array_equal(loaded.q, result.q)
     assert os.listdir(tmp_path) == ["run.h5"]
+
+
+@pytest.mark.parametrize(
+    "part", [np.s_[::-1], np.s_[10:2:-3], np.s_[2:10:-1], np.s_[::-1, 0], np.s_[3:3], np.s_[-1], np.s_[-4:-1]]
+)
+def test_part_of_a_stored_field_is_that_part_of_the_array(tmp_path: Path, part: Any) -> None:
+    result = make_result(synthetic.header())
+    result.save(tmp_path / "run.h5")
+    stored = Result.load(tmp_path / "run.h5")
+    np.testing.assert_array_equal(stored.recorded("q", part), result.q[part])
 
 
 def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:

@@ -23,6 +23,10 @@ from scipy.integrate import solve_ivp
 Floats = NDArray[np.float64]
 
 
+def forgetful(t: float, state: lw.State) -> Any:
+    """A function that forgot to return."""
+
+
 #: Too large for a step of 1 ms.
 GAINS = {"baumgarte_alpha": 3e3, "baumgarte_beta": 3e3}
 
@@ -40,6 +44,13 @@ GAINS = {"baumgarte_alpha": 3e3, "baumgarte_beta": 3e3}
         ({"integrator": "rk5"}, ["'rk5'", "'rk4'"]),
         ({"integrator": 4}, ["integrator 4"]),
         ({"record_every": 0}, ["record_every 0"]),
+        ({"integrator": lambda system, t, y, h: None}, ["shape ()", "(13,)"]),
+        ({"progress": "yes"}, ["progress 'yes'"]),
+        ({"start": (0, 1)}, ["start (0, 1)", "Snapshot"]),
+        ({"rtol": 1e-6, "times": ["soon"]}, ["times ['soon']"]),
+        ({"rtol": 1e-6, "events": 5}, ["events: 5"]),
+        ({"rtol": 1e-6, "events": lw.Event("f")}, ["'f' is no function of (t, state)"]),  # type: ignore[arg-type]
+        ({"rtol": 1e-6, "events": lw.Event(forgetful, "touch")}, ["'touch'", "None, no number"]),
         (
             {"stabilization": "baumgarte", **GAINS},
             ["3000 1/s", "rk4", "0.001 s"],
