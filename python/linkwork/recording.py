@@ -193,7 +193,7 @@ def _steps(run: _core.Simulation, step: PythonStep, system: System, until: float
         reached = np.asarray(step(system, t, y, h), dtype=float)
         if reached.shape != y.shape:
             raise OptionError(
-                f"integrator {step!r}: returned shape {reached.shape}, not that of y, {y.shape} (t = {t:g} s)",
+                f"integrator {step!r}: returned shape {reached.shape}, y has {y.shape} (t = {t:g} s)",
                 code="integrator",
             )
         run.accept(reached)
