@@ -97,20 +97,24 @@ class Header:
 
     def frame_shapes(self) -> dict[str, tuple[int, ...]]:
         """Shape of one frame of every recorded field; `t` comes last, as in the file."""
-        n, joints = self.body_count, self.joint_count
-        return {
-            "q": (n, 7),
-            "v": (n, 6),
-            "vdot": (n, 6),
-            "lambda": (self.row_count,),
-            "kinetic": (),
-            "potential": (),
-            "work": (),
-            "violation": (3,),
-            "reaction_force": (joints, 3),
-            "reaction_torque": (joints, 3),
-            "t": (),
-        }
+        return frame_shapes(self.body_count, self.joint_count, self.row_count)
+
+
+def frame_shapes(bodies: int, joints: int, rows: int) -> dict[str, tuple[int, ...]]:
+    """As `Header.frame_shapes`, of so many bodies, joints and constraint rows."""
+    return {
+        "q": (bodies, 7),
+        "v": (bodies, 6),
+        "vdot": (bodies, 6),
+        "lambda": (rows,),
+        "kinetic": (),
+        "potential": (),
+        "work": (),
+        "violation": (3,),
+        "reaction_force": (joints, 3),
+        "reaction_torque": (joints, 3),
+        "t": (),
+    }
 
 
 def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[str, Floats]:

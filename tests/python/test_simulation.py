@@ -181,8 +181,9 @@ def test_an_error_in_an_own_integrator_reaches_the_user() -> None:
     def broken(system: lw.System, t: float, y: Floats, h: float) -> Floats:
         raise ZeroDivisionError("mine")
 
-    with pytest.raises(ZeroDivisionError, match="mine"):
+    with pytest.raises(ZeroDivisionError, match="mine") as caught:
         lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, broken)
+    assert caught.value.__notes__ == ["linkwork: in the step after t = 0 s"]
 
 
 def test_the_derivative_fits_solve_ivp() -> None:
