@@ -517,8 +517,8 @@ def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
     if (missed > MISSED_TURN).any():
         k = int(np.argmax(missed > MISSED_TURN))
         warn(
-            f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell how often "
-            "it went round between them: record more frames"
+            f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell how "
+            "often it went round between them: record more frames"
         )
 
 
