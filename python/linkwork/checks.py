@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -10,15 +9,32 @@ from numpy.typing import NDArray
 
 from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
-from linkwork.errors import LinkworkWarning, ModelError, OptionError
+from linkwork.errors import ModelError, OptionError, warn
+from linkwork.extent import extent
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model
+from linkwork.result import Snapshot
 from linkwork.system import System
 
 Floats = NDArray[np.float64]
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
+
+#: Of a coordinate, relative.
+ROUNDOFF = 1e-14
+
+#: Kinds of force elements that remember what no state holds, and how they begin at one.
+REMEMBERING = {
+    **dict.fromkeys(
+        ("rotational_spring_damper", "nonlinear_rotational_spring_damper", "rotational_stop"),
+        "full turns are not in a state: its angle begins within half a turn of zero",
+    ),
+    **dict.fromkeys(
+        ("sphere_plane_contact", "sphere_sphere_contact"),
+        "the speed at which a contact began is not in a state: one that is under way begins anew",
+    ),
+}
 
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
@@ -60,10 +76,13 @@ def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
     }
 
 
-def joint_residuals(model: Model, dynamics: _core.Dynamics) -> tuple[Floats, Floats]:
-    """Largest residual of each joint (joints,) at the initial state: of Phi, and of Phi_dot = D v + Phi_t."""
+def joint_residuals(
+    model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
+) -> tuple[Floats, Floats]:
+    """Largest of each joint (joints,), of Phi and of Phi_dot = D v + Phi_t; without `at` at t = 0."""
     core = model.compiled()
-    found = dynamics.evaluate(0.0, core.q0, core.v0)
+    t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
+    found = dynamics.evaluate(t, q, v)
     starts = core.joint_rows[:-1]
     if not len(starts):
         return np.zeros(0), np.zeros(0)
@@ -79,17 +98,18 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
     NotConvergedError: joints contradict each other.
     """
     core = model.compiled()
-    size = _size(core)
+    size, reach = extent(core)
     speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
     position, velocity = joint_residuals(model, dynamics)
     small = SMALL_RESIDUAL if correct else np.inf
+    rounding = RESIDUAL_TOLERANCE * max(1.0, size) + ROUNDOFF * reach
     remarks = [
-        _inaccuracy(core, "poses", position, "", RESIDUAL_TOLERANCE * max(1.0, size), small * size),
+        _inaccuracy(core, "poses", position, "", rounding, small * size),
         _inaccuracy(core, "velocities", velocity, "/s", RESIDUAL_TOLERANCE * speed, small * speed),
     ]
     found = "; ".join(filter(None, remarks))
     if found and not correct:
-        warnings.warn(found, LinkworkWarning, stacklevel=3)
+        warn(found)
     if not found or not correct:
         return None
     assembly = assemble(model)
@@ -97,8 +117,49 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
         float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
     )
     changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
-    warnings.warn(f"{found}: corrected {changes}", LinkworkWarning, stacklevel=3)
+    warn(f"{found}: corrected {changes}")
     return assembly
+
+
+def start_time(start: Snapshot | None) -> float:
+    """Where a run begins [s]. OptionError: what is no Snapshot."""
+    if start is not None and not isinstance(start, Snapshot):
+        raise OptionError(f"start {start!r} is no linkwork.Snapshot(t, q, v)", code="start")
+    return 0.0 if start is None else float(start.t)
+
+
+def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
+    """OptionError: the state of another mechanism.
+
+    LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
+    """
+    core, y = model.compiled(), start.y
+    if len(y) != 13 * model.body_count or not np.isfinite(y).all():
+        raise OptionError(
+            f"start: q {np.shape(start.q)} and v {np.shape(start.v)} are no finite state of the "
+            f"{model.body_count} bodies of model '{model.name}'",
+            code="start",
+        )
+    size, _ = extent(core)
+    speed = max(1.0, float(np.abs(start.v).max(initial=0.0))) * max(1.0, size)
+    position, velocity = joint_residuals(model, dynamics, start)
+    remarks = [
+        _inaccuracy(core, "poses", position, "", SMALL_RESIDUAL * size, np.inf),
+        _inaccuracy(core, "velocities", velocity, "/s", SMALL_RESIDUAL * speed, np.inf),
+    ]
+    if any(remarks):
+        warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
+    if start.t > 0:
+        _check_remembered(core)
+
+
+def _check_remembered(core: _core.Model) -> None:
+    """LinkworkWarning: what starts otherwise than it went on before."""
+    kinds = [kind.name for kind in _core.force_kinds()]
+    of_force = [REMEMBERING.get(kinds[kind]) for kind in core.force_arrays()["kind"]]
+    for what in sorted(set(filter(None, of_force))):
+        names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
+        warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
@@ -120,7 +181,7 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
         )
     if max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
         lost = f"integrator '{method.name}' loses its order {method.order}"
-        warnings.warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}", LinkworkWarning, stacklevel=4)
+        warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}")
 
 
 def check_stiffness(method: Integrator, system: System, step: float) -> None:
@@ -146,15 +207,6 @@ def _complex(value: complex) -> str:
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 
-def _size(core: _core.Model) -> float:
-    """The largest coordinate of a body or arm of a joint [m]; 1 where all are zero."""
-    arms = core.joint_arrays()["origin"]
-    size = max(
-        float(np.abs(core.q0.reshape(-1, 7)[:, :3]).max(initial=0.0)), float(np.abs(arms).max(initial=0.0))
-    )
-    return size or 1.0
-
-
 def _inaccuracy(
     core: _core.Model, level: str, residuals: Floats, unit: str, rounding: float, most: float
 ) -> str:
@@ -164,7 +216,8 @@ def _inaccuracy(
     if not len(worst):
         return ""
     each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {residuals[worst[k]]:.3g}{unit}")
-    message = f"initial {level} do not satisfy {len(worst)} joints (residual, m or 1): {each}"
+    joints = "1 joint" if len(worst) == 1 else f"{len(worst)} joints"
+    message = f"initial {level} do not satisfy {joints} (residual, m or 1): {each}"
     if residuals[worst[0]] <= most:
         return message
     names = [core.joint_name(int(joint)) for joint in worst]

@@ -8,6 +8,8 @@ from __future__ import annotations
 import difflib
 import errno
 import os
+import sys
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -31,6 +33,7 @@ __all__ = [
     "cause",
     "nearest",
     "unwritable",
+    "warn",
 ]
 
 
@@ -173,3 +176,11 @@ def nearest(word: str, known: Iterable[str]) -> str:
     if close:
         return f"; the nearest is '{close[0]}'"
     return f"; choose from {', '.join(repr(name) for name in names)}" if names else ""
+
+
+def warn(message: str) -> None:
+    """LinkworkWarning at the line of the user's, the nearest outside this package."""
+    package, frame, level = os.path.dirname(__file__) + os.sep, sys._getframe(1), 2
+    while frame.f_code.co_filename.startswith(package) and frame.f_back is not None:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, LinkworkWarning, stacklevel=level)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -91,7 +91,8 @@ class State:
         """The state of one body. ModelError: no such body."""
         place = self._model.compiled().find_body(name)
         if place < 0:
-            raise ModelError(f"no body named '{name}'", code="unknown_name")
+            self._model.find(name)  # says what is near
+            raise ModelError("the ground has no state", code="unknown_name")
         return BodyState(self._q[place], self._v[place])
 
 
@@ -126,10 +127,22 @@ class Event:
         return self.name or str(getattr(self.function, "__name__", "event"))
 
     def compiled(self, model: Model) -> _core.Event:
-        """The same event of a run of `model` in the compiled module."""
+        """The same event of a run of `model` in the compiled module. OptionError: what is no function."""
+        for what, given in (("function", self.function), ("change", self.change)):
+            if not callable(given) and not (given is None and what == "change"):
+                raise OptionError(
+                    f"event '{self.label}': {what} {given!r} is no function of (t, state)", code="event"
+                )
 
         def function(t: float, y: Floats) -> float:
-            return float(self.function(t, State(model, y)))
+            value = self.function(t, State(model, y))
+            try:
+                return float(value)
+            except (TypeError, ValueError) as error:
+                raise OptionError(
+                    f"event '{self.label}': its function returned {value!r}, no number (t = {t:g} s)",
+                    code="event",
+                ) from error
 
         def change(t: float, y: Floats) -> tuple[ArrayLike, bool]:
             changed = np.array(y)
@@ -175,7 +188,7 @@ class Occurrence:
 
 def compile_events(events: object, model: Model) -> list[tuple[str, _core.Event]]:
     """Label and compiled event of each. OptionError: something that is no Event."""
-    listed = [events] if isinstance(events, Event) else list(events or ())  # type: ignore[call-overload]
+    listed = list(events) if isinstance(events, Iterable) else [] if events is None else [events]
     for event in listed:
         if not isinstance(event, Event):
             raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")

@@ -45,6 +45,8 @@ class Jet:
         return self * other.apply(1 / other.f, -1 / other.f**2, 2 / other.f**3)
 
     def __pow__(self, other: Jet) -> Jet:
+        if self.f < 0 and other.f != round(other.f):
+            raise ValueError("a root of a negative number")
         if other.df == other.ddf == 0:
             n = other.f
             first = n * self.f ** (n - 1) if n else 0.0
@@ -112,17 +114,16 @@ class Formula:
         try:
             tree = ast.parse(text.strip(), mode="eval")
             self._part = self._read(tree.body)
-        except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        except (SyntaxError, ValueError, OverflowError, RecursionError, MemoryError) as error:
             raise self._refuse("is not a formula") from error
 
     def derivative(self, t: float, order: int) -> float:
         """Of order 0, 1 or 2 at t [s]; NaN where it has no value."""
         try:
             jet = self._part(Jet(t, 1.0))
-            value = (jet.f, jet.df, jet.ddf)[order]
         except (ArithmeticError, ValueError):
             return math.nan
-        return math.nan if isinstance(value, complex) else value
+        return (jet.f, jet.df, jet.ddf)[order]
 
     def _refuse(self, why: str) -> ModelError:
         return ModelError(f"expression '{self.text[:80]}' {why}", code="expression")

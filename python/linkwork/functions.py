@@ -165,14 +165,12 @@ class Table(TimeFunction):
 
     def integral(self) -> TimeFunction:
         """Zero at the first sample where the table does not hold t = 0."""
-        powers = np.arange(1, self.coefficients.shape[1] + 1)
-        rising = np.concatenate([np.zeros((len(self.coefficients), 1)), self.coefficients / powers], axis=1)
-        ends = np.sum(rising * np.diff(self.breaks)[:, None] ** np.arange(rising.shape[1]), axis=1)
-        rising[:, 0] = np.concatenate([[0.0], np.cumsum(ends)[:-1]])
-        out = Table(self.breaks, rising)
+        from scipy.interpolate import PPoly
+
+        whole = PPoly(self.coefficients.T[::-1], self.breaks).antiderivative()
         if self.span[0] <= 0 <= self.span[1]:
-            rising[:, 0] -= out.evaluate(0.0)[0]
-        return Table(self.breaks, rising)
+            whole.c[-1] -= whole(0.0)
+        return Table(self.breaks, whole.c[::-1].T)
 
 
 @dataclass(frozen=True)
@@ -271,7 +269,9 @@ def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
     """
     breaks, samples = np.array(t, dtype=float), np.array(values, dtype=float)
     _check_samples(breaks, samples)
-    return Table(breaks, _spline(breaks, samples))
+    from scipy.interpolate import CubicSpline
+
+    return Table(breaks, CubicSpline(breaks, samples, bc_type="not-a-knot").c[::-1].T)
 
 
 def piecewise_polynomial(breaks: ArrayLike, coefficients: ArrayLike) -> TimeFunction:
@@ -360,46 +360,3 @@ def _check_samples(t: Floats, values: Floats) -> None:
         raise ModelError(
             f"table: times must increase, but {t[k + 1]:g} s follows {t[k]:g} s", code="time_function"
         )
-
-
-# Not-a-knot cubic spline by its second derivatives M_i (de Boor, A Practical Guide to Splines, chapter IV):
-#   h_{i-1} M_{i-1} + 2 (h_{i-1} + h_i) M_i + h_i M_{i+1} = 6 (s_i - s_{i-1}),   s_i = (f_{i+1} - f_i) / h_i,
-# and equal third derivatives at both sides of the first and last inner samples:
-#   M_0 = M_1 - r (M_2 - M_1),   r = h_0 / h_1
-def _spline(t: Floats, f: Floats) -> Floats:
-    """Coefficients (k-1, 4) in powers of t - t_i."""
-    h = np.diff(t)
-    slope = np.diff(f) / h
-    M = _second_derivatives(h, slope)
-    first = slope - h * (2 * M[:-1] + M[1:]) / 6
-    return np.stack([f[:-1], first, M[:-1] / 2, np.diff(M) / (6 * h)], axis=1)
-
-
-def _second_derivatives(h: Floats, slope: Floats) -> Floats:
-    if len(h) == 1:
-        return np.zeros(2)
-    bends = np.diff(slope)
-    if len(h) == 2:
-        return np.full(3, 2 * bends[0] / (h[0] + h[1]))
-    lower, diagonal, upper = h[:-1].copy(), 2 * (h[:-1] + h[1:]), h[1:].copy()
-    left, right = h[0] / h[1], h[-1] / h[-2]
-    diagonal[0] += h[0] * (1 + left)
-    upper[0] -= h[0] * left
-    diagonal[-1] += h[-1] * (1 + right)
-    lower[-1] -= h[-1] * right
-    inner = _solve_tridiagonal(lower, diagonal, upper, 6 * bends)
-    ends = (1 + left) * inner[0] - left * inner[1], (1 + right) * inner[-1] - right * inner[-2]
-    return np.concatenate([[ends[0]], inner, [ends[1]]])
-
-
-def _solve_tridiagonal(lower: Floats, diagonal: Floats, upper: Floats, right: Floats) -> Floats:
-    """Elimination without pivoting; lower[i] stands left of diagonal[i], upper[i] right of it."""
-    d, x = diagonal.copy(), right.copy()
-    for i in range(1, len(d)):
-        factor = lower[i] / d[i - 1]
-        d[i] -= factor * upper[i - 1]
-        x[i] -= factor * x[i - 1]
-    x[-1] /= d[-1]
-    for i in range(len(d) - 2, -1, -1):
-        x[i] = (x[i] - upper[i] * x[i + 1]) / d[i]
-    return x

@@ -30,7 +30,7 @@ def _none(*shape: int) -> Callable[[], Any]:
     return lambda: np.zeros(shape)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Header:
     """n bodies, J joints, m constraint rows. SI units; ground is body index -1."""
 
@@ -105,6 +105,9 @@ class Header:
             reactions=dynamics.reactions,
         )
 
+    def __repr__(self) -> str:
+        return f"<Header: {self.body_count} bodies, {self.joint_count} joints, {self.row_count} equations>"
+
     def detached(self) -> Header:
         """The same without the compiled model behind it, so that it can go to another process."""
         names = {name: list(getattr(self, name)) for name in MODEL_NAMES}
@@ -130,20 +133,24 @@ class Header:
 
     def frame_shapes(self) -> dict[str, tuple[int, ...]]:
         """Shape of one frame of every recorded field; `t` comes last, as in the file."""
-        n, joints = self.body_count, self.joint_count
-        return {
-            "q": (n, 7),
-            "v": (n, 6),
-            "vdot": (n, 6),
-            "lambda": (self.row_count,),
-            "kinetic": (),
-            "potential": (),
-            "work": (),
-            "violation": (3,),
-            "reaction_force": (joints, 3),
-            "reaction_torque": (joints, 3),
-            "t": (),
-        }
+        return frame_shapes(self.body_count, self.joint_count, self.row_count)
+
+
+def frame_shapes(bodies: int, joints: int, rows: int) -> dict[str, tuple[int, ...]]:
+    """As `Header.frame_shapes`, of so many bodies, joints and constraint rows."""
+    return {
+        "q": (bodies, 7),
+        "v": (bodies, 6),
+        "vdot": (bodies, 6),
+        "lambda": (rows,),
+        "kinetic": (),
+        "potential": (),
+        "work": (),
+        "violation": (3,),
+        "reaction_force": (joints, 3),
+        "reaction_torque": (joints, 3),
+        "t": (),
+    }
 
 
 def _parameters(role: str, arrays: Mapping[str, Any]) -> dict[str, Any]:

@@ -507,6 +507,12 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """The same model in the compiled module."""
         return self._core
 
+    def __reduce__(self) -> tuple[Callable[[Mapping[str, Any]], Model], tuple[dict[str, Any]]]:
+        """Copies, also to other processes, are exact. ModelError: a Python function in the model."""
+        from linkwork import model_file
+
+        return model_file.model_of, (model_file.record_of(self, {}),)
+
     def hash(self) -> str:
         """Equal for models of equal motion, whatever the names; a Python function counts by its name."""
         core = self._core

@@ -15,11 +15,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
+from linkwork.errors import OptionError
+
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-#: What `simulate(progress=...)` takes: None shows a line, False shows nothing.
-ProgressOption = Callable[["ProgressInfo"], object] | Literal[False] | None
+#: What `simulate(progress=...)` takes: None or True shows a line, False shows nothing.
+ProgressOption = Callable[["ProgressInfo"], object] | bool | None
 
 #: What a series of tasks takes: None shows a line, False shows nothing.
 ShowOption = Literal[False] | None
@@ -49,13 +51,16 @@ class ProgressInfo:
     #: last frame; None before anything is known
     step: float | None = None
     violation: float | None = None
+    #: where the run began [s]
+    t_start: float = 0.0
 
     @property
     def fraction(self) -> float:
         """Share of the run that is done, 0 to 1."""
         if self.steps_total > 0:
             return min(self.steps_done / self.steps_total, 1.0)
-        return min(self.t / self.t_end, 1.0) if self.t_end > 0 else 1.0
+        span = self.t_end - self.t_start
+        return min((self.t - self.t_start) / span, 1.0) if span > 0 else 1.0
 
     @property
     def rate(self) -> float:
@@ -75,16 +80,24 @@ class Report(Protocol):
 
 
 @contextmanager
-def reporting(progress: ProgressOption, t_end: float, steps_total: int = 0) -> Iterator[Report]:
+def reporting(
+    progress: ProgressOption, t_end: float, steps_total: int = 0, t_start: float = 0.0
+) -> Iterator[Report]:
     """Give the run its `report(t, steps_done, violation)`; a line that was shown is cleared at the end.
 
     `progress`: None = automatic (a line where the run takes more than two seconds and standard error is a
     terminal or the program a notebook), False = nothing, or a function that is called with a ProgressInfo at
     every report. The log is written in any case, every ten seconds, where its level allows.
+    OptionError: anything else.
     """
+    if not (callable(progress) or progress is None or isinstance(progress, bool)):
+        raise OptionError(
+            f"progress {progress!r} is neither None, True or False, nor a function of ProgressInfo",
+            code="progress",
+        )
     started = time.monotonic()
-    before = 0.0, 0
-    with _shown(progress is None) as show:
+    before = t_start, 0
+    with _shown(progress is None or progress is True) as show:
 
         def report(t: float, steps_done: int, violation: float | None = None) -> None:
             nonlocal before
@@ -92,7 +105,7 @@ def reporting(progress: ProgressOption, t_end: float, steps_total: int = 0) -> I
             step = (t - before[0]) / taken if taken > 0 and before[1] > 0 else None
             before = t, steps_done
             elapsed = time.monotonic() - started
-            info = ProgressInfo(t, t_end, steps_done, steps_total, elapsed, step, violation)
+            info = ProgressInfo(t, t_end, steps_done, steps_total, elapsed, step, violation, t_start)
             show(info.elapsed, info.fraction, lambda: describe(info))
             if callable(progress):
                 progress(info)

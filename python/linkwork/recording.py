@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import os
 import time
-import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import LinkworkError, LinkworkWarning
+from linkwork.errors import LinkworkError, OptionError, warn
 from linkwork.events import Occurrence
-from linkwork.header import Header
+from linkwork.header import Header, frame_shapes
 from linkwork.integrators import Integrator
 from linkwork.interrupts import Interrupts
 from linkwork.model import Model
@@ -93,8 +93,9 @@ def recorder(output: str | os.PathLike[str] | None, header: Header) -> Recorder:
 
 
 def frame_bytes(model: Model) -> int:
-    """One frame: q, v, v_dot, lambda, the reactions, and a few numbers."""
-    return 8 * (19 * model.body_count + model.row_count + 6 * model.joint_count + 7)
+    """Of one recorded frame."""
+    shapes = frame_shapes(model.body_count, model.joint_count, model.row_count)
+    return 8 * sum(math.prod(shape) for shape in shapes.values())
 
 
 def record(
@@ -125,16 +126,24 @@ def record(
                 warned = _warn_of_singular_poses(run.statistics(), warned)
             before = time.perf_counter()
     except BaseException as error:
-        to.note(_occurrences(run, labels))
-        to.write(run.take_frames())
-        result = to.abandon()
-        if isinstance(error, LinkworkError):
-            error.state = Snapshot.of(run.t, run.last_state)
-            error.result = result
-            if result is not None:
-                result.statistics.update(run.statistics(), failed=True)
+        _abandon(run, to, labels, error)
         raise
     return spent
+
+
+def _abandon(run: _core.Run, to: Recorder, labels: Sequence[str], error: BaseException) -> None:
+    """Keep what there is, and say in the error how far the run came."""
+    try:
+        to.note(_occurrences(run, labels))
+        to.write(run.take_frames())
+    finally:
+        result = to.abandon()
+        if isinstance(error, LinkworkError):
+            error.state, error.result = Snapshot.of(run.t, run.last_state), result
+            if result is not None:
+                result.statistics.update(run.statistics(), failed=True)
+        elif isinstance(error, Exception):  # of the user's own function
+            error.add_note(f"linkwork: in the step after t = {run.t:.6g} s")
 
 
 def _warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
@@ -143,11 +152,9 @@ def _warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
     if count > warned:
         last = [it for it in statistics["passages"] if not it["rows_changed"]][-1]
         names = ", ".join(f"'{name}'" for name in last["joints"])
-        warnings.warn(
+        warn(
             f"singular pose at t = {last['t']:.6g} s: the equations of {names} depend on each other for a "
-            "moment, where the motion could go on in several ways",
-            LinkworkWarning,
-            stacklevel=4,
+            "moment, where the motion could go on in several ways"
         )
     return count
 
@@ -193,5 +200,11 @@ def _steps(run: _core.Simulation, step: PythonStep, system: System, until: float
         t, y, h = run.begin_step()
         if h == 0.0:
             return True
-        run.accept(np.asarray(step(system, t, y, h), dtype=float))
+        reached = np.asarray(step(system, t, y, h), dtype=float)
+        if reached.shape != y.shape:
+            raise OptionError(
+                f"integrator {step!r}: returned shape {reached.shape}, y has {y.shape} (t = {t:g} s)",
+                code="integrator",
+            )
+        run.accept(reached)
     return False

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.errors import ModelError, OptionError, nearest, warn
 from linkwork.header import Floats, Header, record_reactions
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
 
@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
+
+#: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
+MISSED_TURN = np.pi / 2
 
 
 class Reaction(NamedTuple):
@@ -282,7 +285,7 @@ class Result:
                "angle_a" and "angle_b", about its two axes, of universal; not needed where there is one
 
         It is zero where the joint's frames agree; b against a. ModelError: no such joint, or no such
-        coordinate of it.
+        coordinate of it. LinkworkWarning: frames too far apart to tell how often the angle went round.
         """
         joint, header = self._place("joint", name), self._header
         kind = header.joint_kinds[joint]
@@ -293,7 +296,10 @@ class Result:
                 ends.append((np.tile([0.0, 0, 0, 1, 0, 0, 0], (len(self), 1)), np.zeros((len(self), 6))))
             else:
                 ends.append((self._field("q", np.s_[:, body]), self._field("v", np.s_[:, body])))
-        return coordinates_of(which, self.t, ends, header.joint_origin[joint], header.joint_frame[joint])
+        found = coordinates_of(which, self.t, ends, header.joint_origin[joint], header.joint_frame[joint])
+        if which != "displacement":
+            _check_turns(f"{which} of '{header.joint_names[joint]}'", self.t, found)
+        return found
 
     def joint_axes(self, name: str | int) -> Floats:
         """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""
@@ -503,6 +509,17 @@ class Result:
         if name not in places:
             raise ModelError(f"no {what} named '{name}'{nearest(name, places)}", code="unknown_name")
         return places[name]
+
+
+def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
+    """LinkworkWarning: between frames the mean of their rates misses the angle by up to half a turn."""
+    missed = np.abs(np.diff(angle.value) - np.diff(t) * (angle.rate[1:] + angle.rate[:-1]) / 2)
+    if (missed > MISSED_TURN).any():
+        k = int(np.argmax(missed > MISSED_TURN))
+        warn(
+            f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell how "
+            "often it went round between them: record more frames"
+        )
 
 
 def rotate(p: Floats, u: Floats) -> Floats:

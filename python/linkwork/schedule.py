@@ -153,12 +153,17 @@ def plan(
         _check_record_every(record_every)
     most_frames = min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
     if rtol is None and atol is None:
-        return _fixed(t_end, step, record_every, times, most_frames)
+        return _fixed(t_end, step, record_every, times, most_frames, t_start)
     return _adaptive(t_end, step, rtol, atol, record_every, times, most_frames, t_start)
 
 
 def _fixed(
-    t_end: float, step: float | None, record_every: int | None, times: ArrayLike | None, most_frames: int
+    t_end: float,
+    step: float | None,
+    record_every: int | None,
+    times: ArrayLike | None,
+    most_frames: int,
+    t_start: float,
 ) -> Fixed:
     if step is None:
         raise OptionError("step is missing: give a step [s], or rtol for steps that follow it", code="step")
@@ -167,7 +172,7 @@ def _fixed(
             "times needs steps that follow tolerances: give rtol, or record_every instead of times",
             code="conflict",
         )
-    every = record_every or max(1, math.ceil(min(t_end / step, MOST_STEPS) / most_frames))
+    every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
     return Fixed(t_end, step, int(every))
 
 
@@ -203,7 +208,10 @@ def _adaptive(
 
 
 def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np.float64]:
-    asked = np.atleast_1d(np.asarray(times, dtype=float))
+    try:
+        asked = np.atleast_1d(np.asarray(times, dtype=float))
+    except (TypeError, ValueError) as error:
+        raise OptionError(f"times {times!r} are not numbers", code="times") from error
     if asked.ndim != 1 or not len(asked) or not np.isfinite(asked).all() or (np.diff(asked) <= 0).any():
         raise OptionError("times must be finite and ascending, one at least", code="times")
     if asked[0] < t_start or asked[-1] > t_end:

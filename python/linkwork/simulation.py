@@ -11,6 +11,7 @@ from typing import Any, Unpack
 from numpy.typing import ArrayLike
 
 from linkwork import checks, integrators, recording, schedule
+from linkwork.assembly import Assembly
 from linkwork.errors import OptionError
 from linkwork.events import Event, compile_events
 from linkwork.header import Header
@@ -62,7 +63,8 @@ def simulate(
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
-                  `state` of an error. The work and multistep methods begin anew
+                  `state` of an error. The work and multistep methods begin anew, and so do full turns
+                  of rotational springs and contacts that are under way: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
                   of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
@@ -88,46 +90,58 @@ def simulate(
     LinkworkWarning: they were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
-    plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model),
-                         start.t if start is not None else 0.0)  # fmt: skip
+    t_start = checks.start_time(start)
+    plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     checks.check_bodies(model)
     checks.check_tables(model, t_end)
-    method = _method(plan.usual_integrator if integrator is None else integrator)
-    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
-        options["stabilization"] = (
-            "projection"  # there is no acceleration to which a correction could be added
-        )
-    system = System(model, **options)
-    plan.check(method, system)
-    assembly = checks.consistent(model, system.compiled(), correct=assemble)
-    if assembly is not None:
-        system = System(assembly.model, **options)
-
     watched = compile_events(events, model)
-    run = plan.run(method, system, [event for _, event in watched], start)
+    method = _method(plan.usual_integrator if integrator is None else integrator)
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
-             "record_every": record_every, **options}  # fmt: skip
-    chosen = {**plan.chosen(), "integrator": _name(method), **system.options}
+             "record_every": record_every, "assemble": assemble, **options}  # fmt: skip
+    system, assembly = _system(model, method, options, plan, assemble, start)
+
+    run = plan.run(method, system, [event for _, event in watched], start)
+    chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, given, chosen),
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
+        "events": [label for label, _ in watched],
     }
-    header = Header.of(
-        system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes
-    )
+    frames = plan.expected_frames(run)
+    header = Header.of(system.model.compiled(), system.compiled(), facts, frames, system.model.shapes)
     recorder = recording.recorder(output, header)
 
     setup_seconds = time.perf_counter() - started
-    log.info("%s: 0 to %g s by %s", system.model.describe(), t_end, _listed(chosen))
-    with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total) as report:
+    log.info("%s: %g to %g s by %s", system.model.describe(), t_start, t_end, _listed(chosen))
+    with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total, t_start) as report:
         pieces = recording.pieces(run, interrupts, method, system)
-        labels, warns = [label for label, _ in watched], system.options["on_singular"] == "warn"
+        labels, warns = facts["events"], system.options["on_singular"] == "warn"
         driver_seconds = recording.record(run, pieces, recorder, report, labels, warns=warns)
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
     return recorder.result({**run.statistics(), **times_spent})
+
+
+def _system(
+    model: Model,
+    method: Integrator | PythonStep,
+    options: Options,
+    plan: schedule.Fixed | schedule.Adaptive,
+    assemble: bool,
+    start: Snapshot | None,
+) -> tuple[System, Assembly | None]:
+    """The model with its method and a consistent initial state, and what it took to make it so."""
+    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
+        options = {**options, "stabilization": "projection"}  # no acceleration to which to add a correction
+    system = System(model, **options)
+    plan.check(method, system)
+    if start is not None:
+        checks.check_start(model, system.compiled(), start)
+        return system, None
+    assembly = checks.consistent(model, system.compiled(), correct=assemble)
+    return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
 
 
 def _listed(chosen: Mapping[str, Any]) -> str:

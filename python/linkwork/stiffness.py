@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork import _core
 from linkwork.errors import LinkworkError
+from linkwork.extent import extent
 from linkwork.system import System
 
 Floats = NDArray[np.float64]
@@ -44,9 +46,7 @@ def fastest(system: System) -> Fastest | None:
         return None
     y = system.initial_state()
     nq = 7 * system.model.body_count
-    reach = np.empty_like(y)  # units of the linearization
-    for part in (slice(0, nq), slice(nq, None)):
-        reach[part] = max(1.0, np.abs(y[part]).max())
+    reach = _reach(core, y)
     try:
         H, basis = _arnoldi(lambda z: _directional(system, y, reach, z), _start(system))
     except LinkworkError:  # no accelerations beside the initial state: the run will say so, if it must
@@ -81,6 +81,15 @@ def stable_step(growth: Callable[[float, float], float], eigenvalue: complex, st
         middle = (stable + bad) / 2
         stable, bad = (stable, middle) if unstable(middle) else (middle, bad)
     return stable
+
+
+def _reach(core: _core.Model, y: Floats) -> Floats:
+    """Units of the linearization (13n,): of positions, Euler parameters, velocities, angular velocities."""
+    count, size = core.body_count, extent(core).size
+    v = np.abs(y[7 * count :]).reshape(-1, 6)
+    speed, spin = max(1.0, v[:, :3].max()), max(1.0, v[:, 3:].max())
+    pose, rate = [size] * 3 + [1.0] * 4, [speed] * 3 + [spin] * 3
+    return np.concatenate([np.tile(pose, count), np.tile(rate, count)])
 
 
 def _directional(system: System, y: Floats, reach: Floats, z: Floats) -> Floats:

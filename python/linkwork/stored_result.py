@@ -49,15 +49,17 @@ class StoredField:
             nothing: Floats = np.zeros(self.shape)[key]
             return nothing
         rows, *rest = key if isinstance(key, tuple) else (key,)
+        backward = isinstance(rows, slice) and (rows.step or 1) < 0
         if isinstance(rows, slice):
-            rows = slice(*rows.indices(len(self)))
+            chosen = range(*rows.indices(len(self)))[:: -1 if backward else 1]  # HDF5 reads forward only
+            rows = slice(chosen.start, chosen.stop, chosen.step)
         with _opened(self.path) as file:
             if file.attrs["run"] != self.run:
                 raise FileError(
                     f"result '{self.path}': was replaced by another run since it was loaded", code="changed"
                 )
             values: Floats = np.asarray(file["frames"][self.name][(rows, *rest)], dtype=float)
-            return values
+            return values[::-1] if backward else values
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         return np.asarray(self[:], dtype=dtype)

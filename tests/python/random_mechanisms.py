@@ -25,10 +25,10 @@ Floats = NDArray[np.float64]
 JOINTS = {kind.name: kind for kind in _core.joint_kinds()}
 FORCES = {kind.name: kind for kind in _core.force_kinds()}
 
-#: Joints whose points may differ along the axis, and whose x axes may differ about it, at no violation.
 #: Parameters of joints that cannot vary.
 CONSTANTS = {"pitch": 0.3, "radius": 0.3, "teeth_a": 20.0, "teeth_b": -37.0}
 
+#: Joints whose points may differ along the axis, and whose x axes may differ about it, at no violation.
 SLIDING, TURNING = ("cylindrical", "translational"), ("cylindrical", "revolute")
 
 #: Smallest singular value of D, rows of unit length in the metric M^-1, that counts as full row rank.

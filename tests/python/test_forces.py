@@ -114,7 +114,7 @@ def test_a_motor_runs_up_along_its_curve() -> None:
     model = lw.Model()
     rotor = ball(model)
     model.revolute(model.ground, rotor, at=(0, 0, 0), axis=(0, 0, 1))
-    curve = lw.functions.table([-10.0, 50.0], [1.2, 0.0 - 0.0])
+    curve = lw.functions.table([-10.0, 50.0], [1.2, 0.0])
     model.motor(model.ground, rotor, at=(0, 0, 0), axis=(0, 0, 1), curve=curve)
     result = run(model, 3.0)
     slope = 1.2 / 60.0

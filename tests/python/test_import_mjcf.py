@@ -6,11 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import linkwork as lw
+import mujoco
 import numpy as np
 import pytest
 from robot_files import ROBOTS, accelerations
-
-mujoco = pytest.importorskip("mujoco")
 
 SLIDER_CRANK = ROBOTS / "slider_crank.xml"
 

@@ -114,3 +114,15 @@ def test_an_acceleration_continues_the_initial_motion() -> None:
 def test_drives_that_cannot_be_are_refused(joint: str, motion: dict[str, object], words: str) -> None:
     with pytest.raises(lw.ModelError, match=words):
         rotor().drive(joint, **motion)
+
+
+def test_frames_too_far_apart_to_count_turns_are_a_warning() -> None:
+    """Between frames a second apart the wheel goes round up to 16 times, and turns back."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("wheel", mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 150.0))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name="axle")
+    model.drive("axle", position=lw.functions.harmonic(50.0, 3.0))
+    fine, coarse = (lw.simulate(model, 5.0, 1e-3, record_every=k, progress=False) for k in (20, 1000))
+    assert fine.coordinate("axle").value == pytest.approx(50 * np.sin(3 * fine.t), abs=1e-6)
+    with pytest.warns(lw.LinkworkWarning, match="angle of 'axle': frames are too far apart"):
+        coarse.coordinate("axle")

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from collections.abc import Callable
 
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork import _core
+from linkwork import _core, mechanisms
 from linkwork.checks import joint_residuals
 
 NAN = float("nan")
@@ -380,3 +382,22 @@ def test_a_model_describes_itself_in_a_line() -> None:
     for word in ("spatial_slider_crank", "3 bodies", "1 universal", "17 constraint equations"):
         assert word in repr(model)
     assert "\n" not in repr(model)
+
+
+# --- copies -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", mechanisms.MECHANISMS)
+def test_copies_of_a_model_are_exact_and_on_their_own(name: str) -> None:
+    model = mechanisms.MECHANISMS[name].function()
+    for twin in (pickle.loads(pickle.dumps(model)), copy.deepcopy(model)):
+        assert (twin.hash(), twin.describe()) == (model.hash(), model.describe())
+        twin.body("another", mass=1.0, inertia=(1, 1, 1))
+        assert twin.body_count == model.body_count + 1
+
+
+def test_model_with_a_python_function_is_not_copied_without_it() -> None:
+    model = mechanisms.pendulum()
+    model.user_force(lambda t, q, v: 0 * v, name="mine")
+    with pytest.raises(lw.ModelError, match="'mine' is a function"):
+        pickle.dumps(model)

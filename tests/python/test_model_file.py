@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import linkwork as lw
 import numpy as np
 import pytest
@@ -333,7 +334,6 @@ def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
 
 
 def test_saved_documents_obey_the_published_schema() -> None:
-    jsonschema = pytest.importorskip("jsonschema")
     validator = jsonschema.Draft202012Validator(model_file.json_schema())
     for model in (
         crank_and_rod(),

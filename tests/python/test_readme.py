@@ -53,7 +53,9 @@ def test_joint_of_the_readme_is_as_short_as_it_says() -> None:
 
 
 def test_picture_exists_and_is_small() -> None:
-    for picture in re.findall(r"!\[.*?\]\((.*?)\)", README):
+    pictures = re.findall(r"!\[.*?\]\((.*?)\)", README)
+    assert pictures
+    for picture in pictures:
         assert 10_000 < (ROOT / picture).stat().st_size < 300_000, picture
 
 

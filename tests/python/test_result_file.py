@@ -14,6 +14,7 @@ import time
 import tracemalloc
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -121,6 +122,16 @@ def test_result_can_be_saved_over_the_file_it_came_from(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["run.h5"]
 
 
+@pytest.mark.parametrize(
+    "part", [np.s_[::-1], np.s_[10:2:-3], np.s_[2:10:-1], np.s_[::-1, 0], np.s_[3:3], np.s_[-1], np.s_[-4:-1]]
+)
+def test_part_of_a_stored_field_is_that_part_of_the_array(tmp_path: Path, part: Any) -> None:
+    result = make_result(synthetic.header())
+    result.save(tmp_path / "run.h5")
+    stored = Result.load(tmp_path / "run.h5")
+    np.testing.assert_array_equal(stored.recorded("q", part), result.q[part])
+
+
 def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
     old = make_result(synthetic.header())
     old.save(tmp_path / "run.h5")
@@ -164,14 +175,12 @@ def start(
 def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -> None:
     pick = random.Random(seed)
     path = tmp_path / "run.h5"
-    writer = start(
-        WRITE_UNTIL_KILLED, path, pick.choice([1, 3, 50, 400]), pick.choice([0, 1000, 100000]), 0.0
-    )
-    assert writer.stdout is not None
-    writer.stdout.readline()
-    time.sleep(pick.uniform(0.0, 0.5))
-    writer.kill()
-    writer.wait()
+    sizes = pick.choice([1, 3, 50, 400]), pick.choice([0, 1000, 100000])
+    with start(WRITE_UNTIL_KILLED, path, *sizes, 0.0) as writer:
+        assert writer.stdout is not None
+        writer.stdout.readline()
+        time.sleep(pick.uniform(0.0, 0.5))
+        writer.kill()
     result = Result.load(path)
     assert not result.finished
     np.testing.assert_array_equal(result.t, 0.01 * np.arange(len(result)))
@@ -229,14 +238,13 @@ SIMULATE_FOR_AN_HOUR = """
 
 
 def test_killed_run_loses_at_most_the_last_second(tmp_path: Path) -> None:
-    run = start(SIMULATE_FOR_AN_HOUR, tmp_path / "run.h5")
-    assert run.stdout is not None
-    reached = [(time.monotonic(), float(run.stdout.readline()))]
-    while reached[-1][0] < reached[0][0] + 2.5:
-        reached.append((time.monotonic(), float(run.stdout.readline())))
-    run.kill()
-    killed = time.monotonic()
-    run.wait()
+    with start(SIMULATE_FOR_AN_HOUR, tmp_path / "run.h5") as run:
+        assert run.stdout is not None
+        reached = [(time.monotonic(), float(run.stdout.readline()))]
+        while reached[-1][0] < reached[0][0] + 2.5:
+            reached.append((time.monotonic(), float(run.stdout.readline())))
+        run.kill()
+        killed = time.monotonic()
     result = Result.load(tmp_path / "run.h5")
     a_second_before = max(t for at, t in reached if at < killed - 1.0)
     assert result.t[-1] >= a_second_before - 0.01

@@ -5,10 +5,12 @@ from __future__ import annotations
 import _thread
 import math
 import signal
+import sys
 import threading
 import time
 import warnings
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 import linkwork as lw
@@ -19,6 +21,10 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 Floats = NDArray[np.float64]
+
+
+def forgetful(t: float, state: lw.State) -> Any:
+    """A function that forgot to return."""
 
 
 #: Too large for a step of 1 ms.
@@ -38,6 +44,13 @@ GAINS = {"baumgarte_alpha": 3e3, "baumgarte_beta": 3e3}
         ({"integrator": "rk5"}, ["'rk5'", "'rk4'"]),
         ({"integrator": 4}, ["integrator 4"]),
         ({"record_every": 0}, ["record_every 0"]),
+        ({"integrator": lambda system, t, y, h: None}, ["shape ()", "(13,)"]),
+        ({"progress": "yes"}, ["progress 'yes'"]),
+        ({"start": (0, 1)}, ["start (0, 1)", "Snapshot"]),
+        ({"rtol": 1e-6, "times": ["soon"]}, ["times ['soon']"]),
+        ({"rtol": 1e-6, "events": 5}, ["events: 5"]),
+        ({"rtol": 1e-6, "events": lw.Event("f")}, ["'f' is no function of (t, state)"]),  # type: ignore[arg-type]
+        ({"rtol": 1e-6, "events": lw.Event(forgetful, "touch")}, ["'touch'", "None, no number"]),
         (
             {"stabilization": "baumgarte", **GAINS},
             ["3000 1/s", "rk4", "0.001 s"],
@@ -168,8 +181,9 @@ def test_an_error_in_an_own_integrator_reaches_the_user() -> None:
     def broken(system: lw.System, t: float, y: Floats, h: float) -> Floats:
         raise ZeroDivisionError("mine")
 
-    with pytest.raises(ZeroDivisionError, match="mine"):
+    with pytest.raises(ZeroDivisionError, match="mine") as caught:
         lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, broken)
+    assert caught.value.__notes__ == ["linkwork: in the step after t = 0 s"]
 
 
 def test_the_derivative_fits_solve_ivp() -> None:
@@ -223,10 +237,9 @@ def test_a_result_in_a_file_is_that_in_memory(tmp_path: Path) -> None:
 
 
 def test_an_output_that_cannot_be_written_is_refused_before_the_run() -> None:
-    started = time.monotonic()
+    """The run itself would take years."""
     with pytest.raises(lw.FileError, match="/no/such/place"):
-        lw.simulate(lw.mechanisms.pendulum(), 1e6, 1e-3, output="/no/such/place/run.h5")
-    assert time.monotonic() - started < 1.0
+        lw.simulate(lw.mechanisms.pendulum(), 1e11, 1e-3, output="/no/such/place/run.h5")
 
 
 def test_progress_is_told_up_to_the_end() -> None:
@@ -245,34 +258,36 @@ def test_a_diverging_run_names_body_and_time() -> None:
     assert "'top'" in str(caught.value) or "diverged" in str(caught.value)
 
 
-def seconds_to_interrupt(integrator: Any, **arguments: Any) -> float:
-    """From Ctrl-C, when an endless run has got somewhere, to its KeyboardInterrupt."""
-    pressed, under_way = [0.0], threading.Event()
+def reports_after_interrupt(integrator: Any, **arguments: Any) -> int:
+    """Reports of progress, ten a second, of an endless run between Ctrl-C and its KeyboardInterrupt."""
+    pressed, under_way, late = threading.Event(), threading.Event(), []
 
     def press() -> None:
         under_way.wait(60)
         time.sleep(0.2)
-        pressed[0] = time.monotonic()
+        pressed.set()
         _thread.interrupt_main()
 
     def progress(info: lw.ProgressInfo) -> None:
+        if pressed.is_set():
+            late.append(info)
         if info.fraction > 0:
             under_way.set()
 
     threading.Thread(target=press).start()
     with pytest.raises(KeyboardInterrupt):
         lw.simulate(lw.mechanisms.heavy_top(), 1e5, 1e-4, integrator, progress=progress, **arguments)
-    return time.monotonic() - pressed[0]
+    return len(late)
 
 
 @pytest.mark.parametrize("integrator", ["rk4", classical], ids=["compiled", "own"])
-def test_an_interrupt_ends_a_run_within_half_a_second(integrator: Any) -> None:
-    assert seconds_to_interrupt(integrator) < 0.5
+def test_an_interrupt_ends_a_run_before_its_next_piece(integrator: Any) -> None:
+    assert reports_after_interrupt(integrator) <= 1
 
 
 def test_an_interrupted_run_leaves_a_readable_file(tmp_path: Path) -> None:
     path = tmp_path / "run.h5"
-    seconds_to_interrupt("rk4", record_every=10, output=path)
+    reports_after_interrupt("rk4", record_every=10, output=path)
     result = lw.Result.load(path)
     assert len(result) > 10
     assert not result.finished
@@ -294,7 +309,23 @@ def test_the_manifest_says_what_was_given_and_what_was_chosen() -> None:
     assert manifest["versions"].keys() == {"linkwork", "numpy", "python"}
 
 
-def test_a_run_of_five_bodies_spends_nine_tenths_of_its_time_in_the_driver() -> None:
-    lw.simulate(lw.mechanisms.chain(5), t_end=0.01, step=1e-3)
-    statistics = lw.simulate(lw.mechanisms.chain(5), t_end=2.0, step=1e-4).statistics
-    assert statistics["driver_seconds"] > 0.9 * statistics["seconds"], statistics
+def python_calls(steps: int) -> int:
+    """Of Python functions, during a run of so many steps."""
+    calls = 0
+
+    def count(frame: FrameType, event: str, argument: Any) -> None:
+        nonlocal calls
+        calls += event == "call"
+
+    sys.setprofile(count)
+    try:
+        lw.simulate(lw.mechanisms.chain(5), steps * 1e-4, 1e-4, record_every=100, progress=False)
+    finally:
+        sys.setprofile(None)
+    return calls
+
+
+def test_no_python_runs_in_the_loop() -> None:
+    """Only between pieces of the run, a tenth of a second each."""
+    python_calls(10)  # imports
+    assert python_calls(20_000) - python_calls(1_000) < 500

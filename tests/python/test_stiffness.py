@@ -5,8 +5,11 @@ from __future__ import annotations
 import linkwork as lw
 import numpy as np
 import pytest
+from hypothesis import given
 from linkwork import stiffness
 from linkwork.integrators import METHODS
+from random_mechanisms import Mechanism, examples, mechanisms
+from test_invariance import UNITS, in_units
 
 
 def oscillator(stiffness: float, damping: float = 0.0, bodies: int = 1) -> lw.Model:
@@ -63,3 +66,15 @@ def test_the_flyball_governor_needs_the_step_that_its_springs_allow() -> None:
 def test_without_force_elements_and_with_soft_ones_every_step_is_let_through() -> None:
     assert stiffness.fastest(lw.System(lw.mechanisms.spatial_slider_crank())) is None
     lw.simulate(oscillator(1.0), 1.0, 0.1, "euler", progress=False)
+
+
+@pytest.mark.parametrize("units", ["g mm s", "kg mm ms", "mg km min"])
+@examples(15)
+@given(mechanism=mechanisms(most=6, forces=("spring_damper", "rotational_spring_damper", "bushing")))
+def test_the_fastest_eigenvalue_does_not_depend_on_units(mechanism: Mechanism, units: str) -> None:
+    to = UNITS[units]
+    found, scaled = (stiffness.fastest(lw.System(it.model)) for it in (mechanism, in_units(mechanism, to)))
+    if found is None or scaled is None:
+        assert found is scaled is None
+    else:
+        assert abs(scaled.eigenvalue) * to.s == pytest.approx(abs(found.eigenvalue), rel=1e-3, abs=1e-3)

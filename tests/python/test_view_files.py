@@ -9,6 +9,7 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path
 
+import imageio_ffmpeg
 import linkwork as lw
 import numpy as np
 import pytest
@@ -272,7 +273,6 @@ def test_movie_shows_the_body_where_it_is(tmp_path: Path) -> None:
 
 
 def test_movie_is_an_mp4_of_that_length(adaptive: lw.Result, tmp_path: Path) -> None:
-    ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="no imageio-ffmpeg: pip install 'linkwork[movie]'")
     adaptive.movie(tmp_path / "m.mp4", seconds=1.0, frames_per_second=10, size=(320, 200))
-    frames, seconds = ffmpeg.count_frames_and_secs(str(tmp_path / "m.mp4"))
+    frames, seconds = imageio_ffmpeg.count_frames_and_secs(str(tmp_path / "m.mp4"))
     assert (frames, seconds) == (10, pytest.approx(1.0))

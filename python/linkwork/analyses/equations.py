@@ -138,6 +138,9 @@ class Equations:
 def _size(core: _core.Model) -> float:
     """The largest arm of a joint, or distance of a body from the middle of all [m]; 1 for none."""
     r = core.q0.reshape(-1, 7)[:, :3]
-    arms = np.abs(core.joint_arrays()["origin"]).max(initial=0.0) if core.joint_count else 0.0
+    joints = core.joint_arrays()
+    arms = np.abs(joints["origin"][joints["bodies"] >= 0]).max(
+        initial=0.0
+    )  # points on the ground are no arms
     spread = np.linalg.norm(r - r.mean(axis=0), axis=1).max(initial=0.0)
     return float(max(arms, spread)) or 1.0

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -22,11 +21,11 @@ from linkwork.analyses.equations import LISTED, Equations, Sparse
 from linkwork.analyses.tangent import displaced, turned_in, turned_out
 from linkwork.errors import (
     LinkworkError,
-    LinkworkWarning,
     ModelError,
     NotConvergedError,
     OptionError,
     SingularSystemError,
+    warn,
 )
 from linkwork.header import Header
 from linkwork.manifest import manifest
@@ -364,7 +363,7 @@ def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
     )
     if on_singular == "stop":
         raise SingularSystemError(message, code="singular_pose", joints=names, time=found.t)
-    warnings.warn(message, LinkworkWarning, stacklevel=3)
+    warn(message)
 
 
 def _crossing(follower: _Follower, first: _Moment, second: _Moment) -> _Moment:

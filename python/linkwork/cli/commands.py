@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
-
-Action = Callable[..., None]
 
 
 @click.group(context_settings=SETTINGS, cls=base.Group, invoke_without_command=True)

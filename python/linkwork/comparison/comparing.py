@@ -17,7 +17,7 @@ from linkwork.comparison.runs import Outcome, Runs, Sampling
 from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
 from linkwork.comparison.workers import Lost, in_processes, processor_count
-from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, nearest
+from linkwork.errors import LinkworkError, OptionError, nearest, warn
 from linkwork.manifest import platform_facts
 from linkwork.model import Model
 from linkwork.options import Options, check_number
@@ -206,12 +206,10 @@ def _solved(
         return stored
     made = solved_reference(model, t_end, times, processes, beat=lambda _: report(0, "reference solution"))
     if made.error is not None and made.error["state_error"] > GOOD_ENOUGH:
-        warnings.warn(
+        warn(
             f"reference of {model.name or 'the model'}: two runs at tight tolerances differ by "
             f"{made.error['state_error']:.1e} of the motion; smaller errors cannot be told from it: shorten "
-            "the run, or give a known solution as reference",
-            LinkworkWarning,
-            stacklevel=3,
+            "the run, or give a known solution as reference"
         )
     if store is not None:
         store.keep_reference(made)

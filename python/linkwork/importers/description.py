@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -10,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.errors import LinkworkWarning
+from linkwork.errors import warn
 from linkwork.importers.frames import Frame, turned
 from linkwork.model import Model
 
@@ -49,7 +48,7 @@ class Imported:
         topics = Counter(note.topic for note in self.notes)
         counted = ", ".join(f"{topic} ({count})" for topic, count in topics.items())
         text = f"{self.path}: not all is in the model as in the file: {counted}; `linkwork convert` lists it"
-        warnings.warn(LinkworkWarning(text), stacklevel=3)
+        warn(text)
 
 
 @dataclass

@@ -11,9 +11,9 @@ before a model is made of it; ModelFileError has all its faults, each with line 
 
 from __future__ import annotations
 
-from linkwork.model_file.reading import ModelFile, read
+from linkwork.model_file.reading import ModelFile, model_of, read
 from linkwork.model_file.schema import json_schema
 from linkwork.model_file.syntax import SUFFIXES
-from linkwork.model_file.writing import write
+from linkwork.model_file.writing import record_of, write
 
-__all__ = ["SUFFIXES", "ModelFile", "json_schema", "read", "write"]
+__all__ = ["SUFFIXES", "ModelFile", "json_schema", "model_of", "read", "record_of", "write"]

@@ -60,6 +60,12 @@ def _read(path: str | os.PathLike[str]) -> ModelFile:
     return ModelFile(_build(document, checker), dict(document.simulation))
 
 
+def model_of(record: Mapping[str, Any]) -> Model:
+    """From a document as `record_of` makes it."""
+    with collection_paused():
+        return _built(schema.document_type().model_validate(record), _straight)
+
+
 class _Checker:
     """Collects faults, each with the line of its place in the file."""
 

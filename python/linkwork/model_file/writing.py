@@ -41,10 +41,6 @@ def write(model: Model, path: str | os.PathLike[str], simulation: Mapping[str, A
     for name in simulation:
         if name not in (known := schema.setting_names()):
             raise OptionError(f"simulation: no option '{name}'{nearest(name, known)}", code="option")
-    for name, _ in model._user_forces:
-        raise ModelError(
-            f"'{name}' is a function of the user's own, which a file cannot hold", code="not_data"
-        )
     with collection_paused():
         document = record_of(model, simulation)
         lines = json_lines(document) if suffix == ".json" else yaml_lines(document)
@@ -52,7 +48,14 @@ def write(model: Model, path: str | os.PathLike[str], simulation: Mapping[str, A
 
 
 def record_of(model: Model, simulation: Mapping[str, Any]) -> dict[str, Any]:
-    """The document that describes the model, of plain lists, mappings and numbers."""
+    """The document that describes the model, of plain lists, mappings and numbers.
+
+    ModelError: a Python function in it.
+    """
+    for name, _ in model._user_forces:
+        raise ModelError(
+            f"'{name}' is a function of the user's own, which a file cannot hold", code="not_data"
+        )
     core = model.compiled()
     names = _function_names(model)
     elements = {f"{role}s": list(_elements(model, role, names)) for role in KINDS}

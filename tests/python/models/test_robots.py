@@ -87,7 +87,8 @@ STATES = 20
 
 @pytest.mark.parametrize("name", COMPARED)
 def test_forward_dynamics_agrees_with_aba(name: str) -> None:
-    pin = pytest.importorskip("pinocchio")
+    import pinocchio as pin
+
     path = named(name)
     theirs = pin.buildModelFromUrdf(str(path))
     data = theirs.createData()

@@ -1,0 +1,98 @@
+"""A run that begins in the middle: at the state of another run, or of an error."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+from linkwork.progress import ProgressInfo
+
+
+def halfway(model: lw.Model) -> lw.Snapshot:
+    return lw.simulate(model, 1.0, 1e-3, progress=False).snapshot()
+
+
+@pytest.mark.parametrize("choice", [{"step": 1e-3}, {"rtol": 1e-8}])
+def test_progress_counts_from_the_start_of_the_run(
+    choice: dict[str, float],
+) -> None:
+    told: list[ProgressInfo] = []
+    model = mechanisms.pendulum()
+    lw.simulate(model, 1.5, start=halfway(model), progress=told.append, **choice)
+    assert told[-1].t_start == 1.0 and told[-1].fraction == 1.0
+    middle = ProgressInfo(t=1.25, t_end=1.5, steps_done=1, steps_total=0, elapsed=3.0, t_start=1.0)
+    assert (middle.fraction, middle.remaining) == (0.5, 3.0)
+
+
+def test_about_a_thousand_frames_are_recorded_of_the_rest() -> None:
+    model = mechanisms.pendulum()
+    rest = lw.simulate(model, 1.5, 1e-4, start=halfway(model), progress=False)
+    assert 500 <= len(rest) <= 1002
+
+
+def test_summary_and_manifest_say_where_the_run_began() -> None:
+    model = mechanisms.pendulum()
+    rest = lw.simulate(model, 1.5, 1e-2, start=halfway(model), progress=False)
+    assert "1 to 1.5 s" in rest.summary()
+    assert rest.manifest["options"]["t_start"] == 1.0
+
+
+def test_state_of_the_model_does_not_matter_to_a_run_that_starts_elsewhere() -> None:
+    """The pin of this pendulum is 0.5 m off at t = 0, where the run does not begin."""
+    model = mechanisms.pendulum()
+    state = halfway(model)
+    q, v = model.compiled().q0.copy(), model.compiled().v0
+    q[0] += 0.5
+    shifted = model.with_initial_state(q, v)
+    with pytest.raises(lw.ModelError):
+        lw.simulate(shifted, 1.5, 1e-2, progress=False)
+    found, expected = (lw.simulate(it, 1.5, 1e-2, start=state, progress=False) for it in (shifted, model))
+    assert np.array_equal(found.q, expected.q)
+
+
+def test_start_that_violates_a_joint_is_a_warning_that_names_it() -> None:
+    model = mechanisms.pendulum()
+    state = halfway(model)
+    off = state._replace(q=state.q + np.array([0.5, 0, 0, 0, 0, 0, 0]))
+    with pytest.warns(lw.LinkworkWarning, match=r"start: .* 1 joint .*: rod 0\.4"):
+        lw.simulate(model, 1.01, 1e-2, start=off, progress=False)
+
+
+def test_driver_is_met_at_the_time_of_the_start_not_at_zero() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("wheel", mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 2.0))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name="axle")
+    model.drive("axle", position=lw.functions.polynomial(0.0, 2.0, 0.5))
+    state = halfway(model)
+    rest = lw.simulate(model, 2.0, 1e-3, start=state, progress=False)
+    assert rest.coordinate("axle").rate[-1] == pytest.approx(4.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("broken", [np.nan, np.inf])
+def test_start_that_is_not_finite_is_refused(broken: float) -> None:
+    model = mechanisms.pendulum()
+    state = halfway(model)
+    with pytest.raises(lw.OptionError, match="start: .*no finite state"):
+        lw.simulate(model, 2.0, 1e-2, start=state._replace(v=np.full((1, 6), broken)), progress=False)
+
+
+def test_what_force_elements_remember_and_no_state_holds_is_a_warning_that_names_them() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("wheel", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1), omega=(0, 0, 5.0))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1))
+    model.rotational_spring_damper("ground", "wheel", axis=(0, 0, 1), stiffness=0.01, name="mainspring")
+    model.sphere_plane_contact(
+        "ground",
+        "wheel",
+        at=((0, 0, 0), (0, 0, 1)),
+        normal=(0, 0, 1),
+        radius=0.5,
+        stiffness=1e3,
+        name="floor",
+    )
+    state = halfway(model)
+    with pytest.warns(lw.LinkworkWarning) as caught:
+        lw.simulate(model, 1.01, 1e-2, start=state, progress=False)
+    said = " ".join(str(warning.message) for warning in caught)
+    assert "mainspring: full turns" in said and "floor: the speed at which a contact began" in said
