@@ -12,6 +12,16 @@ Floats = NDArray[np.float64]
 Z = (0.0, 0.0, 1.0)
 
 
+@pytest.fixture(params=("dense", "sparse"))
+def matrices(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both ways to solve with D, whatever the size of the model."""
+    if request.param == "sparse":
+        monkeypatch.setattr("linkwork.analyses.constraint_solver.DENSE", 0)
+
+
+both_ways = pytest.mark.usefixtures("matrices")
+
+
 def link(
     model: lw.Model, name: str, a: ArrayLike, b: ArrayLike, mass: float = 1.0, **more: object
 ) -> lw.Body:
@@ -47,6 +57,7 @@ def rates(f: object, t: Floats) -> tuple[Floats, Floats]:
     return (m2 - 8 * m1 + 8 * p1 - p2) / (12 * h), (-m2 + 16 * m1 - 30 * p0 + 16 * p1 - p2) / (12 * h * h)
 
 
+@both_ways
 def test_a_slider_crank_moves_as_its_closed_form_says() -> None:
     """x = r cos + sqrt(l^2 - r^2 sin^2), over several turns, with the derivatives."""
     speed, gain, t = 3.0, 0.2, np.linspace(0, 5, 201)
@@ -213,6 +224,7 @@ def parallelogram() -> lw.Model:
     return four_bar(lw.functions.polynomial(0.0, 1.0), (1.0, 2.0, 1.0, 2.0))
 
 
+@both_ways
 def test_a_parallelogram_passes_its_toggles_and_they_are_told() -> None:
     """All links lie down with the crank at 180 and 360 degrees: there are two ways to go on."""
     t = np.linspace(0, 6, 61)
@@ -225,6 +237,7 @@ def test_a_parallelogram_passes_its_toggles_and_they_are_told() -> None:
     assert set(motion.singular_poses[0].joints) == {"A", "B", "C", "D"}
 
 
+@both_ways
 def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
     t = np.array([0, 1, 2 * np.pi / 3, 3])
     motion = lw.kinematics(parallelogram(), t, on_singular="pass")
@@ -240,6 +253,7 @@ def test_a_toggle_can_stop_the_analysis() -> None:
     assert caught.value.result is not None and len(caught.value.result) == 21
 
 
+@both_ways
 def test_a_slider_pushed_beyond_its_dead_point_is_told_with_its_time() -> None:
     """From the crank at 1 rad the slider goes out with 0.5 m/s, and reaches 4 m when all is in line."""
     turned = lw.kinematics(slider_crank(lw.functions.polynomial(1.0)), [0, 1])
@@ -256,6 +270,7 @@ def test_a_slider_pushed_beyond_its_dead_point_is_told_with_its_time() -> None:
     assert error.result.t[-1] == pytest.approx(np.floor((4 - x) / 0.5 / 0.05) * 0.05)
 
 
+@both_ways
 def test_a_freedom_that_is_left_is_named() -> None:
     with pytest.raises(lw.ModelError, match="1 freedom is left to the model 'slider-crank': body 'crank'"):
         lw.kinematics(slider_crank(None, driver=""), [0, 1])
@@ -275,6 +290,7 @@ def test_times_that_do_not_increase_from_zero_are_refused(times: ArrayLike) -> N
         lw.kinematics(slider_crank(0.0), times)
 
 
+@both_ways
 def test_drivers_that_contradict_each_other_are_named() -> None:
     model = slider_crank(0.0)
     model.displacement_driver(
@@ -284,9 +300,65 @@ def test_drivers_that_contradict_each_other_are_named() -> None:
         lw.kinematics(model, [0, 1])
 
 
+# --- large models -------------------------------------------------------------------------------------------
+
+
+def test_a_thousand_parallelograms_move_as_the_first() -> None:
+    """2001 bodies, 2000 redundant equations: rods stay level, cranks parallel."""
+    n = 1000
+    model = lw.Model(gravity=(0, -9.81, 0), name="row")
+    x = np.arange(n + 1.0)[:, None] * (1.0, 0, 0)
+    cranks = model.bodies("crank", mass=1.0, inertia=(0.1, 0.1, 0.1), position=x + np.array([0, 0.5, 0]))
+    rods = model.bodies("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=x[:-1] + (0.5, 1, 0))
+    model.joints("revolute", model.ground, cranks, at=x, axis=Z, name="bearing")
+    model.joints("revolute", cranks.indices[:-1], rods, at=x[:-1] + (0, 1, 0), axis=Z, name="left")
+    model.joints("revolute", rods, cranks.indices[1:], at=x[1:] + (0, 1, 0), axis=Z, name="right")
+    with pytest.raises(lw.ModelError, match="1 freedom is left to the model 'row'"):
+        lw.kinematics(model, [0, 1])
+    model.angle_driver(
+        model.ground, cranks[0], at=(0, 0, 0), axis=Z, angle=lw.functions.harmonic(0.4, 3.0), name="motor"
+    )
+    needed = lw.inverse_dynamics(model, np.linspace(0, 1, 6))
+    angle, rate, acceleration = (
+        0.4 * np.sin(3 * needed.t),
+        1.2 * np.cos(3 * needed.t),
+        -3.6 * np.sin(3 * needed.t),
+    )
+    tip = np.stack([-np.sin(angle), np.cos(angle)], axis=1)
+    motion = needed.motion
+    assert np.abs(motion.position[:, n + 1 :, :2] - x[:-1, :2] - (0.5, 0) - tip[:, None]).max() < 1e-10
+    assert np.abs(motion.velocity[:, : n + 1, 0] + rate[:, None] / 2 * np.cos(angle)[:, None]).max() < 1e-10
+    inertia = (n + 1) * (0.1 + 0.25) + n  # of all about a bearing
+    weight = 9.81 * np.sin(angle) * ((n + 1) * 0.5 + n)
+    assert needed.effort("motor") == pytest.approx(inertia * acceleration - weight, rel=1e-8, abs=1e-6)
+
+
+def test_a_driven_chain_of_1000_links_bends_as_its_angles_say() -> None:
+    """All equations are needed, and the smallest singular value is small everywhere: no pose is singular."""
+    n, y = 1000, (0, 1, 0)
+    model = lw.Model(name="snake")
+    at = np.arange(float(n))[:, None] * (1.0, 0, 0)
+    links = model.bodies("link", mass=1.0, inertia=(0.1, 0.1, 0.1), position=at + np.array([0.5, 0, 0]))
+    model.joints("revolute", np.arange(n) - 1, links, at=at, axis=y, name="hinge")
+    share = 0.02 * np.cos(np.arange(n) / 30)
+    for k in range(n):
+        angle = lw.functions.harmonic(share[k], 2.0)
+        before = links[k - 1] if k else model.ground
+        model.angle_driver(before, links[k], at=at[k], axis=y, angle=angle, name=f"motor {k}")
+    motion = lw.kinematics(model, np.linspace(0, 1, 6), on_singular="stop")
+    turned = np.sin(2.0 * motion.t)[:, None] * np.cumsum(share)
+    assert (
+        np.abs(motion.position[..., 0] - np.cumsum(np.cos(turned), axis=1) + np.cos(turned) / 2).max() < 1e-10
+    )
+    assert (
+        np.abs(motion.position[..., 2] + np.cumsum(np.sin(turned), axis=1) - np.sin(turned) / 2).max() < 1e-10
+    )
+
+
 # --- inverse dynamics ---------------------------------------------------------------------------------------
 
 
+@both_ways
 def test_a_driven_pendulum_needs_its_inertia_and_weight() -> None:
     """n = (J + m l^2) phi'' + m g l cos(phi)."""
     model = lw.Model(gravity=(0, -9.81, 0))

@@ -98,11 +98,39 @@ def test_a_sleeping_top_precesses_and_nutates(spin: float) -> None:
     assert found.stable == (spin > 2 * np.sqrt(J_1 * m * G * arm) / J_3)
 
 
-def test_what_turns_and_does_not_look_the_same_has_no_frequencies() -> None:
+def test_a_hundred_tops_that_springs_join_precess_as_their_closed_form_says() -> None:
+    """In the direction of the row each mode has the stiffness k_j = 4 k a^2 sin^2(j pi / 2 n), across none:
+    (J_1 s^2 - m g a + k_j) (J_1 s^2 - m g a) + (J_3 w s)^2 = 0.
+    """
+    n, arm, J, J_3, m, spin, k = 100, 0.3, 0.01, 0.004, 2.0, 700.0, 2.0
     model = lw.Model()
-    top = model.body("top", mass=2.0, inertia=(0.01, 0.02, 0.015), position=(0, 0, 0.3), omega=(0, 0, 50))
-    model.spherical(model.ground, top, at=(0, 0, 0))
-    with pytest.raises(lw.ModelError, match="its inertia .* change with time"):
+    at = np.arange(float(n))[:, None] * (1.0, 0, 0)
+    centers = at + np.array([0, 0, arm])
+    tops = model.bodies("top", mass=m, inertia=(J, J, J_3), position=centers, omega=(0, 0, spin))
+    model.joints("spherical", model.ground, tops, at=at, name="tip")
+    for one, other in zip(range(n - 1), range(1, n), strict=True):
+        between = (centers[one], centers[other])
+        model.spring_damper(tops[one], tops[other], at=between, stiffness=k)
+    J_1, weight = J + m * arm**2, m * G * arm
+    stiffness = 4 * k * arm**2 * np.sin(np.arange(n) * np.pi / (2 * n)) ** 2
+    squares = [
+        np.roots([J_1**2, (J_3 * spin) ** 2 + J_1 * (k_j - 2 * weight), weight * (weight - k_j)])
+        for k_j in stiffness
+    ]
+    exact = np.sqrt(-np.ravel(squares))
+    found = lw.linearize(model, modes=6, near=2.5).frequencies
+    nearest = np.sort(exact[np.argsort(np.abs(exact - 2.5))[:6]])
+    assert found == pytest.approx(nearest, rel=1e-7)
+
+
+@pytest.mark.parametrize("n", (1, 100))
+def test_what_turns_and_does_not_look_the_same_has_no_frequencies(n: int) -> None:
+    model = lw.Model()
+    for k in range(n):
+        inertia = (0.01, 0.02 if k == 0 else 0.01, 0.015)
+        top = model.body(mass=2.0, inertia=inertia, position=(k, 0, 0.3), omega=(0, 0, 50))
+        model.spherical(model.ground, top, at=(k, 0, 0))
+    with pytest.raises(lw.ModelError, match="moves so that its .* changes? with time"):
         lw.linearize(model)
 
 

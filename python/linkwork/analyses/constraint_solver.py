@@ -209,33 +209,41 @@ def constraints_of(equations: Equations, D: Sparse, unit: float = 1.0) -> Constr
 
 
 def free_motions(equations: Equations, D: Sparse, count: int) -> Floats:
-    """Up to `count` motions (6n, k) with D x = 0, of length one in scaled columns."""
+    """Up to `count` motions (6n, k) with D x = 0, of length one in scaled columns.
+
+    Of large models what D leaves of random motions.
+    """
     if D.shape[1] <= DENSE:
         return null_space(equations, D)[:, :count]
-    from scipy.sparse.linalg import eigsh
+    from scipy.sparse import diags_array
 
-    scaled = D.multiply(equations.scale[None, :]).tocsr()
-    first = np.random.default_rng(0).standard_normal(D.shape[1])
-    _, x = eigsh((scaled.T @ scaled).tocsc(), k=count, sigma=-RANK_TOLERANCE, v0=first)
-    basis: Floats = equations.scale[:, None] * x
+    W, rows = diags_array(1 / equations.scale).tocsr(), equations.independent
+    random = np.random.default_rng(0).standard_normal((count, D.shape[1]))
+    found = [saddle_point(equations, W @ W, D[rows], W @ b, np.zeros(len(rows))) for b in random]
+    left = [x[0] / equations.scale for x in found if x is not None]
+    basis: Floats = equations.scale[:, None] * _told_apart(np.transpose(left)) if left else np.zeros((0, 0))
     return basis
+
+
+def _told_apart(Z: Floats) -> Floats:
+    """The same space by orthonormal columns, each with one coordinate that is large in no other one."""
+    from scipy.linalg import qr
+
+    if Z.shape[1] < 2:
+        return Z
+    _, _, order = qr(Z.T, mode="economic", pivoting=True)
+    Z, _ = np.linalg.qr(Z @ np.linalg.inv(Z[order[: Z.shape[1]]]))
+    return Z
 
 
 def null_space(equations: Equations, D: Sparse) -> Floats:
     """Z (6n, f): a basis of the motions with D x = 0, orthonormal in scaled columns."""
-    from scipy.linalg import qr
-
     scaled = np.asarray(D.todense()) * equations.scale
     length = np.linalg.norm(scaled, axis=1, keepdims=True)
     scaled = np.divide(scaled, length, out=np.zeros_like(scaled), where=length > 0)
     _, sigma, Vt = np.linalg.svd(scaled, full_matrices=True)
     rank = int(np.count_nonzero(sigma > RANK_TOLERANCE * sigma[0])) if len(sigma) and len(scaled) else 0
-    Z = Vt[rank:].T
-    if Z.shape[1] > 1:  # turned so that each column has one coordinate to itself
-        _, _, order = qr(Z.T, mode="economic", pivoting=True)
-        Z = Z @ np.linalg.inv(Z[order[: Z.shape[1]]])
-        Z, _ = np.linalg.qr(Z)
-    basis: Floats = equations.scale[:, None] * Z
+    basis: Floats = equations.scale[:, None] * _told_apart(Vt[rank:].T)
     return basis
 
 

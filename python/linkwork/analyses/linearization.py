@@ -34,6 +34,9 @@ NEUTRAL = 1e-12
 #: Damping and asymmetry of the stiffness that count as none, relative.
 SMALL = 1e-7
 
+#: Random motions along which coefficients of large models are compared.
+PROBES = 8
+
 #: Modes of models that are too large for dense matrices, where no number is given.
 MODES = 10
 
@@ -127,19 +130,15 @@ def linearize(
     moving = np.abs(at.v).max(initial=0.0) > 0
     if moving:
         _refuse_velocity_rows(eq)
-    if D.shape[1] <= DENSE:
-        Z = null_space(eq, D)
-        if moving:
-            _refuse_change(eq, at, coefficients, Z)
+    small = D.shape[1] <= DENSE
+    if small or moving:
+        Z = null_space(eq, D) if small else _some_motions(eq, D)
+    if moving:
+        _refuse_change(eq, at, coefficients, Z)
+    if small:
         eigenvalues, shapes = _dense(M, C, K, Z)
         eigenvalues, shapes = eigenvalues[:modes], shapes[:, :modes]
     else:
-        if moving:
-            raise OptionError(
-                f"linearize: {model.body_count} bodies in motion are more than the {DENSE // 6} that it "
-                "takes; at rest there is no limit",
-                code="too_large",
-            )
         eigenvalues, shapes = _sparse(M, C, K, D, modes or MODES, near)
     n = model.body_count
     size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
@@ -233,9 +232,9 @@ def _refuse_change(
         changed.append("freedoms")
     if changed:
         raise ModelError(
-            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} change "
-            "with time: there are no frequencies; linearize at rest, or in motion that looks the same at all "
-            "times",
+            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} "
+            f"{'changes' if len(changed) == 1 else 'change'} with time: there are no frequencies; linearize "
+            "at rest, or in motion that looks the same at all times",
             code="not_steady",
         )
 
@@ -294,6 +293,16 @@ def _one_of_each_pair(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
 
 
 # --- large models ---
+
+
+def _some_motions(eq: Equations, D: Sparse) -> Floats:
+    """What D leaves of a few random motions (6n, k): enough to see whether coefficients change."""
+    from scipy.sparse import diags_array
+
+    W = diags_array(1 / eq.scale**2).tocsr()
+    solve = _constrained_solver(W, D)
+    random = np.random.default_rng(0).standard_normal((PROBES, D.shape[1]))
+    return np.transpose([solve(b / eq.scale) for b in random])
 
 
 def _sparse(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float) -> tuple[Complex, Complex]:
@@ -386,7 +395,8 @@ def _arnoldi(
     wanted = min(2 * count + 2, 2 * size - 2)
     theta, z = eigs(operator, k=wanted, v0=np.concatenate([allowed, allowed]))
     s, shapes = _one_of_each_pair(sigma + 1 / theta, z[:size])
-    return s[:count], shapes[:, :count]
+    nearest = np.sort(np.argsort(np.abs(s - sigma), kind="stable")[:count])
+    return s[nearest], shapes[:, nearest]
 
 
 def softest_by_lanczos(W: Sparse, K: Sparse, D: Sparse, scale: float) -> tuple[float, Floats]:

@@ -51,10 +51,10 @@ def delta_robot(driven: bool = True, amplitude: float = 0.4, rate: float = 6.0) 
     """Delta robot: three arms and parallelograms of rods carry a platform that never turns.
 
     R. Clavel's robot (US patent 4976582, 1990). Motors on a circle of 0.2 m turn arms of 35 cm; from each two
-    rods of 80 cm, 10 cm apart, lead to the platform, a radius of 4.5 cm: about the size of ABB's IRB 340,
-    masses our own. A rod has a universal joint on the arm and a ball on the platform. 57 equations on 60
-    coordinates leave three degrees of freedom, the shifts of the platform. The motors follow each other, so
-    that it goes round. Gravity along -z.
+    rods of 80 cm, 10 cm apart, lead to the platform, a radius of 4.5 cm: the size of a robot that packs,
+    chosen here as are the masses. A rod has a universal joint on the arm and a ball on the platform. 57
+    equations on 60 coordinates leave three degrees of freedom, the shifts of the platform. The motors follow
+    each other, so that it goes round. Gravity along -z.
 
     driven     motors turn the arms; otherwise they are free, and the platform falls
     amplitude  of the arms [rad], up to 0.6

@@ -26,9 +26,8 @@ def planetary_gear(
 
     The engine turns the carrier, the generator holds back the sun, the ring drives the car: two degrees of
     freedom, as Willis says, (w_ring - w_carrier) / (w_sun - w_carrier) = -z_sun / z_ring. Sun of 30 teeth,
-    planets of 23, ring of 78: the power split of the 2004 Prius (Staunton et al., Evaluation of 2004 Toyota
-    Prius hybrid electric drive system, ORNL/TM-2006/423). Wheels of steel, 25 mm wide, module 1.5 mm: our
-    own. No gravity. Each planet but the first closes a loop with one redundant equation.
+    planets of 23, ring of 78, as in the power split of the Toyota Prius; wheels of steel, 25 mm wide, module
+    1.5 mm: chosen here. No gravity. Each planet but the first closes a loop with one redundant equation.
 
     planets    number of planets; (30 + 78) / planets must be whole for them to fit
     engine     torque on the carrier [N m]

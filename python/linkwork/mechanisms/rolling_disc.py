@@ -16,9 +16,9 @@ def rolling_disc(tilt: float = 0.5, spin: float = 18.0, yaw: float = 6.0) -> Mod
 
     A non-holonomic joint: the disc touches the table (one equation of positions), and its lowest point is at
     rest (two of velocities): three degrees of freedom, and a mechanism that ends up elsewhere than it began.
-    Mass and size of the toy "Euler's disk", 0.4 kg, 75 mm across, as a thin disc (H. K. Moffatt, Euler's disk
-    and its finite-time singularity, Nature 404, 2000); gravity along -z. "dop853" with a step of
-    1 ms keeps its energy to the last digits.
+    A thin disc of 0.4 kg, 75 mm across, about that of the toy "Euler's disk" (on which see H. K. Moffatt,
+    Euler's disk and its finite-time singularity, Nature 404, 833-834, 2000); gravity along -z. "dop853" with
+    a step of 1 ms keeps its energy to the last digits.
 
     tilt  of the disc's plane from the vertical at the start [rad], below 1.3
     spin  about the disc's axis at the start, against the frame that yaws [rad/s]

@@ -45,9 +45,8 @@ def stewart_platform(driven: bool = True, amplitude: float = 0.15, rate: float =
     A leg is a cylinder on a universal joint on the ground and a piston in a ball joint on the platform: 72
     equations on 78 coordinates, six degrees of freedom, which the six lengths determine. The platform of 3 t
     is 2.1 m above the ground; its joints are pairs 0.2 m apart on a circle of 1.6 m radius, those of the
-    ground 0.6 m apart on one of 1.65 m, about the size of the SIMONA research simulator (Koekebakker, Model
-    based control of a flight simulator motion system, TU Delft 2001); masses our own. The legs go in a wave,
-    so that the platform tilts around. Gravity along -z.
+    ground 0.6 m apart on one of 1.65 m: the size of a flight simulator, chosen here as are the masses. The
+    legs go in a wave, so that the platform tilts around. Gravity along -z.
 
     driven     legs follow their strokes; otherwise they are free, and the platform sinks
     amplitude  of the strokes [m], up to 0.5

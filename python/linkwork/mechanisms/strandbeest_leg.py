@@ -40,10 +40,10 @@ def strandbeest_leg(speed: float = -6.0) -> Model:
     """Leg of a Strandbeest: eight links that turn a crank into steps with a level foot (Jansen's numbers).
 
     A driver turns the crank; the foot, the last corner of the lower triangle, draws a flat line while it
-    would be on the ground and lifts on its way back. Lengths of Theo Jansen's Strandbeest in cm ("The Great
-    Pretender", 010 Publishers, 2007; strandbeest.com): 38, 41.5, 39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49, 50,
-    61.9, 7.8, 15. Links of PVC tube, 19 mm and 0.12 kg/m; the foot hangs free. Ten revolutes with parallel
-    axes and the driver: 51 equations of rank 42 on 42 coordinates. Gravity along -y.
+    would be on the ground and lifts on its way back. Lengths as Theo Jansen gives them, here in cm: 38, 41.5,
+    39.3, 40.1, 55.8, 39.4, 36.7, 65.7, 49, 50, 61.9, 7.8, 15. Links of PVC tube, 19 mm and 0.12 kg/m, are our
+    choice; the foot hangs free. Ten revolutes with parallel axes and the driver: 51 equations of rank 42 on
+    42 coordinates. Gravity along -y.
 
     speed  of the crank [rad/s]; negative ones walk along +x
     """

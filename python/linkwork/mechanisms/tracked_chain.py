@@ -16,6 +16,8 @@ from linkwork.mechanisms.mechanism import Mechanism
 
 Floats = NDArray[np.float64]
 
+AXIS = np.array([0.0, 0.0, 1.0])  # of all pins, wheels and rollers
+
 PITCH, SHOE = 0.154, 18.02  # of a shoe [m], [kg]
 SHOE_INERTIA = (0.22, 0.25, 0.04)  # along the track, across it, along the pins (z) [kg m2]
 PIN = 0.015  # radius of what presses on the wheels [m]
@@ -77,50 +79,10 @@ def tracked_chain(shoes: int = 200, speed: float = 1.0) -> Model:
     if shoes < 2 * ROUND or shoes % 2:
         raise ModelError(f"tracked_chain: shoes {shoes} is not an even number from {2 * ROUND}", code="count")
     model = Model(gravity=(0, -9.81, 0), name="tracked_chain")
-    axis = np.array([0.0, 0.0, 1.0])
     points, idler_center = pins(shoes)
-    turn = speed / PITCH_RADIUS
-    track = _shoes(model, points, idler_center, turn)
-
-    wheel = model.body("wheel", mass=WHEEL, inertia=WHEEL_INERTIA, omega=turn * axis)
-    slide = model.body("slide", mass=SLIDE, inertia=(5.0, 5.0, 5.0), position=idler_center)
-    idler = model.body("idler", mass=WHEEL, inertia=WHEEL_INERTIA, position=idler_center, omega=turn * axis)
-    model.revolute(model.ground, wheel, at=(0, 0, 0), axis=axis, name="wheel bearing")
-    model.revolute(slide, idler, at=idler_center, axis=axis, name="idler bearing")
-    model.translational(model.ground, slide, at=idler_center, axis=(1, 0, 0), name="slide guide")
-    anchor = idler_center - (1.0, 0, 0)
-    model.spring_damper(
-        model.ground, slide, at=(anchor, idler_center), stiffness=TENSIONER, damping=TENSIONER_DAMPING,
-        free_length=1.0 + 2 * TENSION / TENSIONER, name="tensioner",
-    )  # fmt: skip
-    model.motor(
-        model.ground,
-        wheel,
-        at=(0, 0, 0),
-        axis=axis,
-        curve=polynomial(GOVERNOR * turn, -GOVERNOR),
-        name="motor",
-    )
-
-    radius = WHEEL_RADIUS + _press()
-    for body, center in ((wheel, np.zeros(3)), (idler, idler_center)):
-        model.forces(
-            "sphere_sphere_contact", body, track, at=(center, points), radius_a=radius, radius_b=PIN,
-            name=f"pins on {body.name}", **CONTACT,
-        )  # fmt: skip
-    count = int(np.ceil(idler_center[0] / ROLLER_SPACING)) - 1
-    for k, x in enumerate(idler_center[0] * np.arange(1, count + 1) / (count + 1), 1):
-        for name, height, sense in (("upper", PITCH_RADIUS, 1.0), ("lower", -PITCH_RADIUS, -1.0)):
-            center = np.array([x, height - PIN - ROLLER_RADIUS, 0.0])
-            spin = sense * speed / ROLLER_RADIUS * axis
-            roller = model.body(
-                f"{name} roller {k}", mass=ROLLER, inertia=ROLLER_INERTIA, position=center, omega=spin
-            )
-            model.revolute(model.ground, roller, at=center, axis=axis, name=f"{name} roller {k} bearing")
-            model.forces(
-                "sphere_sphere_contact", roller, track, at=(center, points), radius_a=ROLLER_RADIUS,
-                radius_b=PIN, name=f"pins on {name} roller {k}", **CONTACT,
-            )  # fmt: skip
+    track = _shoes(model, points, idler_center, speed / PITCH_RADIUS)
+    _wheels(model, track, points, idler_center, speed / PITCH_RADIUS)
+    _rollers(model, track, points, idler_center[0], speed)
     return model
 
 
@@ -131,12 +93,11 @@ def _shoes(model: Model, points: Floats, idler_center: Floats, turn: float) -> R
     following = np.roll(points, -1, axis=0)
     along = following - points
     middle = (points + following) / 2
-    axis = np.array([0.0, 0.0, 1.0])
 
     velocity, omega = np.zeros((shoes, 3)), np.zeros((shoes, 3))
     for first, center, way in ((0, np.zeros(3), 1.0), (shoes // 2, idler_center, -1.0)):
         on_wheel = slice(first, first + half)
-        velocity[on_wheel] = turn * np.cross(axis, middle[on_wheel] - center)
+        velocity[on_wheel] = turn * np.cross(AXIS, middle[on_wheel] - center)
         omega[on_wheel, 2] = turn
         velocity[first + half : first + half + straight, 0] = way * turn * PITCH_RADIUS
     track = model.bodies(
@@ -144,14 +105,55 @@ def _shoes(model: Model, points: Floats, idler_center: Floats, turn: float) -> R
         mass=SHOE,
         inertia=SHOE_INERTIA,
         position=middle,
-        orientation=rotation.from_axes(along, np.cross(axis, along)),
+        orientation=rotation.from_axes(along, np.cross(AXIS, along)),
         velocity=velocity,
         omega=omega,
     )
     previous = track.indices[np.arange(shoes) - 1]
-    model.joints("revolute", previous, track, at=points, axis=axis, name="pin")
-    model.planar(model.ground, track[0], at=middle[0], axis=axis, name="plane of the track")
+    model.joints("revolute", previous, track, at=points, axis=AXIS, name="pin")
+    model.planar(model.ground, track[0], at=middle[0], axis=AXIS, name="plane of the track")
     return track
+
+
+def _wheels(model: Model, track: Range[Body], points: Floats, idler_center: Floats, turn: float) -> None:
+    """The wheel and its motor; the idler on a slide that a spring pushes away."""
+    center = np.zeros(3)
+    wheel = model.body("wheel", mass=WHEEL, inertia=WHEEL_INERTIA, omega=turn * AXIS)
+    slide = model.body("slide", mass=SLIDE, inertia=(5.0, 5.0, 5.0), position=idler_center)
+    idler = model.body("idler", mass=WHEEL, inertia=WHEEL_INERTIA, position=idler_center, omega=turn * AXIS)
+    model.revolute(model.ground, wheel, at=center, axis=AXIS, name="wheel bearing")
+    model.revolute(slide, idler, at=idler_center, axis=AXIS, name="idler bearing")
+    model.translational(model.ground, slide, at=idler_center, axis=(1, 0, 0), name="slide guide")
+    model.spring_damper(
+        model.ground, slide, at=(idler_center - (1.0, 0, 0), idler_center), stiffness=TENSIONER,
+        damping=TENSIONER_DAMPING, free_length=1.0 + 2 * TENSION / TENSIONER, name="tensioner",
+    )  # fmt: skip
+    torque = polynomial(GOVERNOR * turn, -GOVERNOR)
+    model.motor(model.ground, wheel, at=center, axis=AXIS, curve=torque, name="motor")
+    _press_on(model, wheel, center, WHEEL_RADIUS + _press(), track, points)
+    _press_on(model, idler, idler_center, WHEEL_RADIUS + _press(), track, points)
+
+
+def _rollers(model: Model, track: Range[Body], points: Floats, length: float, speed: float) -> None:
+    """Pairs of them below the upper and the lower run."""
+    count = int(np.ceil(length / ROLLER_SPACING)) - 1
+    for k, x in enumerate(length * np.arange(1, count + 1) / (count + 1), 1):
+        for run, height, sense in (("upper", PITCH_RADIUS, 1.0), ("lower", -PITCH_RADIUS, -1.0)):
+            name, center = f"{run} roller {k}", np.array([x, height - PIN - ROLLER_RADIUS, 0.0])
+            spin = sense * speed / ROLLER_RADIUS * AXIS
+            roller = model.body(name, mass=ROLLER, inertia=ROLLER_INERTIA, position=center, omega=spin)
+            model.revolute(model.ground, roller, at=center, axis=AXIS, name=f"{name} bearing")
+            _press_on(model, roller, center, ROLLER_RADIUS, track, points)
+
+
+def _press_on(
+    model: Model, wheel: Body, center: Floats, radius: float, track: Range[Body], points: Floats
+) -> None:
+    """Contact of a wheel with every pin."""
+    model.forces(
+        "sphere_sphere_contact", wheel, track, at=(center, points), radius_a=radius, radius_b=PIN,
+        name=f"pins on {wheel.name}", **CONTACT,
+    )  # fmt: skip
 
 
 def _press() -> float:
