@@ -328,3 +328,31 @@ joints:
     (tmp_path / "belt.yaml").write_text(text.replace("joint: q", "joint: r"))
     with pytest.raises(lw.LinkworkError, match=r"belt.yaml:11: joints\[2\].*no joint named 'r'"):
         lw.Model.load(tmp_path / "belt.yaml")
+
+
+def test_eigenfrequencies_of_coupled_pendulums_are_those_of_one_freedom() -> None:
+    """Pendulums with th_2 = r th_1: omega^2 = g (m_1 c_1 + r^2 m_2 c_2) / (J_1 + r^2 J_2)."""
+    r, m, c, Jc = -1.7, np.array([1.2, 0.8, 0.5]), np.array([0.5, 0.3, 0.4]), np.array([0.1, 0.05, 0.02])
+    model = lw.Model()
+    hinges = []
+    for k in range(3):
+        body = model.body(f"rod {k}", mass=m[k], inertia=(Jc[k],) * 3, position=(k, 0, -c[k]))
+        hinges.append(model.revolute(model.ground, body, at=(k, 0, 0), axis=(0, 1, 0)))
+    model.coupler([(hinges[0], r), (hinges[1], -1.0)])
+    model.coupler([(hinges[0], 2.0), (hinges[1], 1.0), (hinges[2], 1.0)])
+    ratios = np.array([1.0, r, -2.0 - r])
+    omega = np.sqrt(9.81 * (ratios**2 * m * c).sum() / (ratios**2 * (Jc + m * c**2)).sum())
+    found = lw.linearize(model)
+    assert found.frequencies == pytest.approx([omega], rel=1e-8)
+
+
+def test_a_bead_at_the_bottom_of_a_bent_wire_swings_by_its_curvature() -> None:
+    """omega^2 = g kappa; the curvature of the curve is felt through the constraint only."""
+    x = np.linspace(-1.0, 1.0, 81)
+    points = np.stack([x, 0 * x, 0.5 * 3.0 * x**2 + 0.2 * x**4], axis=1)
+    model = lw.Model()
+    body = model.body("bead", mass=0.3, inertia=INERTIA)
+    model.point_on_curve(model.ground, body, points=points, at=(0, 0, 0))
+    model.orientation(model.ground, body)
+    found = lw.linearize(model)
+    assert found.frequencies == pytest.approx([np.sqrt(9.81 * 3.0)], rel=1e-3)

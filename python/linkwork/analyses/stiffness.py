@@ -17,6 +17,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork import _core
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.tangent import displaced
 
@@ -73,22 +74,25 @@ def damping(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
 
 
 def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Sparse:
-    """d(D^T lambda)/dx, torques in body axes: each joint's share depends on its two bodies only."""
+    """d(D^T lambda)/dx, torques in body axes: each joint's share depends on its own bodies only."""
     from scipy.sparse import coo_array
 
     core, n = equations.core, equations.core.body_count
     found = equations.dynamics.evaluate(t, q, np.zeros(6 * n))["D"]
     starts, columns = found["indptr"], found["indices"]
     row = np.repeat(np.arange(core.row_count), np.diff(starts))
-    pairs = np.asarray(core.joint_arrays()["bodies"]).reshape(-1, 2)
-    color = _colors(n, pairs)
+    joint, body = _incidence(core)
+    ones = np.ones(len(joint))
+    share = coo_array((ones, (joint, body)), shape=(core.joint_count, n)).tocsr()
+    partners = (share.T @ share).tocoo()
+    color = _colors(n, np.column_stack([partners.row, partners.col]))
     weight = multipliers[row]
     used = weight != 0.0
     parts: list[tuple[Floats, Indices, Indices]] = []
     for c in range(color.max(initial=-1) + 1):
-        moved = _of_color(pairs, color, c)[
-            equations.joint_of_row[row]
-        ]  # per entry the body that moves, or -1
+        mover = np.full(core.joint_count, -1)
+        mover[joint[color[body] == c]] = body[color[body] == c]
+        moved = mover[equations.joint_of_row[row]]  # per entry the body that moves, or -1
         wanted = used & (moved >= 0)
         if not wanted.any():
             continue
@@ -162,12 +166,16 @@ def _assembled(parts: list[tuple[Floats, Indices, Indices]], size: int, coo: Cal
     return coo((values[keep], places), shape=(size, size)).tocsr()
 
 
-def _of_color(pairs: NDArray[np.integer], color: Indices, c: int) -> Indices:
-    """Per pair the body of this color, or -1."""
-    known = np.append(color, -1)  # the last one for the ground, index -1
-    first, second = known[pairs[:, 0]] == c, known[pairs[:, 1]] == c
-    found: Indices = np.where(first, pairs[:, 0], np.where(second, pairs[:, 1], -1))
-    return found
+def _incidence(core: _core.Model) -> tuple[Indices, Indices]:
+    """(joint, body) for every body of every joint, without the ground."""
+    arrays = core.joint_arrays()
+    pairs = np.asarray(arrays["bodies"]).reshape(-1, 2)
+    special = np.flatnonzero(arrays["kind"] >= len(_core.joint_kinds()))
+    joint, body = np.repeat(np.arange(len(pairs)), 2), pairs.ravel().astype(int)
+    keep = (body >= 0) & ~np.isin(joint, special)
+    more = [(k, b) for k in special.tolist() for b in core.joint_bodies(k) if b >= 0]
+    added = np.array(more, dtype=int).reshape(-1, 2)
+    return np.append(joint[keep], added[:, 0]), np.append(body[keep], added[:, 1])
 
 
 def _colors(n: int, pairs: NDArray[np.integer]) -> Indices:
