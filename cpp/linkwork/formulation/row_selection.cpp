@@ -11,7 +11,7 @@ namespace linkwork {
 namespace {
 
 constexpr double no_choice = 1e-8;        // of the volume that a choice could keep
-constexpr double most_selection = 3e8;    // flops of choosing rows in one component
+constexpr double most_selection = 5e6;    // flops of choosing rows in one component
 constexpr std::size_t longest_loop = 60;  // joints, for dense algebra
 
 /// Which `count` rows to leave out so that the rest spans as much as possible of all, at both poses: by Gram-Schmidt
