@@ -15,6 +15,8 @@
 
 #if LINKWORK_WITH_GPL
 #include <SuiteSparseQR.hpp>
+
+#include "linkwork/linear/backends/cholmod_view.hpp"
 #endif
 
 namespace linkwork {
@@ -89,13 +91,7 @@ class Factorization {
 
   /// The shortest X with A^T X = B; A has full column rank.
   MatrixXd shortest(MatrixXd B) {
-    cholmod_dense view{};
-    view.nrow = view.d = static_cast<std::size_t>(B.rows());
-    view.ncol = static_cast<std::size_t>(B.cols());
-    view.nzmax = view.nrow * view.ncol;
-    view.x = B.data();
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense view = dense_view(B);
     cholmod_dense* y = SuiteSparseQR_solve<double>(SPQR_RTX_EQUALS_ETB, qr_, &view, &common_);
     cholmod_dense* x = y ? SuiteSparseQR_qmult<double>(SPQR_QX, qr_, y, &common_) : nullptr;
     cholmod_l_free_dense(&y, &common_);

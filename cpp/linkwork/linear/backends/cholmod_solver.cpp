@@ -6,6 +6,8 @@
 #include <cmath>
 #include <new>
 
+#include "linkwork/linear/backends/cholmod_view.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -41,14 +43,7 @@ class Cholmod final : public LinearSolver {
   }
 
   void solve(Eigen::Ref<MatrixXd> x) override {
-    cholmod_dense B{};
-    B.nrow = static_cast<std::size_t>(x.rows());
-    B.ncol = static_cast<std::size_t>(x.cols());
-    B.d = static_cast<std::size_t>(x.outerStride());
-    B.nzmax = B.d * B.ncol;
-    B.x = x.data();
-    B.xtype = CHOLMOD_REAL;
-    B.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense B = dense_view(x);
     cholmod_solve2(CHOLMOD_A, factor_, &B, nullptr, &solution_, nullptr, &work_y_, &work_e_, &common_);
     x = Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(
         static_cast<const double*>(solution_->x), x.rows(), x.cols(),

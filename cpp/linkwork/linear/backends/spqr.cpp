@@ -4,6 +4,8 @@
 #include <SuiteSparseQR.hpp>
 #include <new>
 
+#include "linkwork/linear/backends/cholmod_view.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -38,14 +40,7 @@ class Spqr final : public LinearSolver {
   }
 
   void solve(Eigen::Ref<MatrixXd> x) override {
-    cholmod_dense B{};
-    B.nrow = static_cast<std::size_t>(x.rows());
-    B.ncol = static_cast<std::size_t>(x.cols());
-    B.d = static_cast<std::size_t>(x.outerStride());
-    B.nzmax = B.d * B.ncol;
-    B.x = x.data();
-    B.xtype = CHOLMOD_REAL;
-    B.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense B = dense_view(x);
     cholmod_dense* y = SuiteSparseQR_qmult<double>(SPQR_QTX, qr_, &B, &common_);
     cholmod_dense* z = y ? SuiteSparseQR_solve<double>(SPQR_RETX_EQUALS_B, qr_, y, &common_) : nullptr;
     cholmod_l_free_dense(&y, &common_);
