@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from inspect import isfunction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,7 +48,10 @@ ACCURATE_GAIN = 0.1
 
 
 def check_bodies(model: Model) -> None:
-    """ModelError: there is nothing to simulate."""
+    """ModelError: no model, or nothing to simulate in it."""
+    if not isinstance(model, Model):
+        what = f"the function {model.__name__}: call it" if isfunction(model) else f"{model!r:.80}"
+        raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
     if not model.body_count:
         raise ModelError(f"model '{model.name}': has no bodies", code="empty")
 

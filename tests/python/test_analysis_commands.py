@@ -58,7 +58,7 @@ def test_kinematics_of_a_file_tells_the_torque_of_the_motor(
 
 def test_kinematics_without_drivers_says_what_is_missing(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["kinematics", "four_bar"], debug=False) == 1
-    assert "the model has no drivers; add an angle_driver" in capsys.readouterr().err
+    assert "the model 'four_bar' has no drivers; add an angle_driver" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", ("linearize", "equilibrium"))

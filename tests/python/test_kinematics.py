@@ -284,9 +284,11 @@ def test_joints_that_restrict_velocities_only_are_refused() -> None:
         lw.kinematics(model, [0, 1])
 
 
-@pytest.mark.parametrize("times", ([0.0], [0, 0.5, 0.5], [-1, 1], [0, np.nan], [[0, 1], [2, 3]]))
+@pytest.mark.parametrize(
+    "times", ([0.0], [0, 0.5, 0.5], [-1, 1], [0, np.nan], [[0, 1], [2, 3]], "ab", [[0, 1], [2]])
+)
 def test_times_that_do_not_increase_from_zero_are_refused(times: ArrayLike) -> None:
-    with pytest.raises(lw.OptionError, match="must be two or more finite numbers"):
+    with pytest.raises(lw.OptionError, match="must be two or more finite numbers|are not numbers"):
         lw.kinematics(slider_crank(0.0), times)
 
 
@@ -398,6 +400,32 @@ def test_a_driver_that_does_not_exist_is_refused() -> None:
         lw.inverse_dynamics(slider_crank(0.0), [0, 1], drivers=["moto"])
     with pytest.raises(lw.ModelError, match="has 5 equations and drives nothing"):
         lw.inverse_dynamics(slider_crank(0.0), [0, 1], drivers=["pin"])
+    with pytest.raises(lw.ModelError, match="no driver named 'moto'; the nearest is 'motor'"):
+        lw.inverse_dynamics(slider_crank(0.0), [0, 1]).effort("moto")
+
+
+@pytest.mark.parametrize("drivers", ("motor", [], [1]))
+def test_drivers_are_given_by_a_list_of_names(drivers: object) -> None:
+    with pytest.raises(lw.OptionError, match="are not a list of names of joints"):
+        lw.inverse_dynamics(slider_crank(0.0), [0, 1], drivers=drivers)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("analysis", (lw.inverse_dynamics, lw.kinematics))
+def test_a_function_in_the_place_of_a_model_is_named(analysis: object) -> None:
+    with pytest.raises(
+        lw.ModelError, match="a linkwork.Model is wanted, not the function slider_crank: call"
+    ):
+        analysis(slider_crank, [0, 1])  # type: ignore[operator]
+
+
+def test_what_a_driver_needs_is_told_in_a_line() -> None:
+    """m g l at the level, at rest: 1 kg and 9.81 m/s2 at 0.5 m."""
+    model = lw.Model(gravity=(0, -9.81, 0))
+    arm = link(model, "arm", (0, 0, 0), (1, 0, 0))
+    model.revolute(model.ground, arm, at=(0, 0, 0), axis=Z)
+    model.angle_driver(model.ground, arm, at=(0, 0, 0), axis=Z, angle=0.0, name="hold")
+    found = str(lw.inverse_dynamics(model, [0, 1]))
+    assert found == "hold: 4.905 N m at t = 0 s, power from 0 to 0 W"
 
 
 def test_a_rod_without_mass_and_one_of_almost_none_need_the_same_torque() -> None:

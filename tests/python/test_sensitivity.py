@@ -62,13 +62,21 @@ def test_the_estimated_error_bounds_the_true_one_and_falls_with_the_step() -> No
 @pytest.mark.parametrize(("arguments", "message"), [
     ({"parameters": {}}, "parameters are missing"),
     ({"outputs": {}}, "outputs are missing"),
-    ({"steps": -1.0}, "both must be finite, the step positive"),
-    ({"steps": {"mass": 1.0}}, "the step of 'speed' is missing"),
+    ({"parameters": ["speed"]}, "parameters are missing"),
+    ({"parameters": {"speed": "fast"}}, "parameter 'speed' 'fast' is not a finite number"),
+    ({"parameters": {"speed": [1.0, 2.0]}}, "is not a finite number"),
+    ({"outputs": {"x": 3}}, "output 'x' is 3, not a function of the Result"),
+    ({"steps": -1.0}, "steps must be positive"),
+    ({"steps": 1e-17}, "more than the rounding of the parameter"),
+    ({"steps": {}}, "the step of 'speed' is missing"),
+    ({"steps": {"speed": 1.0, "sped": 1.0}}, "no parameter 'sped'; the nearest is 'speed'"),
+    ({"run": lw.equilibrium}, "t_end, step: options of simulate, which `run` replaces"),
+    ({"build": 3}, "build is 3, not a function that makes a Model"),
 ])  # fmt: skip
 def test_what_cannot_be_varied_is_refused(arguments: dict[str, object], message: str) -> None:
-    given = {"parameters": {"speed": 1.0}, "outputs": OUTPUTS, **arguments}
+    given = {"build": thrown, "parameters": {"speed": 1.0}, "outputs": OUTPUTS, **arguments}
     with pytest.raises(lw.OptionError, match=message):
-        lw.sensitivity(thrown, **given, t_end=0.1, step=0.01)  # type: ignore[arg-type]
+        lw.sensitivity(**given, t_end=0.1, step=0.01)  # type: ignore[arg-type]
 
 
 def test_an_output_that_is_not_finite_is_named() -> None:
@@ -80,6 +88,18 @@ def test_an_output_that_is_not_finite_is_named() -> None:
             t_end=0.1,
             step=0.01,
         )
+
+
+@pytest.mark.parametrize("output", ("far", [[1.0], [1.0, 2.0]], None))
+def test_an_output_that_is_no_number_is_named(output: object) -> None:
+    with pytest.raises(lw.ModelError, match=r"output 'x' is .*not (numbers|finite)"):
+        lw.sensitivity(thrown, {"speed": 1.0, "gravity": 1.0}, {"x": lambda _: output}, t_end=0.1, step=0.01)
+
+
+def test_a_build_that_makes_no_model_is_told_with_its_parameter() -> None:
+    with pytest.raises(lw.ModelError, match="a linkwork.Model is wanted, not None") as caught:
+        lw.sensitivity(lambda mass: None, {"mass": 2.0}, OUTPUTS, t_end=0.1, step=0.01)
+    assert "mass = 2.0" in caught.value.__notes__[0]
 
 
 def test_the_parameter_of_a_run_that_fails_is_told() -> None:

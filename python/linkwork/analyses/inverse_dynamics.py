@@ -9,16 +9,19 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core
+from linkwork import _core, checks
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
-from linkwork.errors import ModelError, nearest
+from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.model import Model
 from linkwork.result import Result
 
 __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
 
 Floats = NDArray[np.float64]
+
+#: Of the effort of drivers, by kind.
+UNITS = {"angle_driver": "N m", "displacement_driver": "N", "distance": "N"}
 
 
 @dataclass(frozen=True)
@@ -47,8 +50,23 @@ class InverseDynamics:
     def effort(self, name: str) -> Floats:
         """Torque [N m] or force [N] (k,) of one driver on its second body. ModelError: no such driver."""
         if name not in self.drives:
-            raise ModelError(f"no driver named '{name}'{nearest(name, self.drives)}", code="unknown_name")
+            raise ModelError(
+                f"no driver named {name!r}{nearest(str(name), self.drives)}", code="unknown_name"
+            )
         return self.drives[name].effort
+
+    def __str__(self) -> str:
+        """A line for each driver, with the largest of what it needs."""
+        return "\n".join(self._line(drive) for drive in self.drives.values())
+
+    def _line(self, drive: Drive) -> str:
+        k = int(np.abs(drive.effort).argmax())
+        unit = UNITS.get(drive.kind, "N or N m")
+        shared = "" if drive.unique else ", a share of what several could do"
+        return (
+            f"{drive.joint}: {drive.effort[k]:.6g} {unit} at t = {self.t[k]:.6g} s, power from "
+            f"{drive.power.min():.6g} to {drive.power.max():.6g} W{shared}"
+        )
 
 
 def inverse_dynamics(
@@ -71,19 +89,32 @@ def inverse_dynamics(
              equation with a function of time, such as a distance joint of variable length
 
     Errors as for `kinematics`. ModelError: a driver that does not exist, or with more than one equation.
+    OptionError: drivers that are no names.
     """
+    checks.check_bodies(model)
     core = model.compiled()
-    chosen = _drivers(core) if drivers is None else [_driver(core, name) for name in drivers]
+    if drivers is not None:
+        _check_names(drivers)
+    chosen = _drivers(model) if drivers is None else [_driver(core, name) for name in drivers]
     motion = kinematics(model, times, on_singular=on_singular)
     rows = np.asarray(core.joint_rows)[chosen].astype(int)
     effort = motion.multipliers[:, rows]
-    power = -effort * _rates(model, motion, rows)  # v^T D^T lambda, with D v = -Phi_t
+    power = 0.0 - effort * _rates(model, motion, rows)  # v^T D^T lambda, with D v = -Phi_t
     drives = [
         Drive(core.joint_name(joint), core.joint_kind(joint), effort[:, k], power[:, k],
               bool(motion.unique_reactions[joint]))
         for k, joint in enumerate(chosen)
     ]  # fmt: skip
     return InverseDynamics(motion, {drive.joint: drive for drive in drives})
+
+
+def _check_names(drivers: Sequence[str]) -> None:
+    """OptionError: not a list of names."""
+    names = [] if isinstance(drivers, str) else list(drivers)
+    if not names or not all(isinstance(name, str) for name in names):
+        raise OptionError(
+            f"inverse_dynamics: drivers {drivers!r:.80} are not a list of names of joints", code="drivers"
+        )
 
 
 def _rates(model: Model, motion: Result, rows: NDArray[np.integer]) -> Floats:
@@ -96,8 +127,9 @@ def _rates(model: Model, motion: Result, rows: NDArray[np.integer]) -> Floats:
     return np.array(found).reshape(len(motion.t), len(rows))
 
 
-def _drivers(core: _core.Model) -> list[int]:
+def _drivers(model: Model) -> list[int]:
     """Joints of one equation that are made to drive, or that a function of time drives. ModelError: none."""
+    core = model.compiled()
     arrays, rows = core.joint_arrays(), np.diff(core.joint_rows)
     ends = np.append(arrays["first_parameter"], len(arrays["signals"]))
     found = [
@@ -108,7 +140,8 @@ def _drivers(core: _core.Model) -> list[int]:
     ]
     if not found:
         raise ModelError(
-            "inverse_dynamics: the model has no drivers; add an angle_driver or a displacement_driver",
+            f"inverse_dynamics: the model '{model.name}' has no drivers; add an angle_driver or a "
+            "displacement_driver",
             code="no_drivers",
         )
     return [int(joint) for joint in found]

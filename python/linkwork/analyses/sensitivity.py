@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.errors import ModelError, OptionError
+from linkwork.checks import check_bodies
+from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.model import Model
 from linkwork.result import Result
 from linkwork.simulation import simulate
@@ -17,6 +18,9 @@ from linkwork.simulation import simulate
 __all__ = ["Sensitivity", "sensitivity"]
 
 Floats = NDArray[np.float64]
+
+#: Steps relative to the parameter that its rounding would swallow.
+SMALLEST_STEP = 1e-13
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +35,13 @@ class Sensitivity:
     runs: int
 
     def relative(self, output: str, parameter: str) -> Floats:
-        """(dy / y) / (dp / p), without unit; infinite where the output is zero."""
+        """(dy / y) / (dp / p), without unit; infinite where the output is zero. ModelError: no such names."""
+        for name, known in ((output, self.derivatives), (parameter, self.parameters)):
+            if name not in known:
+                raise ModelError(
+                    f"sensitivity: no output or parameter named {name!r}{nearest(str(name), known)}",
+                    code="unknown_name",
+                )
         with np.errstate(divide="ignore", invalid="ignore"):
             change: Floats = self.derivatives[output][parameter] * self.parameters[parameter]
             return change / self.values[output]
@@ -41,6 +51,9 @@ class Sensitivity:
         lines = []
         for output, by in self.derivatives.items():
             for parameter, derivative in by.items():
+                if not derivative.size:
+                    lines.append(f"d {output} / d {parameter}: no numbers")
+                    continue
                 k = int(np.abs(derivative).argmax())
                 value, error = derivative.flat[k], self.errors[output][parameter].flat[k]
                 lines.append(f"d {output} / d {parameter} = {value:.8g} +- {error:.1e}")
@@ -79,22 +92,28 @@ def sensitivity(
     run         instead of `simulate(model, **options)`: any analysis; `outputs` get what it returns
     options     of `linkwork.simulate`
 
-    OptionError: no parameters, no outputs, or a step that is not positive. ModelError: an output is not
-    finite or changes its shape. Errors of `build` and of the runs name parameter and value in a note.
+    OptionError: no parameters, no outputs, a step that is not positive, or options beside `run`. ModelError:
+    an output is not finite or changes its shape. Errors of `build`, of the runs and of outputs name parameter
+    and value in a note.
     """
-    h = _steps(parameters, steps)
-    if not outputs:
-        raise OptionError("sensitivity: outputs are missing: {name: function of the Result}", code="outputs")
-    at = {name: float(value) for name, value in parameters.items()}
+    at = _parameters(parameters)
+    h = _steps(at, steps)
+    _check_functions(build, outputs)
+    if run is not None and options:
+        raise OptionError(
+            f"sensitivity: {', '.join(options)}: options of simulate, which `run` replaces; give them there",
+            code="options",
+        )
 
     def measured(changed: str, value: float) -> dict[str, Floats]:
         try:
             model = build(**{**at, changed: value})
+            check_bodies(model)
             result = run(model) if run is not None else simulate(model, **{"progress": False, **options})
+            return {name: _output(name, f(result), changed, value) for name, f in outputs.items()}
         except Exception as error:
             error.add_note(f"sensitivity: in the run with {changed} = {value!r}")
             raise
-        return {name: _output(name, f(result), changed, value) for name, f in outputs.items()}
 
     first = next(iter(at))
     middle = measured(first, at[first])
@@ -116,29 +135,68 @@ def _extrapolated(samples: list[Floats], h: float) -> tuple[Floats, Floats]:
     return (4 * fine - coarse) / 3, np.maximum(np.abs(fine - coarse) / 3, rounding)
 
 
-def _steps(parameters: Mapping[str, float], steps: Mapping[str, float] | float) -> dict[str, float]:
-    """OptionError: nothing to vary, or a step that is not positive."""
-    if not parameters:
+def _parameters(given: Mapping[str, float]) -> dict[str, float]:
+    """OptionError: nothing to vary, or no finite numbers."""
+    if not isinstance(given, Mapping) or not given:
         raise OptionError("sensitivity: parameters are missing: {name: value}", code="parameters")
-    found = {}
-    for name, value in parameters.items():
-        if isinstance(steps, Mapping):
+    return {name: _number(value, f"parameter '{name}'") for name, value in given.items()}
+
+
+def _steps(at: Mapping[str, float], steps: Mapping[str, float] | float) -> dict[str, float]:
+    """OptionError: a step that is missing, not positive, or lost in the parameter's rounding."""
+    if isinstance(steps, Mapping):
+        for name in steps:
+            if name not in at:
+                raise OptionError(f"sensitivity: no parameter '{name}'{nearest(name, at)}", code="steps")
+        for name in at:
             if name not in steps:
                 raise OptionError(f"sensitivity: the step of '{name}' is missing", code="steps")
-            found[name] = float(steps[name])
-        else:
-            found[name] = float(steps) * (abs(float(value)) or 1.0)
-        if not np.isfinite(found[name]) or found[name] <= 0 or not np.isfinite(float(value)):
+        h = {name: _number(steps[name], f"the step of '{name}'") for name in at}
+    else:
+        relative = _number(steps, "steps")
+        h = {name: relative * (abs(value) or 1.0) for name, value in at.items()}
+    for name, step in h.items():
+        if not step > SMALLEST_STEP * abs(at[name]):
             raise OptionError(
-                f"sensitivity: parameter '{name}' = {value!r} with step {found[name]!r}: both must be "
-                "finite, the step positive",
+                f"sensitivity: parameter '{name}' = {at[name]!r} with step {step!r}: steps must be positive, "
+                "and more than the rounding of the parameter",
                 code="steps",
             )
-    return found
+    return h
+
+
+def _number(value: object, what: str) -> float:
+    """OptionError: not a finite number."""
+    if isinstance(value, int | float | np.integer | np.floating) and np.isfinite(value):
+        return float(value)
+    raise OptionError(f"sensitivity: {what} {value!r:.80} is not a finite number", code="not_a_number")
+
+
+def _check_functions(
+    build: Callable[..., Model], outputs: Mapping[str, Callable[[Result], ArrayLike]]
+) -> None:
+    """OptionError: not a function, or not functions by name."""
+    if not callable(build):
+        raise OptionError(
+            f"sensitivity: build is {build!r:.80}, not a function that makes a Model", code="build"
+        )
+    if not isinstance(outputs, Mapping) or not outputs:
+        raise OptionError("sensitivity: outputs are missing: {name: function of the Result}", code="outputs")
+    for name, function in outputs.items():
+        if not callable(function):
+            raise OptionError(
+                f"sensitivity: output '{name}' is {function!r:.80}, not a function of the Result",
+                code="outputs",
+            )
 
 
 def _output(name: str, value: ArrayLike, changed: str, at: float) -> Floats:
-    array = np.asarray(value, dtype=float)
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise ModelError(
+            f"sensitivity: output '{name}' is {value!r:.80}, not numbers", code="not_a_number"
+        ) from None
     if not np.isfinite(array).all():
         raise ModelError(
             f"sensitivity: output '{name}' is not finite with {changed} = {at:.9g}", code="not_finite"
