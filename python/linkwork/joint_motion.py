@@ -106,7 +106,8 @@ def violations(result: Result, joints: NDArray[np.integer], every: int = 1) -> t
     left out: their equations join points and angles.
     """
     header = result.header
-    holds = [joint_kinds(header)[j] for j in joints]
+    kinds = joint_kinds(header)
+    holds = [kinds[j] for j in joints]
     gap, turns = separations(result, header.joint_bodies[joints], header.joint_origin[joints], every)
     a, b = (turns[side] @ header.joint_frame[joints, side] for side in (0, 1))
     held = np.array([it.translations for it in holds], float).reshape(-1, 3)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
 import json
@@ -353,6 +354,42 @@ lw.compare("spatial_slider_crank", 10.0, steps=[1e-3 / 2**k for k in range(8)], 
     while any(Path(f"/proc/{pid}").exists() for pid in group) and time.monotonic() < deadline:
         time.sleep(0.1)
     assert not [pid for pid in group if Path(f"/proc/{pid}").exists()]
+
+
+@pytest.fixture(scope="module")
+def uninterrupted() -> Comparison:
+    return lw.compare(
+        "four_bar", 0.2, steps=[2e-3, 1e-3, 5e-4], integrators=["rk4", "dopri5"], progress=False
+    )
+
+
+@pytest.mark.parametrize("seconds", np.random.default_rng(7).uniform(0.4, 2.5, 4).round(2))
+def test_a_comparison_killed_at_any_moment_goes_on(
+    tmp_path: Path, seconds: float, uninterrupted: Comparison
+) -> None:
+    program = f"""
+import linkwork as lw
+lw.compare("four_bar", 0.2, steps=[2e-3, 1e-3, 5e-4], integrators=["rk4", "dopri5"],
+           resume={str(tmp_path / "c")!r}, processes=1, progress=False)
+"""
+    process = subprocess.Popen([sys.executable, "-c", program])
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(timeout=seconds)
+    process.kill()
+    process.wait()
+    found = lw.compare("four_bar", 0.2, steps=[2e-3, 1e-3, 5e-4], integrators=["rk4", "dopri5"],
+                       resume=tmp_path / "c", progress=False)  # fmt: skip
+    assert [it.pose_error for it in found] == [it.pose_error for it in uninterrupted]
+    assert found.orders() == uninterrupted.orders()
+
+
+def test_a_stored_reference_that_is_damaged_is_made_anew(tmp_path: Path) -> None:
+    first = quick(resume=tmp_path / "c", integrators=["rk4"])
+    file = tmp_path / "c" / "reference.npz"
+    for content in (file.read_bytes()[:-200], file.read_bytes()[:50], b""):
+        file.write_bytes(content)
+        again = quick(resume=tmp_path / "c", integrators=["rk4"])
+        assert again.reference.error == first.reference.error
 
 
 def test_a_file_that_grows_too_large_ends_with_one_line_and_the_cells_so_far(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
+from zipfile import BadZipFile
 
 import numpy as np
 
@@ -46,7 +47,7 @@ class Store:
             with np.load(self.folder / "reference.npz", allow_pickle=False) as arrays:
                 facts = json.loads(str(arrays["facts"]))
                 motion = Sampled(*(arrays[name] for name in ("t", "q", "v", "force", "torque")))
-        except (OSError, ValueError, KeyError, EOFError):
+        except (OSError, ValueError, KeyError, EOFError, BadZipFile):
             return None
         return Reference(**{**facts, "motion": motion, "scales": Scales(**facts["scales"])})
 
