@@ -146,7 +146,8 @@ def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
     limit = "<limit><lower>-1</lower><upper>1</upper></limit>"
     text = (link("a") + '<link name="b"/>' + link("c") + '<plugin name="p"/>'
             + joint("j", "revolute", "a", "b", axis("0 0 1", limit))
-            + joint("g", "gearbox", "b", "c", "<gearbox_ratio>3</gearbox_ratio>"))  # fmt: skip
+            + joint("g", "gearbox", "b", "c", "<gearbox_reference_body>a</gearbox_reference_body>"
+                    + axis("0 0 1") + axis("0 0 1", tag="axis2")))  # fmt: skip
     assert topics(loaded(tmp_path, text)) == [
         ("element", "<plugin>"),
         ("gearbox", "joint 'g'"),
@@ -225,6 +226,18 @@ WRONG = [
     ),
     ('<link name="a">', '<link name="a"/><link name="a">', r":3: link 'a': is given twice"),
     ("</model>", "</model><model/>", r"has 2 models"),
+    ("<xyz >0 0 1</xyz>", "<xyz>0 0 1</xyz><mimic joint='k'/>", r":4: joint 'j' mimic: no joint 'k'"),
+    (
+        "<xyz >0 0 1</xyz>",
+        "<xyz>0 0 1</xyz><mimic joint='j'/>",
+        r":4: joint 'j' mimic: follows itself: j -> j",
+    ),
+    ("<xyz >0 0 1</xyz>", "<xyz>0 0 1</xyz><mimic/>", r":4: joint 'j' mimic: joint is missing"),
+    (
+        "</joint>",
+        "</joint><joint name='g' type='gearbox'><parent>a</parent><child>a</child></joint>",
+        r":4: joint 'g' gearbox_reference_body: is missing",
+    ),
     ('<?xml version="1.0"?>', '<!DOCTYPE sdf SYSTEM "file:///etc/passwd">', r":1: DOCTYPE is not taken"),
 ]
 

@@ -243,6 +243,18 @@ WRONG = [
     ('<child link="arm"/>', '<child link="base"/>', r":5: joint 'hinge': is part of a ring"),
     ('name="arm"', 'name="base"', r":4: link 'base': is given twice"),
     ('name="arm"', "", r":4: link: name is missing"),
+    ("</joint>", '<mimic joint="hip"/></joint>', r":5: joint 'hinge' mimic: no joint 'hip'"),
+    (
+        "</joint>",
+        '<mimic joint="hinge"/></joint>',
+        r":5: joint 'hinge' mimic: follows itself: hinge -> hinge",
+    ),
+    ("</joint>", "<mimic/></joint>", r":5: joint 'hinge' mimic: joint is missing"),
+    (
+        "</joint>",
+        '<mimic joint="a" multiplier="x"/></joint>',
+        r":5: joint 'hinge' mimic multiplier: 'x' is not",
+    ),
     ("</link>", "</lnik>", r":3: is no XML: mismatched tag"),
     ("</robot>", "", r"is no XML: no element found"),
     (
@@ -262,6 +274,28 @@ def test_wrong_files_are_refused_with_line_and_field(
 ) -> None:
     text = f'<?xml version="1.0"?>\n<robot name="test">\n{GOOD}\n</robot>\n'
     check_refused(lw.import_urdf, tmp_path / "robot.urdf", text, part, by, message)
+
+
+def test_joints_that_follow_each_other_in_a_ring_are_refused(tmp_path: Path) -> None:
+    joints = "".join(
+        joint(name, "revolute", "base", link_name, f'<mimic joint="{leader}"/>')
+        for name, link_name, leader in (("x", "a", "y"), ("y", "b", "z"), ("z", "c", "x"))
+    )
+    with pytest.raises(lw.ModelFileError, match="follows itself: x -> y -> z -> x"):
+        loaded(tmp_path, link("base") + link("a") + link("b") + link("c") + joints)
+
+
+def test_joints_that_follow_in_a_chain_are_placed(tmp_path: Path) -> None:
+    """z = 2 y - 0.1, y = -3 x + 0.2, in an order other than that of the file."""
+    mimic = '<axis xyz="0 0 1"/><mimic joint="{}" multiplier="{}" offset="{}"/>'
+    body = (link("base") + link("c") + link("b") + link("a")
+            + joint("z", "revolute", "base", "c", mimic.format("y", 2, -0.1))
+            + joint("y", "revolute", "base", "b", mimic.format("x", -3, 0.2))
+            + joint("x", "revolute", "base", "a", '<axis xyz="0 0 1"/>'))  # fmt: skip
+    core = loaded(tmp_path, body, coordinates={"x": 0.3}, velocities={"x": 1.0}).model.compiled()
+    q, v = core.q0.reshape(-1, 7), core.v0.reshape(-1, 6)
+    assert 2 * np.arctan2(q[:, 6], q[:, 3]) == pytest.approx([2 * (-0.9 + 0.2) - 0.1, -0.9 + 0.2, 0.3])
+    assert v[:, 5] == pytest.approx([-6.0, -3.0, 1.0])
 
 
 def test_a_ring_of_joints_is_no_tree(tmp_path: Path) -> None:

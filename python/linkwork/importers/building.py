@@ -304,7 +304,7 @@ class _Builder:
 
     def add_coupling(self, coupling: Coupling) -> None:
         text = f"that it follows {coupling} is not represented: it moves freely"
-        self._description.note("mimic", f"joint '{coupling.follower}'", text)
+        self._description.note(coupling.kind, f"joint '{coupling.follower}'", text)
 
     def _side(self, link: str, frame: Frame) -> _Side:
         group = self._groups[link]
