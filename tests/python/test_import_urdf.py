@@ -179,17 +179,47 @@ def test_a_slider_with_damping_and_friction_slows_as_they_say(tmp_path: Path) ->
     assert ["regularized" in note.message for note in imported.notes if note.topic == "friction"] == [True]
 
 
-def test_a_joint_that_mimics_is_listed_and_placed(tmp_path: Path) -> None:
+def test_a_joint_that_mimics_is_coupled(tmp_path: Path) -> None:
+    """q_b = m q_a + c: (J_a + m^2 J_b) a = T_a + m T_b, T = -M g r cos(q) of gravity along -y."""
     axis = '<axis xyz="0 0 1"/>'
-    body = (link("base") + link("a") + link("b") + joint("left", "revolute", "base", "a", axis)
+    m, c = -2.0, 0.1
+    body = (link("base") + link("a", "0.2 0 0", mass=3) + link("b", "0.4 0 0", mass=2)
+            + joint("left", "revolute", "base", "a", axis)
             + joint("right", "revolute", "base", "b",
-                    axis + '<mimic joint="left" multiplier="-2" offset="0.1"/>'))  # fmt: skip
-    imported = loaded(tmp_path, body, coordinates={"left": 0.3}, velocities={"left": 1.0})
-    assert [note.subject for note in imported.notes if note.topic == "mimic"] == ["joint 'right'"]
-    core = imported.model.compiled()
-    angle = -2 * 0.3 + 0.1
-    assert core.q0.reshape(-1, 7)[1, 3:] == pytest.approx([np.cos(angle / 2), 0, 0, np.sin(angle / 2)])
-    assert core.v0.reshape(-1, 6)[1, 5] == pytest.approx(-2.0)
+                    axis + f'<mimic joint="left" multiplier="{m}" offset="{c}"/>'))  # fmt: skip
+    imported = loaded(tmp_path, body, coordinates={"left": 0.3}, velocities={"left": 1.0}, gravity=(0, -G, 0))
+    assert topics(imported) == [("base", "link 'base'")]
+    model = imported.model
+    q, v = model.compiled().q0.reshape(-1, 7), model.compiled().v0.reshape(-1, 6)
+    angles = np.array([0.3, m * 0.3 + c])
+    assert 2 * np.arctan2(q[:, 6], q[:, 3]) == pytest.approx(angles) and v[:, 5] == pytest.approx([1.0, m])
+    J = 0.15 + np.array([3, 2]) * np.array([0.2, 0.4]) ** 2
+    T = -G * np.array([3 * 0.2, 2 * 0.4]) * np.cos(angles)
+    a = (T[0] + m * T[1]) / (J[0] + m**2 * J[1])
+    assert accelerations(model)[:, 5] == pytest.approx([a, m * a], rel=1e-11)
+    result = lw.simulate(model, t_end=2.0, step=1e-3)
+    left, right = (result.coordinate(name).value for name in ("left", "right"))
+    assert np.ptp(left) > 0.5 and np.abs(right - m * left - c).max() < 1e-9
+
+
+def test_a_slider_that_follows_an_angle_is_a_rack(tmp_path: Path) -> None:
+    """x = r q: (J + r^2 m) a = -r f, where the slider is held by friction in part."""
+    body = (link("base") + link("wheel") + link("rack", mass=2)
+            + joint("hinge", "continuous", "base", "wheel", '<axis xyz="0 0 1"/>')
+            + joint("slide", "prismatic", "base", "rack", '<axis xyz="1 0 0"/><mimic joint="hinge" '
+                    'multiplier="0.3"/><dynamics damping="0.7"/>'))  # fmt: skip
+    model = loaded(tmp_path, body, velocities={"hinge": 4.0}, gravity=(0, 0, 0)).model
+    a = -0.3 * 0.7 * (0.3 * 4.0) / (0.15 + 0.3**2 * 2)
+    v_dot = accelerations(model)
+    assert (v_dot[0, 5], v_dot[1, 0]) == pytest.approx((a, 0.3 * a), rel=1e-11)
+
+
+def test_a_joint_that_follows_one_that_cannot_move_is_listed(tmp_path: Path) -> None:
+    body = (link("base") + link("a") + '<link name="frame"/>'
+            + joint("still", "fixed", "base", "frame") + joint("hinge", "revolute", "base", "a",
+                    '<mimic joint="still"/>'))  # fmt: skip
+    (note,) = (note for note in loaded(tmp_path, body).notes if note.topic == "mimic")
+    assert note.subject == "joint 'hinge'" and "'still' has no coordinate" in note.message
 
 
 def test_inertias_of_no_body_are_refused_or_made_the_nearest(tmp_path: Path) -> None:

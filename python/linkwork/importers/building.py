@@ -268,6 +268,7 @@ class _Builder:
         self._repair_inertia = repair_inertia
         self._states, self._groups = states, groups
         self._bodies: dict[str, Body] = {WORLD: model.ground}
+        self._coordinates: dict[str, str] = {}  #: of each joint in the model that has one
         self.moving = [groups[name] for name in description.links if groups[name].main == name]
         self.moving = [group for group in self.moving if group is not groups[WORLD]]
 
@@ -300,11 +301,22 @@ class _Builder:
             return
         place = {"at": (a.at, b.at), "frames": "body", "name": joint.name}
         getattr(self, f"_add_{joint.kind}")(joint, a, b, place)
+        if len(joint.motions) == 1:
+            self._coordinates[joint.name] = "angle" if joint.motions[0].rotation else "displacement"
         self._add_forces(joint, a, b)
 
     def add_coupling(self, coupling: Coupling) -> None:
-        text = f"that it follows {coupling} is not represented: it moves freely"
-        self._description.note(coupling.kind, f"joint '{coupling.follower}'", text)
+        """follower - multiplier leader = offset"""
+        for name in (coupling.follower, coupling.leader):
+            if name not in self._coordinates:
+                text = f"that it follows {coupling} is not represented: '{name}' has no coordinate of its own"
+                self._description.note(coupling.kind, f"joint '{coupling.follower}'", text)
+                return
+        terms = [(coupling.follower, 1.0), (coupling.leader, -coupling.multiplier)]
+        given = [(name, self._coordinates[name], factor) for name, factor in terms if factor]
+        taken = self._model.compiled().find_joint(coupling.name) >= 0
+        name = f"{coupling.name} {coupling.kind}" if taken else coupling.name
+        self._model.coupler(given, offset=coupling.offset, name=name)
 
     def _side(self, link: str, frame: Frame) -> _Side:
         group = self._groups[link]

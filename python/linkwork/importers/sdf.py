@@ -67,7 +67,7 @@ def import_sdf(
     them; those that close loops have no coordinates of their own. Links and joints of models in models, and
     of the models of a world with several, are called model::name.
 
-    Not represented, and listed in the notes: limits, gearbox joints, plugins, geometry. ModelFileError: what
+    Not represented, and listed in the notes: limits, plugins, geometry. ModelFileError: what
     is wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.
     """
     library, source = Library.of(path, search_path)

@@ -41,7 +41,7 @@ def import_urdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     link is a body of the same name, its axes those of the link; massless links are parts of the links that
     they are fixed to.
 
-    Not represented, and listed in the notes: limits, mimic, transmissions, geometry. ModelFileError: what is
+    Not represented, and listed in the notes: limits, transmissions, geometry. ModelFileError: what is
     wrong in the file, with lines; moving links without inertia. ModelError: coordinates of joints that do not
     exist.
     """
