@@ -202,6 +202,13 @@ def test_a_joint_that_mimics_is_coupled(tmp_path: Path) -> None:
     assert np.ptp(left) > 0.5 and np.abs(right - m * left - c).max() < 1e-9
 
 
+def test_a_joint_that_mimics_moves_freely_where_that_is_asked_for(tmp_path: Path) -> None:
+    body = (link("base") + link("a") + link("b") + joint("left", "revolute", "base", "a")
+            + joint("right", "revolute", "base", "b", '<mimic joint="left"/>'))  # fmt: skip
+    imported = loaded(tmp_path, body, couple=False)
+    assert ("mimic", "joint 'right'") in topics(imported) and imported.model.row_count == 10
+
+
 def test_a_slider_that_follows_an_angle_is_a_rack(tmp_path: Path) -> None:
     """x = r q: (J + r^2 m) a = -r f, where the slider is held by friction in part."""
     body = (link("base") + link("wheel") + link("rack", mass=2)

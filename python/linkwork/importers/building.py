@@ -58,6 +58,8 @@ class Options(TypedDict, total=False):
     #: made exactly so. Files round angles (1.57), and a planar loop whose axes are not parallel is locked.
     #: None: only in closed loops, to within 2e-3; 0: as in the file
     align_axes: float | None
+    #: joints that follow others (mimic, gearboxes, joint equalities) do so by couplers; False: they are free
+    couple: bool
     #: make one body of links that are fixed to each other; False: only where one of them is massless
     merge_fixed: bool
 
@@ -103,7 +105,11 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     for joint in description.joints if not faults else ():
         _collect(faults, lines or {}, f"joint '{joint.name}'", partial(builder.add_joint, joint))
     for coupling in description.couplings if not faults else ():
-        _collect(faults, lines or {}, f"joint '{coupling.follower}'", partial(builder.add_coupling, coupling))
+        if options.get("couple", True):
+            add = partial(builder.add_coupling, coupling)
+            _collect(faults, lines or {}, f"joint '{coupling.follower}'", add)
+        else:
+            builder.note_coupling(coupling, "it moves freely")
     if faults:
         raise ModelFileError(description.path, faults)
     return Imported(description.path, model, tuple(description.notes))
@@ -309,14 +315,17 @@ class _Builder:
         """follower - multiplier leader = offset"""
         for name in (coupling.follower, coupling.leader):
             if name not in self._coordinates:
-                text = f"that it follows {coupling} is not represented: '{name}' has no coordinate of its own"
-                self._description.note(coupling.kind, f"joint '{coupling.follower}'", text)
+                self.note_coupling(coupling, f"'{name}' has no coordinate of its own")
                 return
         terms = [(coupling.follower, 1.0), (coupling.leader, -coupling.multiplier)]
         given = [(name, self._coordinates[name], factor) for name, factor in terms if factor]
         taken = self._model.compiled().find_joint(coupling.name) >= 0
         name = f"{coupling.name} {coupling.kind}" if taken else coupling.name
         self._model.coupler(given, offset=coupling.offset, name=name)
+
+    def note_coupling(self, coupling: Coupling, reason: str) -> None:
+        text = f"that it follows {coupling} is not represented: {reason}"
+        self._description.note(coupling.kind, f"joint '{coupling.follower}'", text)
 
     def _side(self, link: str, frame: Frame) -> _Side:
         group = self._groups[link]

@@ -36,9 +36,9 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     """The model in an MJCF file: bodies, joints, springs, damping, equalities connect, weld and joint.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, repair_inertia, align_axes, merge_fixed. Coordinates are those of MuJoCo, zero or `ref` in
-    the file's pose. Several joints of one body are taken where one joint here does the same: two slides and a
-    hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
+    keep_massless, repair_inertia, align_axes, couple, merge_fixed. Coordinates are those of MuJoCo, zero or
+    `ref` in the file's pose. Several joints of one body are taken where one joint here does the same: two
+    slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
 
     Not represented, and listed in the notes: limits, contact, actuators, armature, joint equalities that are
     not linear. Needs the package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses,

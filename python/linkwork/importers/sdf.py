@@ -62,10 +62,10 @@ def import_sdf(
                  <include> means must be in these folders; nothing is downloaded
 
     Other options are those of linkwork.importers.building.Options: floating, coordinates, velocities,
-    gravity, keep_massless, repair_inertia, align_axes, merge_fixed. Links that nothing joins to the world
-    move freely, unless their model is static or floating=False. Joints stand where the poses of the links put
-    them; those that close loops have no coordinates of their own. Links and joints of models in models, and
-    of the models of a world with several, are called model::name.
+    gravity, keep_massless, repair_inertia, align_axes, couple, merge_fixed. Links that nothing joins to the
+    world move freely, unless their model is static or floating=False. Joints stand where the poses of the
+    links put them; those that close loops have no coordinates of their own. Links and joints of models in
+    models, and of the models of a world with several, are called model::name.
 
     Not represented, and listed in the notes: limits, plugins, geometry. ModelFileError: what
     is wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.
