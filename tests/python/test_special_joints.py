@@ -326,5 +326,5 @@ joints:
     result = lw.simulate(lw.Model.load(tmp_path / "belt.yaml"), t_end=1.0, step=1e-2)
     assert coordinate(result, "q")[-1] == pytest.approx(2.0, abs=1e-9)
     (tmp_path / "belt.yaml").write_text(text.replace("joint: q", "joint: r"))
-    with pytest.raises(lw.LinkworkError, match=r"belt.yaml:11: joints\[2\].*no joint named 'r'"):
+    with pytest.raises(lw.LinkworkError, match=r"belt.yaml:10: joints\[2\].*no joint named 'r'"):
         lw.Model.load(tmp_path / "belt.yaml")

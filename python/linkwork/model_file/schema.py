@@ -331,7 +331,7 @@ def form_of(value: Any) -> tuple[str, bool] | None:
     """Kind, and whether attached, of an element of a file."""
     kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
     attached = "attachment" in value if isinstance(value, dict) else isinstance(value, Attached)
-    return (kind, attached) if isinstance(kind, str) else None
+    return (kind, attached and kind not in SPECIAL) if isinstance(kind, str) else None
 
 
 def _elements_type(role: Role) -> Any:
