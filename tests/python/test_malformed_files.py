@@ -93,7 +93,7 @@ CASES: list[Case] = [
             ("coupler, coordinates: [], attachment: 1", "attachment", "is not known here"),
             ("point_on_curve, a: crank, b: rod, at: [0, 0, 0], points: [[0, 0, 0]]", "points", "has 1 ent"),
             ("point_on_curve, a: crank, b: rod, at: [0, 0, 0], points: line", "points", "is not a list"),
-            ("point_on_curve, a: crank, b: c, at: [0, 0, 0], points: [[0, 0, 0], [1, 0, 0]]", "b", "named 'c'"),
+            ("point_on_curve, a: crank, b: c, at: [0, 0, 0], points: [[0, 0, 0], [1, 0, 0]]", "b", "named"),
         )
     ),
     # --- missing ---

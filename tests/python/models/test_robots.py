@@ -52,11 +52,14 @@ def test_there_are_the_files_that_are_expected() -> None:
 
 
 @pytest.mark.parametrize("path", [*URDF_FILES, *SDF_FILES], ids=lambda path: path.name)
-def test_every_file_loads_or_is_refused_with_the_reason(path: Path) -> None:
+def test_every_file_loads_or_is_refused_with_the_reason(path: Path, tmp_path: Path) -> None:
+    """What loads can be saved, and comes back exactly."""
     read = lw.import_urdf if path.suffix == ".urdf" else lw.import_sdf
     if path.name not in REFUSED:
         model = read(path).model
         assert model.joint_count >= model.body_count - 1
+        model.save(tmp_path / "robot.yaml")
+        assert lw.Model.load(tmp_path / "robot.yaml").hash() == model.hash()
         return
     with pytest.raises(lw.ModelFileError, match=REFUSED[path.name]) as refused:
         read(path)
