@@ -19,7 +19,6 @@ from linkwork.mechanisms import MECHANISMS
 from linkwork.model_file import schema
 from linkwork.model_file.writing import json_lines, record_of, yaml_lines
 from random_mechanisms import FORCES, JOINTS, Maker, Mechanism, examples, make
-from robot_files import turned
 
 SUFFIXES = (".yaml", ".json")
 
