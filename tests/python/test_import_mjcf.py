@@ -159,6 +159,25 @@ def test_doctype_is_refused(tmp_path: Path) -> None:
         lw.import_mjcf(path)
 
 
+def test_a_joint_equality_is_a_coupler(tmp_path: Path) -> None:
+    """q_1 - ref_1 = 0.2 - 0.5 (q_2 - ref_2), in MuJoCo's coordinates; other polynomials are listed."""
+    body = "".join(
+        f'<body name="{name}"><joint name="{q}" axis="0 0 1" ref="{ref}"/>{INERTIAL}</body>'
+        for name, q, ref in (("a", "q1", 20), ("b", "q2", -15), ("c", "q3", 0))  # degrees
+    )
+    rest = ('<equality><joint name="linear" joint1="q1" joint2="q2" polycoef="0.2 -0.5 0 0 0"/>'
+            '<joint name="square" joint1="q3" joint2="q2" polycoef="0 0 1 0 0"/></equality>')  # fmt: skip
+    imported = lw.import_mjcf(
+        written(tmp_path, body, rest), coordinates={"q2": 0.5}, velocities={"q2": 2.0}, gravity=(3, 0, 0)
+    )
+    assert [note.subject for note in imported.notes if note.topic == "equality"] == ["equality 'square'"]
+    result = lw.simulate(imported.model, t_end=1.0, step=1e-3)
+    one, other = (result.coordinate(name).value for name in ("q1", "q2"))
+    assert np.ptp(other) > 0.1
+    assert one == pytest.approx(0.2 - 0.5 * other, abs=1e-9)
+    assert other[0] == pytest.approx(0.5 + np.radians(15))
+
+
 def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
     body: Any = (f'<body name="a"><joint name="j" range="-1 1" limited="true" frictionloss="0.2"/>'
                  f'{INERTIAL}<geom size="0.1"/></body>')  # fmt: skip

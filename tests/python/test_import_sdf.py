@@ -146,13 +146,36 @@ def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
     limit = "<limit><lower>-1</lower><upper>1</upper></limit>"
     text = (link("a") + '<link name="b"/>' + link("c") + '<plugin name="p"/>'
             + joint("j", "revolute", "a", "b", axis("0 0 1", limit))
-            + joint("g", "gearbox", "b", "c", "<gearbox_ratio>3</gearbox_ratio>"))  # fmt: skip
+            + joint("g", "gearbox", "b", "c", "<gearbox_reference_body>a</gearbox_reference_body>"
+                    + axis("0 0 1") + axis("0 0 1", tag="axis2")))  # fmt: skip
     assert topics(loaded(tmp_path, text)) == [
         ("element", "<plugin>"),
         ("gearbox", "joint 'g'"),
         ("inertial", "link 'b'"),
         ("limits", "joint 'j'"),
     ]
+
+
+@pytest.mark.parametrize("reversed_", [False, True])
+@pytest.mark.parametrize("along", [1, -1])
+def test_a_gearbox_couples_the_joints_on_its_reference_body(
+    reversed_: bool, along: int, tmp_path: Path
+) -> None:
+    """theta_2 = -3 theta_1, from the reference body about its axes, however the joints count."""
+    ends = ("rotor", "base") if reversed_ else ("base", "rotor")
+    text = (link("base") + link("rotor") + link("arm", "0 0 1 0 0 0") + joint("w", "fixed", "world", "base")
+            + joint("in", "revolute", *ends, axis(f"0 0 {along}"))
+            + joint("out", "revolute", "base", "arm", axis("0 0 1"))
+            + joint("g", "gearbox", "rotor", "arm",
+                    "<gearbox_reference_body>base</gearbox_reference_body><gearbox_ratio>3</gearbox_ratio>"
+                    + axis("0 0 1") + axis("0 0 1", tag="axis2")))  # fmt: skip
+    imported = loaded(tmp_path, text, gravity=(3, 0, 0))
+    assert not [note for note in imported.notes if note.topic == "gearbox"]
+    result = lw.simulate(imported.model, t_end=0.5, step=1e-3)
+    spin = result.v.reshape(len(result.t), -1, 6)[:, :, 5]
+    rotor, arm = (imported.model.find(name).index for name in ("rotor", "arm"))
+    assert np.abs(spin[:, arm]).max() > 0.1
+    assert spin[:, arm] == pytest.approx(-3 * spin[:, rotor], abs=1e-9)
 
 
 def test_axes_of_rounded_angles_are_made_parallel_where_asked(tmp_path: Path) -> None:
@@ -225,6 +248,18 @@ WRONG = [
     ),
     ('<link name="a">', '<link name="a"/><link name="a">', r":3: link 'a': is given twice"),
     ("</model>", "</model><model/>", r"has 2 models"),
+    ("<xyz >0 0 1</xyz>", "<xyz>0 0 1</xyz><mimic joint='k'/>", r":4: joint 'j' mimic: no joint 'k'"),
+    (
+        "<xyz >0 0 1</xyz>",
+        "<xyz>0 0 1</xyz><mimic joint='j'/>",
+        r":4: joint 'j' mimic: follows itself: j -> j",
+    ),
+    ("<xyz >0 0 1</xyz>", "<xyz>0 0 1</xyz><mimic/>", r":4: joint 'j' mimic: joint is missing"),
+    (
+        "</joint>",
+        "</joint><joint name='g' type='gearbox'><parent>a</parent><child>a</child></joint>",
+        r":4: joint 'g' gearbox_reference_body: is missing",
+    ),
     ('<?xml version="1.0"?>', '<!DOCTYPE sdf SYSTEM "file:///etc/passwd">', r":1: DOCTYPE is not taken"),
 ]
 

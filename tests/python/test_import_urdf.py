@@ -179,17 +179,54 @@ def test_a_slider_with_damping_and_friction_slows_as_they_say(tmp_path: Path) ->
     assert ["regularized" in note.message for note in imported.notes if note.topic == "friction"] == [True]
 
 
-def test_a_joint_that_mimics_is_listed_and_placed(tmp_path: Path) -> None:
+def test_a_joint_that_mimics_is_coupled(tmp_path: Path) -> None:
+    """q_b = m q_a + c: (J_a + m^2 J_b) a = T_a + m T_b, T = -M g r cos(q) of gravity along -y."""
     axis = '<axis xyz="0 0 1"/>'
-    body = (link("base") + link("a") + link("b") + joint("left", "revolute", "base", "a", axis)
+    m, c = -2.0, 0.1
+    body = (link("base") + link("a", "0.2 0 0", mass=3) + link("b", "0.4 0 0", mass=2)
+            + joint("left", "revolute", "base", "a", axis)
             + joint("right", "revolute", "base", "b",
-                    axis + '<mimic joint="left" multiplier="-2" offset="0.1"/>'))  # fmt: skip
-    imported = loaded(tmp_path, body, coordinates={"left": 0.3}, velocities={"left": 1.0})
-    assert [note.subject for note in imported.notes if note.topic == "mimic"] == ["joint 'right'"]
-    core = imported.model.compiled()
-    angle = -2 * 0.3 + 0.1
-    assert core.q0.reshape(-1, 7)[1, 3:] == pytest.approx([np.cos(angle / 2), 0, 0, np.sin(angle / 2)])
-    assert core.v0.reshape(-1, 6)[1, 5] == pytest.approx(-2.0)
+                    axis + f'<mimic joint="left" multiplier="{m}" offset="{c}"/>'))  # fmt: skip
+    imported = loaded(tmp_path, body, coordinates={"left": 0.3}, velocities={"left": 1.0}, gravity=(0, -G, 0))
+    assert topics(imported) == [("base", "link 'base'")]
+    model = imported.model
+    q, v = model.compiled().q0.reshape(-1, 7), model.compiled().v0.reshape(-1, 6)
+    angles = np.array([0.3, m * 0.3 + c])
+    assert 2 * np.arctan2(q[:, 6], q[:, 3]) == pytest.approx(angles) and v[:, 5] == pytest.approx([1.0, m])
+    J = 0.15 + np.array([3, 2]) * np.array([0.2, 0.4]) ** 2
+    T = -G * np.array([3 * 0.2, 2 * 0.4]) * np.cos(angles)
+    a = (T[0] + m * T[1]) / (J[0] + m**2 * J[1])
+    assert accelerations(model)[:, 5] == pytest.approx([a, m * a], rel=1e-11)
+    result = lw.simulate(model, t_end=2.0, step=1e-3)
+    left, right = (result.coordinate(name).value for name in ("left", "right"))
+    assert np.ptp(left) > 0.5 and np.abs(right - m * left - c).max() < 1e-9
+
+
+def test_a_joint_that_mimics_moves_freely_where_that_is_asked_for(tmp_path: Path) -> None:
+    body = (link("base") + link("a") + link("b") + joint("left", "revolute", "base", "a")
+            + joint("right", "revolute", "base", "b", '<mimic joint="left"/>'))  # fmt: skip
+    imported = loaded(tmp_path, body, couple=False)
+    assert ("mimic", "joint 'right'") in topics(imported) and imported.model.row_count == 10
+
+
+def test_a_slider_that_follows_an_angle_is_a_rack(tmp_path: Path) -> None:
+    """x = r q: (J + r^2 m) a = -r f, where the slider is held by friction in part."""
+    body = (link("base") + link("wheel") + link("rack", mass=2)
+            + joint("hinge", "continuous", "base", "wheel", '<axis xyz="0 0 1"/>')
+            + joint("slide", "prismatic", "base", "rack", '<axis xyz="1 0 0"/><mimic joint="hinge" '
+                    'multiplier="0.3"/><dynamics damping="0.7"/>'))  # fmt: skip
+    model = loaded(tmp_path, body, velocities={"hinge": 4.0}, gravity=(0, 0, 0)).model
+    a = -0.3 * 0.7 * (0.3 * 4.0) / (0.15 + 0.3**2 * 2)
+    v_dot = accelerations(model)
+    assert (v_dot[0, 5], v_dot[1, 0]) == pytest.approx((a, 0.3 * a), rel=1e-11)
+
+
+def test_a_joint_that_follows_one_that_cannot_move_is_listed(tmp_path: Path) -> None:
+    body = (link("base") + link("a") + '<link name="frame"/>'
+            + joint("still", "fixed", "base", "frame") + joint("hinge", "revolute", "base", "a",
+                    '<mimic joint="still"/>'))  # fmt: skip
+    (note,) = (note for note in loaded(tmp_path, body).notes if note.topic == "mimic")
+    assert note.subject == "joint 'hinge'" and "'still' has no coordinate" in note.message
 
 
 def test_inertias_of_no_body_are_refused_or_made_the_nearest(tmp_path: Path) -> None:
@@ -243,6 +280,18 @@ WRONG = [
     ('<child link="arm"/>', '<child link="base"/>', r":5: joint 'hinge': is part of a ring"),
     ('name="arm"', 'name="base"', r":4: link 'base': is given twice"),
     ('name="arm"', "", r":4: link: name is missing"),
+    ("</joint>", '<mimic joint="hip"/></joint>', r":5: joint 'hinge' mimic: no joint 'hip'"),
+    (
+        "</joint>",
+        '<mimic joint="hinge"/></joint>',
+        r":5: joint 'hinge' mimic: follows itself: hinge -> hinge",
+    ),
+    ("</joint>", "<mimic/></joint>", r":5: joint 'hinge' mimic: joint is missing"),
+    (
+        "</joint>",
+        '<mimic joint="a" multiplier="x"/></joint>',
+        r":5: joint 'hinge' mimic multiplier: 'x' is not",
+    ),
     ("</link>", "</lnik>", r":3: is no XML: mismatched tag"),
     ("</robot>", "", r"is no XML: no element found"),
     (
@@ -262,6 +311,28 @@ def test_wrong_files_are_refused_with_line_and_field(
 ) -> None:
     text = f'<?xml version="1.0"?>\n<robot name="test">\n{GOOD}\n</robot>\n'
     check_refused(lw.import_urdf, tmp_path / "robot.urdf", text, part, by, message)
+
+
+def test_joints_that_follow_each_other_in_a_ring_are_refused(tmp_path: Path) -> None:
+    joints = "".join(
+        joint(name, "revolute", "base", link_name, f'<mimic joint="{leader}"/>')
+        for name, link_name, leader in (("x", "a", "y"), ("y", "b", "z"), ("z", "c", "x"))
+    )
+    with pytest.raises(lw.ModelFileError, match="follows itself: x -> y -> z -> x"):
+        loaded(tmp_path, link("base") + link("a") + link("b") + link("c") + joints)
+
+
+def test_joints_that_follow_in_a_chain_are_placed(tmp_path: Path) -> None:
+    """z = 2 y - 0.1, y = -3 x + 0.2, in an order other than that of the file."""
+    mimic = '<axis xyz="0 0 1"/><mimic joint="{}" multiplier="{}" offset="{}"/>'
+    body = (link("base") + link("c") + link("b") + link("a")
+            + joint("z", "revolute", "base", "c", mimic.format("y", 2, -0.1))
+            + joint("y", "revolute", "base", "b", mimic.format("x", -3, 0.2))
+            + joint("x", "revolute", "base", "a", '<axis xyz="0 0 1"/>'))  # fmt: skip
+    core = loaded(tmp_path, body, coordinates={"x": 0.3}, velocities={"x": 1.0}).model.compiled()
+    q, v = core.q0.reshape(-1, 7), core.v0.reshape(-1, 6)
+    assert 2 * np.arctan2(q[:, 6], q[:, 3]) == pytest.approx([2 * (-0.9 + 0.2) - 0.1, -0.9 + 0.2, 0.3])
+    assert v[:, 5] == pytest.approx([-6.0, -3.0, 1.0])
 
 
 def test_a_ring_of_joints_is_no_tree(tmp_path: Path) -> None:

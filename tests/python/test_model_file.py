@@ -77,6 +77,16 @@ def test_every_orientation_comes_back(seed: int, tmp_path_factory: pytest.TempPa
     assert again.compiled().q0.tobytes() == model.compiled().q0.tobytes()
 
 
+def test_orientations_next_to_powers_of_two_come_back(tmp_path: Path) -> None:
+    """A rounded quarter turn, of parameters not quite of length 1; numbers are finer below 1/2 than above."""
+    words = "0x1.ffff84bf688e1p-2", "0x1.fffffffff12a3p-2", "0x1.fffffffff12a3p-2", "-0x1.00003da04bb8fp-1"
+    p = np.array(list(map(float.fromhex, words))) * (1 + 1e-9 * np.arange(-500, 500)[:, None])
+    model = lw.Model()
+    model.bodies("b", mass=1.0, inertia=(1, 1, 1), position=np.zeros((len(p), 3)), orientation=p)
+    again = round_trip(model, tmp_path / "model.json")
+    assert again.compiled().q0.tobytes() == model.compiled().q0.tobytes()
+
+
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_numbers_at_the_edges_come_back(suffix: str, tmp_path: Path) -> None:
     model = lw.Model(gravity=(-0.0, 5e-324, 1.7976931348623157e308))

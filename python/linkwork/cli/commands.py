@@ -260,9 +260,17 @@ def schema() -> None:
 @click.option(
     "--repair-inertia", is_flag=True, help="Give links that no real body can be the nearest that one can."
 )
+@click.option(
+    "--couple/--no-couple",
+    default=True,
+    help="Joints that follow others (mimic, gearboxes) do so, or are free.",
+)
 @click.option("--merge-fixed", is_flag=True, help="Make one body of links that are fixed to each other.")
 @click.option(
-    "--align-axes", type=float, metavar="ANGLE", help="Axes parallel to within it [rad] are made parallel."
+    "--align-axes",
+    type=float,
+    metavar="ANGLE",
+    help="Axes parallel or perpendicular to within it [rad] are made so; without it those of closed loops.",
 )
 @click.option(
     "--assemble",

@@ -58,6 +58,8 @@ class Options(TypedDict, total=False):
     #: made exactly so. Files round angles (1.57), and a planar loop whose axes are not parallel is locked.
     #: None: only in closed loops, to within 2e-3; 0: as in the file
     align_axes: float | None
+    #: joints that follow others (mimic, gearboxes, joint equalities) do so by couplers; False: they are free
+    couple: bool
     #: make one body of links that are fixed to each other; False: only where one of them is massless
     merge_fixed: bool
 
@@ -103,7 +105,11 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     for joint in description.joints if not faults else ():
         _collect(faults, lines or {}, f"joint '{joint.name}'", partial(builder.add_joint, joint))
     for coupling in description.couplings if not faults else ():
-        _collect(faults, lines or {}, f"joint '{coupling.follower}'", partial(builder.add_coupling, coupling))
+        if options.get("couple", True):
+            add = partial(builder.add_coupling, coupling)
+            _collect(faults, lines or {}, f"joint '{coupling.follower}'", add)
+        else:
+            builder.note_coupling(coupling, "it moves freely")
     if faults:
         raise ModelFileError(description.path, faults)
     return Imported(description.path, model, tuple(description.notes))
@@ -268,6 +274,7 @@ class _Builder:
         self._repair_inertia = repair_inertia
         self._states, self._groups = states, groups
         self._bodies: dict[str, Body] = {WORLD: model.ground}
+        self._coordinates: dict[str, str] = {}  #: of each joint in the model that has one
         self.moving = [groups[name] for name in description.links if groups[name].main == name]
         self.moving = [group for group in self.moving if group is not groups[WORLD]]
 
@@ -300,11 +307,25 @@ class _Builder:
             return
         place = {"at": (a.at, b.at), "frames": "body", "name": joint.name}
         getattr(self, f"_add_{joint.kind}")(joint, a, b, place)
+        if len(joint.motions) == 1:
+            self._coordinates[joint.name] = "angle" if joint.motions[0].rotation else "displacement"
         self._add_forces(joint, a, b)
 
     def add_coupling(self, coupling: Coupling) -> None:
-        text = f"that it follows {coupling} is not represented: it moves freely"
-        self._description.note("mimic", f"joint '{coupling.follower}'", text)
+        """follower - multiplier leader = offset"""
+        for name in (coupling.follower, coupling.leader):
+            if name not in self._coordinates:
+                self.note_coupling(coupling, f"'{name}' has no coordinate of its own")
+                return
+        terms = [(coupling.follower, 1.0), (coupling.leader, -coupling.multiplier)]
+        given = [(name, self._coordinates[name], factor) for name, factor in terms if factor]
+        taken = self._model.compiled().find_joint(coupling.name) >= 0
+        name = f"{coupling.name} {coupling.kind}" if taken else coupling.name
+        self._model.coupler(given, offset=coupling.offset, name=name)
+
+    def note_coupling(self, coupling: Coupling, reason: str) -> None:
+        text = f"that it follows {coupling} is not represented: {reason}"
+        self._description.note(coupling.kind, f"joint '{coupling.follower}'", text)
 
     def _side(self, link: str, frame: Frame) -> _Side:
         group = self._groups[link]

@@ -102,6 +102,7 @@ class Coupling:
     Coordinates from where both sides of each joint agree [rad] or [m].
     """
 
+    kind: str  #: how the format calls it: mimic, gearbox or equality
     name: str
     follower: str
     leader: str
@@ -109,7 +110,8 @@ class Coupling:
     offset: float
 
     def __str__(self) -> str:
-        return f"{self.multiplier:g} times joint '{self.leader}' + {self.offset:g}"
+        offset = f" + {self.offset:g}" if self.offset else ""
+        return f"{self.multiplier:g} times joint '{self.leader}'{offset}"
 
 
 @dataclass

@@ -14,6 +14,7 @@ from linkwork.errors import Fault, LinkworkError, ModelFileError
 from linkwork.importers.building import Options, build
 from linkwork.importers.description import (
     WORLD,
+    Coupling,
     Description,
     Imported,
     JointDescription,
@@ -32,17 +33,17 @@ Floats = NDArray[np.float64]
 
 
 def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
-    """The model in an MJCF file: bodies, joints, springs, damping, and equality constraints connect and weld.
+    """The model in an MJCF file: bodies, joints, springs, damping, equalities connect, weld and joint.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, repair_inertia, align_axes, merge_fixed. Coordinates are those of MuJoCo, zero or `ref` in
-    the file's pose. Several joints of one body are taken where one joint here does the same: two slides and a
-    hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
+    keep_massless, repair_inertia, align_axes, couple, merge_fixed. Coordinates are those of MuJoCo, zero or
+    `ref` in the file's pose. Several joints of one body are taken where one joint here does the same: two
+    slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
 
-    Not represented, and listed in the notes: limits, contact, actuators, joint equalities, armature. Needs
-    the package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, joints that
-    cannot be combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco
-    package.
+    Not represented, and listed in the notes: limits, contact, actuators, armature, joint equalities that are
+    not linear. Needs the package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses,
+    tendons, joints that cannot be combined, moving bodies without inertia. ModelError: wrong coordinates.
+    LinkworkError: no mujoco package.
     """
     reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
     model, warnings = _compiled(path)
@@ -98,6 +99,7 @@ class _MujocoModel:
         }
         out = Description(self._path, self._model_name(), links, [], [], np.array(model.opt.gravity))
         joints = [joint for body in range(1, model.nbody) for joint in self._joints_of(body, out)]
+        out.joints = joints
         out.joints = joints + list(self._equalities(out))
         self._refuse_and_note(out)
         if not np.isfinite(model.opt.gravity).all():
@@ -225,6 +227,8 @@ class _MujocoModel:
             if not model.eq_active0[k]:
                 out.note("equality", f"equality '{name}'", "is not active: left out")
                 continue
+            if type_ == kinds.mjEQ_JOINT and self._couple(name, k, out):
+                continue
             if type_ not in (kinds.mjEQ_CONNECT, kinds.mjEQ_WELD):
                 what = kinds(type_).name[5:].lower()
                 out.note("equality", f"equality '{name}'", f"of kind {what} is not represented")
@@ -240,6 +244,18 @@ class _MujocoModel:
             kind = "fixed" if type_ == kinds.mjEQ_WELD else "spherical"
             out.note("equality", f"equality '{name}'", f"soft in MuJoCo, a rigid {kind} joint here")
             yield JointDescription(name, kind, names[0], names[1], *frames, closes_loop=True)
+
+    def _couple(self, name: str, k: int, out: Description) -> bool:
+        """A linear relation between two joints that stand for themselves; False: it is another one."""
+        model = self._model
+        one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
+        constant, factor, *powers = model.eq_data[k][:5].tolist()
+        follower, leader = (self._name("joint", joint) for joint in (one, other))
+        known = {joint.name for joint in out.joints if len(joint.motions) == 1}
+        if other < 0 or any(powers) or not known.issuperset((follower, leader)):
+            return False
+        out.couplings = [*out.couplings, Coupling("equality", name, follower, leader, factor, constant)]
+        return True
 
     def _site(self, site: int) -> Frame:
         return from_quaternion(self._model.site_pos[site], self._model.site_quat[site])

@@ -92,4 +92,6 @@ def coupling(reader: Reader, node: Node, follower: str, leader: str, texts: Text
         reader.number(node, texts(what), f"{who} {what}", default)
         for what, default in (("multiplier", 1.0), ("offset", 0.0), ("reference", 0.0))
     )
-    return Coupling(f"{follower} mimic", follower, leader, multiplier, offset - multiplier * reference)
+    return Coupling(
+        "mimic", f"{follower} mimic", follower, leader, multiplier, offset - multiplier * reference
+    )

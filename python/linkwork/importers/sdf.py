@@ -62,12 +62,12 @@ def import_sdf(
                  <include> means must be in these folders; nothing is downloaded
 
     Other options are those of linkwork.importers.building.Options: floating, coordinates, velocities,
-    gravity, keep_massless, repair_inertia, align_axes, merge_fixed. Links that nothing joins to the world
-    move freely, unless their model is static or floating=False. Joints stand where the poses of the links put
-    them; those that close loops have no coordinates of their own. Links and joints of models in models, and
-    of the models of a world with several, are called model::name.
+    gravity, keep_massless, repair_inertia, align_axes, couple, merge_fixed. Links that nothing joins to the
+    world move freely, unless their model is static or floating=False. Joints stand where the poses of the
+    links put them; those that close loops have no coordinates of their own. Links and joints of models in
+    models, and of the models of a world with several, are called model::name.
 
-    Not represented, and listed in the notes: limits, gearbox joints, plugins, geometry. ModelFileError: what
+    Not represented, and listed in the notes: limits, plugins, geometry. ModelFileError: what
     is wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.
     """
     library, source = Library.of(path, search_path)
@@ -87,9 +87,12 @@ class _SdfFile(RobotFile):
         self._reader = reader = source.reader
         self.root = Scope(self._first(), source, library)
         self.grounded: set[str] = set()  #: links of static models
+        self._gearboxes: list[tuple[Scope, str, Node]] = []
         for read in (self._read_links, self._read_joints):
             for scope in self.root.scopes():
                 read(scope)
+        for scope, name, node in self._gearboxes:
+            self._gearbox(scope, name, node)
         if not self.links:
             reader.add(self.root.node, "model", "has no links")
         self.check_couplings(reader)
@@ -174,9 +177,7 @@ class _SdfFile(RobotFile):
         if ends is None or reader.faults:
             return None
         if type_ == "gearbox":
-            ratio = node.word("gearbox_ratio") or "1"
-            text = f"gearbox of '{ends[0]}' and '{ends[1]}' with ratio {ratio} is not represented"
-            self.note("gearbox", who, text)
+            self._gearboxes.append((scope, name, node))
             return None
         if type_ not in KINDS:
             known = f"type '{type_}' is not taken; there are {', '.join(KINDS)}"
@@ -246,6 +247,41 @@ class _SdfFile(RobotFile):
     def _mimic(self, scope: Scope, mimic: Node, joint: JointDescription) -> Coupling:
         leader = mimic.attributes.get("joint", "")
         return coupling(scope.reader, mimic, joint.name, leader and scope.prefix + leader, mimic.word)
+
+    # theta_2 = -ratio theta_1: the angles from the reference body to the parent about `axis`, and to the
+    # child about `axis2`. Each is the coordinate of a revolute joint, or its negative.
+    def _gearbox(self, scope: Scope, name: str, node: Node) -> None:
+        """A relation between the joints that carry parent and child on the reference body."""
+        full, reader = scope.prefix + name, scope.reader
+        who, ends = f"joint '{full}'", self._ends(scope, name, node)
+        body = node.word("gearbox_reference_body") or ""
+        reference = scope.link(body)
+        if not body or reference is None:
+            reader.add(node, f"{who} gearbox_reference_body", f"no link '{body}'" if body else "is missing")
+        ratio = reader.number(node, node.word("gearbox_ratio"), f"{who} gearbox_ratio", 1.0)
+        if ends is None or not body or reference is None:
+            return
+        here = scope.absolute @ scope.pose_of("joint", name)
+        found = [
+            self._joint_about(reference, link, here.A @ self._axis(scope, node, tag, who, here))
+            for link, tag in zip(ends, ("axis", "axis2"), strict=True)
+        ]
+        if found[0] is None or found[1] is None:
+            text = f"no revolute joints about its axes carry '{ends[0]}' and '{ends[1]}' on '{reference}'"
+            self.note("gearbox", who, f"is not represented: {text}")
+            return
+        (leader, first), (follower, second) = found[0], found[1]
+        self.couplings.append(Coupling("gearbox", full, follower, leader, -ratio * first * second, 0.0))
+
+    def _joint_about(self, a: str, b: str, axis: Floats) -> tuple[str, float] | None:
+        """The revolute joint between two links about an axis, and the sign of its angle from a to b."""
+        for joint in self.joints.values():
+            if joint.kind == "revolute" and {joint.parent, joint.child} == {a, b}:
+                here = self._pose_of_link(joint.parent) @ joint.in_parent
+                along = float(axis @ (here.A @ joint.motions[0].axis))
+                if abs(along) > 1 - 1e-5:
+                    return joint.name, np.sign(along) * (1.0 if joint.parent == a else -1.0)
+        return None
 
     def _note_dynamics(self, node: Node, who: str) -> None:
         for tag in ("axis", "axis2"):

@@ -37,11 +37,11 @@ def import_urdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     """The robot in a URDF file, at joint coordinates zero or at `coordinates`.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, repair_inertia, align_axes, merge_fixed. The base is the ground, unless floating=True. Each
-    link is a body of the same name, its axes those of the link; massless links are parts of the links that
-    they are fixed to.
+    keep_massless, repair_inertia, align_axes, couple, merge_fixed. The base is the ground, unless
+    floating=True. Each link is a body of the same name, its axes those of the link; massless links are parts
+    of the links that they are fixed to.
 
-    Not represented, and listed in the notes: limits, mimic, transmissions, geometry. ModelFileError: what is
+    Not represented, and listed in the notes: limits, transmissions, geometry. ModelFileError: what is
     wrong in the file, with lines; moving links without inertia. ModelError: coordinates of joints that do not
     exist.
     """

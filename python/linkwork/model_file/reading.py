@@ -117,9 +117,27 @@ def _check_names(document: schema.Document, checker: _Checker) -> None:
             for what, name in _named_functions(record):
                 if name not in document.functions and not checker.full:
                     checker.add((f"{role}s", k, what), _no_function(name, document.functions))
+    _check_couplers(document.joints, checker)
     for k, shapes in enumerate(document.shapes):
         for j, name in enumerate(shapes.bodies):
             _check_body(name, ("shapes", k, "bodies", j), bodies, checker)
+
+
+def _check_couplers(joints: Sequence[Any], checker: _Checker) -> None:
+    """Joints that couplers name stand before them; those without a name get theirs when they are added."""
+    before: set[str] = set()
+    unnamed = False
+    for k, record in enumerate(joints):
+        for j, term in enumerate(getattr(record, "coordinates", ())):
+            where: Where = ("joints", k, "coordinates", j)
+            if term.joint not in before and not unnamed and not checker.full:
+                checker.add(
+                    (*where, "joint"), f"no joint named '{term.joint}' before{nearest(term.joint, before)}"
+                )
+            if term.factor == 0:
+                checker.add((*where, "factor"), "must not be zero")
+        unnamed = unnamed or record.name is None
+        before.add(record.name)
 
 
 def _no_function(name: str, functions: Iterable[str]) -> str:

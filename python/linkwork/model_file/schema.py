@@ -165,7 +165,7 @@ def _function_type(sums: int = SUMS) -> Any:
 def _variant(name: str) -> type[Record]:
     constructor = constructors()[name]
     parameters = inspect.signature(constructor).parameters.values()
-    summary = (inspect.getdoc(constructor) or "").split("\n\n")[0]
+    summary = _documentation(constructor)
     fields: dict[str, Any] = {
         p.name: (_argument_type(p), ... if p.default is p.empty else p.default) for p in parameters
     }
@@ -176,6 +176,12 @@ def _variant(name: str) -> type[Record]:
     whole: dict[str, Any] = {name: (arguments, ...)}
     made: type[Record] = create_model(name, __base__=Record, __doc__=summary, **whole)
     return made
+
+
+def _documentation(constructor: Callable[..., Any]) -> str:
+    """What a file can be told of a function of time: all but the errors of Python."""
+    text = (inspect.getdoc(constructor) or "").partition("ModelError:")[0]
+    return " ".join(text.split())
 
 
 def argument_names(function: str) -> list[str]:
@@ -195,6 +201,9 @@ def _quantity_type() -> Any:
         | Annotated[Word, Tag("name")]
         | Annotated[_function_type(), Tag("function")],
         Discriminator(form),
+        Field(
+            description="a number, the name of a function, or one such as {expression: 0.3 * sin(2 * pi * t)}"
+        ),
     ]
 
 
@@ -331,7 +340,7 @@ def form_of(value: Any) -> tuple[str, bool] | None:
     """Kind, and whether attached, of an element of a file."""
     kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
     attached = "attachment" in value if isinstance(value, dict) else isinstance(value, Attached)
-    return (kind, attached) if isinstance(kind, str) else None
+    return (kind, attached and kind not in SPECIAL) if isinstance(kind, str) else None
 
 
 def _elements_type(role: Role) -> Any:

@@ -130,7 +130,8 @@ def _normalized_from(p: Floats, normalized: Callable[[Floats], Floats]) -> Float
         wrong = wrong[(normalized(out[wrong]) != p[wrong]).any(axis=1)]
         if not len(wrong):
             return out
-        out[wrong] = p[wrong] * (1 + 1e-9 * (attempt + 1))
+        step = attempt // 2 + 1  # up and down: at powers of two only the finer side may have one
+        out[wrong] = p[wrong] * (1 + (1e-9 if attempt % 2 else -1e-9) * step)
     raise AssertionError("no Euler parameters give those of the model")
 
 
