@@ -419,7 +419,7 @@ class Result:
         return plot_kinds.plot(self, path, kind, bodies, joints)
 
     def index(self, what: Literal["body", "joint"], name: Named) -> int:
-        """Place of a body or a joint in the arrays, by name, index or handle. ModelError: there is none such."""
+        """Place of a body or a joint in the arrays, by name, index or handle. ModelError: no such one."""
         return self._place(what, name)
 
     def movie(
@@ -502,7 +502,6 @@ class Result:
 
     def _place(self, what: Literal["body", "joint"], name: Named) -> int:
         """Index of a body or joint given by name, index or handle."""
-        name = name.name if isinstance(name, Body if what == "body" else Joint) else name
         names = self.body_names if what == "body" else self.joint_names
         if isinstance(name, int | np.integer):
             if not -len(names) <= name < len(names):
@@ -511,9 +510,11 @@ class Result:
         places = self._places.setdefault(what, {})
         if not places:
             places.update({known: place for place, known in enumerate(names)})
-        if name not in places:
-            raise ModelError(f"no {what} named '{name}'{nearest(str(name), places)}", code="unknown_name")
-        return places[name]
+        handle: type[Body | Joint] = Body if what == "body" else Joint
+        text = name.name if isinstance(name, handle) else str(name)
+        if text not in places:
+            raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
+        return places[text]
 
 
 def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
