@@ -510,8 +510,9 @@ class Result:
         places = self._places.setdefault(what, {})
         if not places:
             places.update({known: place for place, known in enumerate(names)})
-        handle: type[Body | Joint] = Body if what == "body" else Joint
-        text = name.name if isinstance(name, handle) else str(name)
+        text = str(name)
+        if isinstance(name, Body | Joint) and isinstance(name, Body) == (what == "body"):
+            text = name.name
         if text not in places:
             raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
         return places[text]
