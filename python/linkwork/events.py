@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.errors import ModelError, OptionError
+from linkwork.handles import Body
 from linkwork.model import Model
 
 __all__ = ["Event", "Occurrence", "State", "compile_events"]
@@ -87,8 +88,9 @@ class State:
     def v(self, value: ArrayLike) -> None:
         self._v[:] = value
 
-    def body(self, name: str) -> BodyState:
-        """The state of one body. ModelError: no such body."""
+    def body(self, name: str | Body) -> BodyState:
+        """The state of one body, by name or handle. ModelError: no such body."""
+        name = name.name if isinstance(name, Body) else name
         place = self._model.compiled().find_body(name)
         if place < 0:
             self._model.find(name)  # says what is near

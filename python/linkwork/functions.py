@@ -304,11 +304,20 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
         x = (x,)
     if isinstance(x, tuple) and len(x) in (1, 3) and all(map(callable, x)):
         for function, name in zip(x, ("value", "first derivative", "second derivative"), strict=False):
-            _finite(function(0.0), f"{what}: {name} at t = 0")
+            _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
         if len(x) == 3:
             _check_derivatives(*x, what)
         return Callback(*x)
     return _finite(x, what)
+
+
+def _at_zero(function: Callable[[float], Any], what: str) -> Any:
+    """An error of the function itself says what it was called for."""
+    try:
+        return function(0.0)
+    except Exception as error:
+        error.add_note(f"linkwork: {what} at t = 0")
+        raise
 
 
 #: Where derivatives are compared with differences [s], and by what they may differ, relative.

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from linkwork.result import Result
+    from linkwork.result import Named, Result
 
 #: Unit of a coordinate, and of its rate.
 UNITS = {"angle": ("rad", "rad/s"), "displacement": ("m", "m/s")}
@@ -38,8 +38,8 @@ def plot(
     result: Result,
     path: str | os.PathLike[str] | None = None,
     kind: str = "overview",
-    bodies: Sequence[str | int] = (),
-    joints: Sequence[str | int] = (),
+    bodies: Sequence[Named] = (),
+    joints: Sequence[Named] = (),
 ) -> Figure:
     """One figure of a kind in KINDS. OptionError: no such kind. ModelError: no such body or joint."""
     if kind not in KINDS:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import LinkworkError, OptionError, warn
+from linkwork.errors import FileError, LinkworkError, OptionError, warn
 from linkwork.events import Occurrence
 from linkwork.header import Header, frame_shapes
 from linkwork.integrators import Integrator
@@ -77,7 +77,12 @@ class _File:
         self._writer.write_events(occurrences)
 
     def abandon(self) -> Result | None:
-        self._writer.close()
+        try:
+            self._writer.close()
+        except FileError as error:
+            if error.code == "replaced":
+                return None
+            raise
         return Result.load(self._writer.path)
 
     def result(self, statistics: Mapping[str, Any]) -> Result:

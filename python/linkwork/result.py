@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.errors import ModelError, OptionError, nearest, warn
+from linkwork.handles import Body, Joint
 from linkwork.header import Floats, Header, record_reactions
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
 
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
     from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
+
+#: A body or a joint by its name, its index, or the handle that the model gave.
+Named = str | int | Body | Joint
 
 #: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
 MISSED_TURN = np.pi / 2
@@ -198,8 +202,8 @@ class Result:
         """In body axes (k, n, 3) [rad/s2]."""
         return self._field("vdot", np.s_[:, :, 3:])
 
-    def body(self, name: str | int) -> BodyResult:
-        """The motion of one body, by name or index. ModelError: no such body."""
+    def body(self, name: Named) -> BodyResult:
+        """The motion of one body, by name, index or handle. ModelError: no such body."""
         i = self._place("body", name)
         q, v, vdot = (self._field(field, np.s_[:, i]) for field in ("q", "v", "vdot"))
         return BodyResult(
@@ -259,7 +263,7 @@ class Result:
         self._need_reactions()
         return Reaction(self._field("reaction_force"), self._field("reaction_torque"))
 
-    def reaction(self, name: str | int, frame: Frame = "inertial") -> Reaction:
+    def reaction(self, name: Named, frame: Frame = "inertial") -> Reaction:
         """Force and torque (k, 3) that a joint exerts on its second body, at the joint's point.
 
         `frame="joint"` gives the components along the joint's own axes, which move with its first body.
@@ -278,7 +282,7 @@ class Result:
         axes = self.joint_axes(joint)
         return Reaction(np.einsum("kij,ki->kj", axes, force), np.einsum("kij,ki->kj", axes, torque))
 
-    def coordinate(self, name: str | int, which: str | None = None) -> JointCoordinate:
+    def coordinate(self, name: Named, which: str | None = None) -> JointCoordinate:
         """A joint's free coordinate and its rate (k,): an angle [rad] over full turns, or a shift [m].
 
         which  "angle" of revolute, cylindrical, screw; "displacement" of translational, cylindrical, screw;
@@ -301,7 +305,7 @@ class Result:
             _check_turns(f"{which} of '{header.joint_names[joint]}'", self.t, found)
         return found
 
-    def joint_axes(self, name: str | int) -> Floats:
+    def joint_axes(self, name: Named) -> Floats:
         """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""
         joint = self._place("joint", name)
         first, in_body = self._header.joint_bodies[joint, 0], self._header.joint_frame[joint, 0]
@@ -330,7 +334,7 @@ class Result:
         )
         return Reaction(force, torque)
 
-    def joint_points(self, name: str | int) -> Floats:
+    def joint_points(self, name: Named) -> Floats:
         """The joint's point on its first and on its second body (k, 2, 3), inertial [m]."""
         joint = self._place("joint", name)
         points = np.empty((len(self), 2, 3))
@@ -396,15 +400,15 @@ class Result:
         path: str | os.PathLike[str] | None = None,
         kind: str = "overview",
         *,
-        bodies: Sequence[str | int] = (),
-        joints: Sequence[str | int] = (),
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
     ) -> Figure:
         """A figure of the run, written to `path` when given.
 
         kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
                 "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
                 coordinates), "step" (sizes of steps)
-        bodies  by name or index; without, those that move most
+        bodies  by name, index or handle; without, those that move most
         joints  likewise; without, those with the largest reactions, or the first with a coordinate
 
         Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind.
@@ -414,8 +418,8 @@ class Result:
 
         return plot_kinds.plot(self, path, kind, bodies, joints)
 
-    def index(self, what: Literal["body", "joint"], name: str | int) -> int:
-        """Place of a body or a joint in the arrays, by name or index. ModelError: there is none such."""
+    def index(self, what: Literal["body", "joint"], name: Named) -> int:
+        """Place of a body or a joint in the arrays, by name, index or handle. ModelError: no such one."""
         return self._place(what, name)
 
     def movie(
@@ -496,8 +500,8 @@ class Result:
         if "reaction_force" not in self._frames:
             self._frames.update(record_reactions(self._header, self._frames))
 
-    def _place(self, what: Literal["body", "joint"], name: str | int) -> int:
-        """Index of a body or joint given by name or index."""
+    def _place(self, what: Literal["body", "joint"], name: Named) -> int:
+        """Index of a body or joint given by name, index or handle."""
         names = self.body_names if what == "body" else self.joint_names
         if isinstance(name, int | np.integer):
             if not -len(names) <= name < len(names):
@@ -506,9 +510,12 @@ class Result:
         places = self._places.setdefault(what, {})
         if not places:
             places.update({known: place for place, known in enumerate(names)})
-        if name not in places:
-            raise ModelError(f"no {what} named '{name}'{nearest(name, places)}", code="unknown_name")
-        return places[name]
+        text = str(name)
+        if isinstance(name, Body | Joint) and isinstance(name, Body) == (what == "body"):
+            text = name.name
+        if text not in places:
+            raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
+        return places[text]
 
 
 def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:

@@ -26,7 +26,7 @@ import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from types import TracebackType
+from types import ModuleType, TracebackType
 from typing import Any, Self
 
 import h5py
@@ -37,6 +37,12 @@ from linkwork.errors import FileError, cause, unwritable
 from linkwork.events import Occurrence
 from linkwork.header import MODEL_NAMES, Floats, Header, record_reactions
 from linkwork.shapes_file import write_shapes
+
+fcntl: ModuleType | None
+try:
+    import fcntl
+except ImportError:  # no such locks on Windows
+    fcntl = None
 
 FORMAT, VERSION = "linkwork result", 2
 
@@ -133,6 +139,7 @@ class ResultWriter:
 
     def flush(self) -> None:
         """Bring the frames so far to the file: first the data, then the times that make them count."""
+        self._check_mine()
         with self._failures():
             self._file.flush()
             if self._pending:
@@ -148,7 +155,11 @@ class ResultWriter:
         """End the file; without `statistics` it is marked as unfinished."""
         if not self._file:
             return
-        self.flush()
+        try:
+            self.flush()
+        except FileError:
+            self._file.close()
+            raise
         with self._failures():
             if statistics is not None:
                 self._file.attrs["statistics"] = json.dumps(dict(statistics), default=_plain)
@@ -176,11 +187,17 @@ class ResultWriter:
         mine = os.access in os.supports_effective_ids
         if target.exists() and not os.access(target, os.W_OK, effective_ids=mine):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-        begun = target.with_name(f".{target.name}.{os.getpid()}.begun")
+        if _is_being_written(target):
+            raise FileError(
+                f"output '{self.path}': another run is writing it; give each run an output of its own",
+                code="busy",
+            )
+        begun = target.with_name(f".{target.name}.{run}.begun")
         try:
             self._file = h5py.File(begun, "w")
             self._write_header(run)
             self._file.flush()
+            self._inode = os.stat(begun).st_ino
             os.replace(begun, target)
         finally:
             begun.unlink(missing_ok=True)
@@ -216,9 +233,23 @@ class ResultWriter:
                 self._size + self._size // 50 + MARGIN_BYTES
             )  # a chunk's entry in the index takes less than 2 %
             if needed > self._reserved:
+                self._check_mine()
                 self._check_room(needed - os.stat(self.path).st_blocks * 512)
                 _allocate(self.path, self._reserved, needed)
                 self._reserved = needed
+
+    def _check_mine(self) -> None:
+        """FileError: what has the name of the output by now is another file."""
+        try:
+            mine = os.stat(self.path).st_ino == self._inode
+        except FileNotFoundError:
+            mine = False
+        if not mine:
+            raise FileError(
+                f"output '{self.path}': was removed, or replaced by another file, during the run: its frames "
+                "are lost; give each run an output of its own",
+                code="replaced",
+            )
 
     def _check_room(self, needed: int) -> None:
         with self._failures():
@@ -298,6 +329,18 @@ def _chunk_frames(shape: tuple[int, ...], expected: int | None) -> int:
 
 def _frame_bytes(header: Header) -> int:
     return 8 * sum(math.prod(shape) for shape in header.frame_shapes().values())
+
+
+def _is_being_written(path: Path) -> bool:
+    """Whether HDF5 holds the lock that a writer has."""
+    if fcntl is None or not path.exists():
+        return False
+    with path.open("rb") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return True
+    return False
 
 
 def _allocate(path: Path, start: int, end: int) -> None:

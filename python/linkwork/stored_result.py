@@ -168,6 +168,10 @@ def _opened(path: Path) -> Iterator[h5py.File]:
             yield file
     except FileNotFoundError as error:
         raise FileError(f"result '{path}': no such file; check the path", code="not_found") from error
+    except BlockingIOError as error:
+        raise FileError(
+            f"result '{path}': a run is writing it; read it when that has ended, or a copy", code="busy"
+        ) from error
     except (OSError, RuntimeError) as error:
         why = NO_HDF5 if NO_SIGNATURE in str(error) else cause(error)
         raise FileError(f"result '{path}': cannot be read: {why}", code="not_readable") from error

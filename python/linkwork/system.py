@@ -72,6 +72,9 @@ class System:
     def derivative(self, t: float, y: ArrayLike) -> Floats:
         """y_dot (13n,) at t [s], continuous stabilization included; the Euler parameters need not be unit.
 
+        Rotational springs and stops count full turns, and contacts the speed at which they began, from one
+        call to the next: a new motion with those takes a new System.
+
         SingularSystemError, NotConvergedError, NotFiniteError: where there is no acceleration.
         """
         rates: Floats = self._dynamics.derivative(t, np.asarray(y, dtype=float))

@@ -208,6 +208,12 @@ def test_text_that_is_no_formula_is_refused(text: str) -> None:
         functions.expression(text)
 
 
+def test_an_error_at_the_start_says_what_the_function_was_called_for() -> None:
+    with pytest.raises(ZeroDivisionError) as caught:
+        as_time_function(lambda t: 1 / t, "coil: stiffness")
+    assert caught.value.__notes__ == ["linkwork: coil: stiffness: value at t = 0"]
+
+
 def test_wrong_derivatives_are_refused() -> None:
     right = (math.sin, math.cos, lambda t: -math.sin(t))
     assert as_time_function(right, "drive").evaluate(0.3)[1] == math.cos(0.3)

@@ -111,6 +111,19 @@ def test_unknown_name_is_answered_with_the_nearest(ask: object, message: str) ->
     assert str(caught.value) == message
 
 
+def test_handles_of_the_model_stand_for_names() -> None:
+    model = lw.Model()
+    body = model.body("rod", mass=1.0, inertia=(1, 1, 1), position=(0.5, 0, 0))
+    pin = model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0))
+    low = lw.Event(lambda t, state: state.body(body).position[2] + 0.1, terminal=True)
+    result = lw.simulate(model, 1.0, rtol=1e-8, events=low, progress=False)
+    assert result.body(body).position[-1, 2] == pytest.approx(-0.1)
+    np.testing.assert_array_equal(result.reaction(pin).force, result.reaction(0).force)
+    np.testing.assert_array_equal(result.coordinate(pin).value, result.coordinate(pin.name).value)
+    with pytest.raises(lw.ModelError, match="no body named 'Joint"):
+        result.body(pin)
+
+
 def test_summary_names_method_violation_and_effort() -> None:
     text = make_result().summary()
     assert "synthetic: 3 bodies, 4 joints, 20 constraints" in text

@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import linkwork as lw
 import numpy as np
 import pytest
 import synthetic
@@ -327,6 +328,56 @@ def test_run_that_cannot_fit_is_refused_before_it_starts(tmp_path: Path) -> None
     with pytest.raises(FileError, match=r"run.h5': no room: .* needed, .* free"):
         ResultWriter(tmp_path / "run.h5", synthetic.header(expected_frames=10**14))
     assert not list(tmp_path.iterdir())
+
+
+# --- several runs and one file ---
+
+
+def test_file_that_is_being_written_is_left_to_its_run(tmp_path: Path) -> None:
+    header = synthetic.header()
+    with ResultWriter(tmp_path / "run.h5", header) as first:
+        first.write(synthetic.frames(header, 0, 10))
+        with pytest.raises(FileError, match="another run is writing it"):
+            ResultWriter(tmp_path / "run.h5", header)
+        first.write(synthetic.frames(header, 10, 10))
+    assert len(Result.load(tmp_path / "run.h5")) == 20
+    assert os.listdir(tmp_path) == ["run.h5"]
+
+
+def test_file_that_another_process_writes_is_read_afterwards(tmp_path: Path) -> None:
+    with start(WRITE_UNTIL_KILLED, tmp_path / "run.h5", 3, 0, 0.0) as writer:
+        assert writer.stdout is not None
+        writer.stdout.readline()
+        with pytest.raises(FileError, match="a run is writing it; read it when that has ended"):
+            Result.load(tmp_path / "run.h5")
+        writer.kill()
+    assert not Result.load(tmp_path / "run.h5").finished
+
+
+@pytest.mark.parametrize("replaced", [False, True], ids=["removed", "replaced"])
+def test_run_whose_file_went_away_says_so_and_harms_no_other_file(tmp_path: Path, replaced: bool) -> None:
+    path, other = tmp_path / "run.h5", b"somebody else's" * 1000
+
+    def take_away(info: object) -> None:
+        path.unlink()
+        if replaced:
+            path.write_bytes(other)
+
+    with pytest.raises(FileError, match="was removed, or replaced by another file, during the run") as caught:
+        lw.simulate(lw.mechanisms.heavy_top(), 1e4, 1e-3, output=path, progress=once(take_away))
+    assert caught.value.result is None
+    assert not replaced or path.read_bytes() == other
+
+
+def once(function: Callable[[object], None]) -> Callable[[object], None]:
+    calls: list[object] = []
+
+    def first_call(info: object) -> None:
+        if not calls:
+            function(info)
+        calls.append(info)
+
+    return first_call
 
 
 # --- files that are something else ---

@@ -5,8 +5,11 @@ from __future__ import annotations
 import linkwork as lw
 import numpy as np
 import pytest
+from hypothesis import given
 from linkwork import mechanisms
 from linkwork.progress import ProgressInfo
+from random_mechanisms import Mechanism, examples
+from random_mechanisms import mechanisms as mechanisms_of
 
 
 def halfway(model: lw.Model) -> lw.Snapshot:
@@ -96,3 +99,14 @@ def test_what_force_elements_remember_and_no_state_holds_is_a_warning_that_names
         lw.simulate(model, 1.01, 1e-2, start=state, progress=False)
     said = " ".join(str(warning.message) for warning in caught)
     assert "mainspring: full turns" in said and "floor: the speed at which a contact began" in said
+
+
+@examples(15)
+@given(mechanism=mechanisms_of(most=6, forces=("spring_damper", "applied", "drag", "bushing")))
+def test_random_mechanism_in_two_parts_moves_as_in_one(mechanism: Mechanism) -> None:
+    model = mechanism.model
+    whole, first = (lw.simulate(model, t_end, 1e-4, progress=False) for t_end in (0.02, 0.01))
+    rest = lw.simulate(model, 0.02, 1e-4, start=first.snapshot(), progress=False)
+    size = 1 + np.abs(whole.v).max()
+    assert np.abs(rest.q[-1] - whole.q[-1]).max() <= 1e-10 * size
+    assert np.abs(rest.v[-1] - whole.v[-1]).max() <= 1e-8 * size
