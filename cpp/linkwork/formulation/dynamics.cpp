@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/memory.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
+constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr double broken = -1.0;      // for a pivot of a factorization that broke down
 constexpr double diverged = 1e50;    // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
@@ -85,6 +87,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
                                        "' has no pivots that tell a singular pose; use linear solver 'block', or "
                                        "on_singular 'pass'");
   if (!rank_.singular_rows.empty()) watch_.start(1.0);
+  if (system_.body_count() > large_model) return_free_memory();
 }
 
 void Dynamics::check_masses(const FormulationInfo& info) const {
