@@ -87,7 +87,8 @@ def simulate(
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
     written. ViolationError: on_violation="stop". An error of a run has its `result` up to there and the
     last `state`. ModelError: initial poses or velocities do not satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
+    LinkworkWarning: they were corrected; redundant equations turned out to contradict the others.
+    Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
     t_start = checks.start_time(start)
@@ -118,6 +119,7 @@ def simulate(
         pieces = recording.pieces(run, interrupts, method, system)
         labels, warns = facts["events"], system.options["on_singular"] == "warn"
         driver_seconds = recording.record(run, pieces, recorder, report, labels, warns=warns)
+    checks.check_redundant(system.model, system.compiled(), Snapshot.of(run.t, run.last_state))
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
