@@ -186,8 +186,8 @@ def check_redundant(model: Model, dynamics: _core.Dynamics, end: Snapshot) -> No
         names = [core.joint_name(int(joint)) for joint in joints]
         warn(
             f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by "
-            f"{Phi[broken].max():.2g} (m or 1) at t = {end.t:g} s, where the others hold to {kept:.1g}: joints "
-            "or drivers contradict each other, and these were not followed"
+            f"{Phi[broken].max():.2g} (m or 1) at t = {end.t:g} s, where the others hold to {kept:.1g}: "
+            "joints or drivers contradict each other, and these were not followed"
         )
 
 
