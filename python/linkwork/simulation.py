@@ -20,7 +20,7 @@ from linkwork.interrupts import Interrupts
 from linkwork.manifest import manifest
 from linkwork.model import Model
 from linkwork.options import Options
-from linkwork.progress import ProgressOption, reporting
+from linkwork.progress import ProgressOption, check_progress, reporting
 from linkwork.recording import PythonStep
 from linkwork.result import Result, Snapshot
 from linkwork.system import System
@@ -93,6 +93,7 @@ def simulate(
     started = time.perf_counter()
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
+    check_progress(progress)
     checks.check_bodies(model)
     checks.check_tables(model, t_end)
     watched = compile_events(events, model)
@@ -119,11 +120,12 @@ def simulate(
         pieces = recording.pieces(run, interrupts, method, system)
         labels, warns = facts["events"], system.options["on_singular"] == "warn"
         driver_seconds = recording.record(run, pieces, recorder, report, labels, warns=warns)
-    checks.check_redundant(system.model, system.compiled(), Snapshot.of(run.t, run.last_state))
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
-    return recorder.result({**run.statistics(), **times_spent})
+    result = recorder.result({**run.statistics(), **times_spent})
+    checks.check_redundant(system.model, system.compiled(), Snapshot.of(run.t, run.last_state))
+    return result
 
 
 def _system(
