@@ -37,6 +37,9 @@ REMEMBERING = {
     ),
 }
 
+#: Residuals of equations that others imply, over those of the others, beyond which they are not implied.
+CONTRADICTION = 100.0
+
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
 
@@ -164,6 +167,28 @@ def _check_remembered(core: _core.Model) -> None:
     for what in sorted(set(filter(None, of_force))):
         names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
+
+
+def check_redundant(model: Model, dynamics: _core.Dynamics, end: Snapshot) -> None:
+    """LinkworkWarning: what was left out as redundant does not hold at the end, and so contradicts the rest.
+
+    Two drivers of one joint agree at the start and may part later: only one of them was followed.
+    """
+    rows = np.asarray(dynamics.rank().redundant_rows, dtype=int)
+    if not len(rows):
+        return
+    core = model.compiled()
+    Phi = np.abs(dynamics.evaluate(end.t, np.ravel(end.q), np.ravel(end.v))["Phi"])
+    kept = float(np.delete(Phi, rows).max(initial=0.0))
+    broken = rows[Phi[rows] > max(SMALL_RESIDUAL * extent(core).size, CONTRADICTION * kept)]
+    if len(broken):
+        joints = np.unique(np.searchsorted(core.joint_rows, broken, side="right") - 1)
+        names = [core.joint_name(int(joint)) for joint in joints]
+        warn(
+            f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by "
+            f"{Phi[broken].max():.2g} (m or 1) at t = {end.t:g} s, where the others hold to {kept:.1g}: "
+            "joints or drivers contradict each other, and these were not followed"
+        )
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:

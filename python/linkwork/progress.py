@@ -79,6 +79,15 @@ class Report(Protocol):
     def __call__(self, t: float, steps_done: int, violation: float | None = None) -> None: ...
 
 
+def check_progress(progress: ProgressOption) -> None:
+    """OptionError: nothing that says where progress is shown."""
+    if not (callable(progress) or progress is None or isinstance(progress, bool)):
+        raise OptionError(
+            f"progress {progress!r} is neither None, True or False, nor a function of ProgressInfo",
+            code="progress",
+        )
+
+
 @contextmanager
 def reporting(
     progress: ProgressOption, t_end: float, steps_total: int = 0, t_start: float = 0.0
@@ -88,13 +97,7 @@ def reporting(
     `progress`: None = automatic (a line where the run takes more than two seconds and standard error is a
     terminal or the program a notebook), False = nothing, or a function that is called with a ProgressInfo at
     every report. The log is written in any case, every ten seconds, where its level allows.
-    OptionError: anything else.
     """
-    if not (callable(progress) or progress is None or isinstance(progress, bool)):
-        raise OptionError(
-            f"progress {progress!r} is neither None, True or False, nor a function of ProgressInfo",
-            code="progress",
-        )
     started = time.monotonic()
     before = t_start, 0
     with _shown(progress is None or progress is True) as show:

@@ -20,7 +20,7 @@ from linkwork.interrupts import Interrupts
 from linkwork.manifest import manifest
 from linkwork.model import Model
 from linkwork.options import Options
-from linkwork.progress import ProgressOption, reporting
+from linkwork.progress import ProgressOption, check_progress, reporting
 from linkwork.recording import PythonStep
 from linkwork.result import Result, Snapshot
 from linkwork.system import System
@@ -87,11 +87,13 @@ def simulate(
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
     written. ViolationError: on_violation="stop". An error of a run has its `result` up to there and the
     last `state`. ModelError: initial poses or velocities do not satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected. Ctrl-C ends the run; what `output` has by then stays readable.
+    LinkworkWarning: they were corrected; redundant equations turned out to contradict the others.
+    Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
+    check_progress(progress)
     checks.check_bodies(model)
     checks.check_tables(model, t_end)
     watched = compile_events(events, model)
@@ -121,7 +123,9 @@ def simulate(
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
-    return recorder.result({**run.statistics(), **times_spent})
+    result = recorder.result({**run.statistics(), **times_spent})
+    checks.check_redundant(system.model, system.compiled(), Snapshot.of(run.t, run.last_state))
+    return result
 
 
 def _system(

@@ -240,6 +240,7 @@ def test_a_reference_of_other_times_is_compared_where_the_times_meet() -> None:
     ({"steps": None, "model": mechanisms.pendulum(), "t_end": None}, "t_end is missing"),
     ({"steps": [0.0]}, "steps 0.0"),
     ({"steps": ["tiny"]}, "steps 'tiny'"),
+    ({"integrators": ["rk4", "rk44"]}, "integrator 'rk44' does not exist; the nearest is 'rk4'"),
     ({"steps": None, "step": 1e-3}, "option 'step' does not exist; the nearest is 'steps'"),
     ({"steps": []}, "steps and tolerances are missing"),
     ({"integrators": []}, "integrators: is empty"),
@@ -267,14 +268,13 @@ def test_a_model_that_cannot_be_simulated_is_an_error_of_the_model() -> None:
 
 
 def test_cells_that_do_not_finish_say_why_and_stop_nothing() -> None:
-    axes = {"stabilizations": ["none", "baumgarte:500:500"], "integrators": ["euler", "rk4", "rk44"]}
+    axes = {"stabilizations": ["none", "baumgarte:500:500"], "integrators": ["euler", "rk4"]}
     comparison = quick("spatial_slider_crank", t_end=1.0, steps=[0.2, 1e-2], **axes)
     by_status: dict[str, list[Any]] = {}
     for it in comparison:
         by_status.setdefault(it.status, []).append(it)
     assert set(by_status) == {"finished", "refused", "diverged"}
     reasons = {it.label: it.reason for it in by_status["refused"]}
-    assert "'rk44' does not exist; the nearest is 'rk4'" in reasons["none, rk44"]
     assert "unstable" in reasons["baumgarte 500 500, rk4"]
     assert all(
         it.reason and it.t_reached is not None and it.state_error is None for it in by_status["diverged"]

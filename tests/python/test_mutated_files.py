@@ -117,8 +117,6 @@ def test_the_files_that_are_changed_are_good(name: str, tmp_path: Path) -> None:
 def test_changed_files_give_a_model_or_their_faults(
     name: str, changes: list[Edit], tmp_path_factory: pytest.TempPathFactory
 ) -> None:
-    if name.endswith(".xml"):
-        pytest.importorskip("mujoco")
     path = tmp_path_factory.getbasetemp() / f"changed {name}"
     content = mutated(FILES[name], changes)
     path.write_bytes(content)

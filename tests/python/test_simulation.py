@@ -79,6 +79,23 @@ def test_a_result_says_which_equations_are_redundant_and_which_reactions_are_ope
     assert "not unique in 4 of 4 joints (rank 17 of 20)" in result.summary()
 
 
+def wheel_with_two_drivers(second: lw.functions.TimeFunction) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("wheel", mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 1.0))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name="axle")
+    model.drive("axle", velocity=1.0, name="first")
+    model.drive("axle", position=second, name="second")
+    return model
+
+
+def test_drivers_that_part_from_each_other_are_a_warning_that_names_the_one_left_behind() -> None:
+    agreeing = wheel_with_two_drivers(lw.functions.polynomial(0.0, 1.0))
+    assert lw.simulate(agreeing, 3.0, 1e-2).violation.max() < 1e-9
+    parting = wheel_with_two_drivers(lw.functions.harmonic(1.0, 1.0))
+    with pytest.warns(lw.LinkworkWarning, match="redundant equations of (first|second) are violated by 2.9"):
+        lw.simulate(parting, 3.0, 1e-2)
+
+
 def test_a_massless_body_is_refused_by_the_standard_formulation() -> None:
     model = lw.Model()
     model.body("feather", mass=0, inertia=(0, 0, 0))

@@ -71,8 +71,9 @@ class YamlText:
         try:
             self._read(text)
         except MarkedYAMLError as error:
-            mark = error.problem_mark or error.context_mark  # counts from 0
-            line = mark.line + 1 if mark else 1
+            mark = error.problem_mark or error.context_mark  # from 0; at the end one too many
+            breaks = text.count("\n") + text.count("\r") - text.count("\r\n")
+            line = min(mark.line, breaks) + 1 if mark else 1
             self._faults.append(Fault(line, "", f"is no YAML: {error.problem or error.context}"))
         except (YAMLError, RecursionError, ValueError) as error:
             line = text.encode().count(b"\n", 0, getattr(error, "position", None) or 0) + 1
