@@ -247,6 +247,15 @@ def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
     assert abs(acceleration + np.sin(np.pi / 3 + t[2])) < 1e-3
 
 
+@both_ways
+def test_a_motion_that_starts_in_a_toggle_is_refused() -> None:
+    flat = lw.kinematics(parallelogram(), [0, 2 * np.pi / 3], on_singular="pass")
+    model = four_bar(lw.functions.polynomial(2 * np.pi / 3, 1.0), (1.0, 2.0, 1.0, 2.0))
+    model = model.with_initial_state(flat.q[-1], np.zeros_like(flat.v[-1]))
+    with pytest.raises(lw.LinkworkError, match="dead point|in this pose the equations of .* start elsewhere"):
+        lw.kinematics(model, [0, 1], on_singular="pass")
+
+
 def test_a_toggle_can_stop_the_analysis() -> None:
     with pytest.raises(lw.SingularSystemError, match="at t = 2.0944 s") as caught:
         lw.kinematics(parallelogram(), np.linspace(0, 6, 61), on_singular="stop")

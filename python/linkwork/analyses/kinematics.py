@@ -86,8 +86,9 @@ def kinematics(
     ModelError: freedoms are left, which the message names.
     NotConvergedError: the drivers ask for what the joints do not allow: at the start, or after a dead point,
     which the message names with its time; the error's `result` is the motion up to there.
-    SingularSystemError: a singular pose with on_singular="stop". OptionError: times, or a function of time
-    that is not known there. LinkworkWarning: a singular pose was passed.
+    SingularSystemError: a singular pose with on_singular="stop", or at the start of a large model.
+    OptionError: times, or a function of time that is not known there. LinkworkWarning: a singular pose was
+    passed.
     """
     began = time.perf_counter()
     t = _times(times)
