@@ -84,7 +84,6 @@ __all__ = [
     "Rod",
     "Sensitivity",
     "Shape",
-    "Sensitivity",
     "SingularPose",
     "SingularSystemError",
     "Snapshot",

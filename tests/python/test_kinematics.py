@@ -247,6 +247,15 @@ def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
     assert abs(acceleration + np.sin(np.pi / 3 + t[2])) < 1e-3
 
 
+@both_ways
+def test_a_motion_that_starts_in_a_toggle_is_refused() -> None:
+    flat = lw.kinematics(parallelogram(), [0, 2 * np.pi / 3], on_singular="pass")
+    model = four_bar(lw.functions.polynomial(2 * np.pi / 3, 1.0), (1.0, 2.0, 1.0, 2.0))
+    model = model.with_initial_state(flat.q[-1], np.zeros_like(flat.v[-1]))
+    with pytest.raises(lw.LinkworkError, match="dead point|in this pose the equations of .* start elsewhere"):
+        lw.kinematics(model, [0, 1], on_singular="pass")
+
+
 def test_a_toggle_can_stop_the_analysis() -> None:
     with pytest.raises(lw.SingularSystemError, match="at t = 2.0944 s") as caught:
         lw.kinematics(parallelogram(), np.linspace(0, 6, 61), on_singular="stop")
@@ -276,12 +285,41 @@ def test_a_freedom_that_is_left_is_named() -> None:
         lw.kinematics(slider_crank(None, driver=""), [0, 1])
 
 
-def test_joints_that_restrict_velocities_only_are_refused() -> None:
-    model = lw.Model()
-    disc = model.body("disc", mass=1, inertia=(1, 1, 2), position=(0, 0, 0.5))
-    model.knife_edge(model.ground, disc, at=(0, 0, 0), axis=(0, 1, 0), name="edge")
-    with pytest.raises(lw.ModelError, match="'edge' restrict velocities only"):
-        lw.kinematics(model, [0, 1])
+def steered_wheel(heading: object, spin: object) -> lw.Model:
+    """A wheel in a fork that stays upright; it rolls along +x at the start. Its height is held twice."""
+    model = lw.Model(gravity=(0, 0, -9.81), name="wheel")
+    fork = model.body("fork", mass=3.0, inertia=(0.1, 0.1, 0.2), position=(0, 0, 0.25))
+    wheel = model.body("wheel", mass=2.0, inertia=(0.04, 0.06, 0.04), position=(0, 0, 0.25))
+    model.planar(model.ground, fork, at=(0, 0, 0.25), axis=Z, name="floor")
+    model.revolute(fork, wheel, at=(0, 0, 0.25), axis=(0, 1, 0), name="axle")
+    model.rolling_disc(
+        model.ground, wheel, at=((0, 0, 0), (0, 0, 0.25)), axes=(Z, (0, 1, 0)), radius=0.25, name="tire"
+    )
+    if heading is not None:
+        model.angle_driver(model.ground, fork, at=(0, 0, 0), axis=Z, angle=heading, name="steering")
+    model.angle_driver(fork, wheel, at=(0, 0, 0.25), axis=(0, 1, 0), angle=spin, name="motor")
+    return model
+
+
+@both_ways
+def test_a_wheel_that_is_steered_rolls_in_a_circle() -> None:
+    """Of radius r W / w; the tire gives the force m v w to the center, of 5 kg."""
+    turn, spin = lw.functions.polynomial(0.0, 0.8), lw.functions.polynomial(0.0, 4.0)
+    needed = lw.inverse_dynamics(steered_wheel(turn, spin), np.linspace(0, 5, 21))
+    motion, angle, radius = needed.motion, 0.8 * needed.t, 0.25 * 4.0 / 0.8
+    place = radius * np.stack([np.sin(angle), 1 - np.cos(angle)], axis=1)
+    assert np.abs(motion.body("wheel").position[:, :2] - place).max() < 1e-9
+    assert np.abs(motion.body("fork").velocity[:, 0] - np.cos(angle)).max() < 1e-9
+    inward = 5.0 * 0.8 * np.stack([-np.sin(angle), np.cos(angle)], axis=1)
+    assert np.abs(motion.reaction("tire").force[:, :2] - inward).max() < 1e-8
+    assert np.abs(needed.effort("motor")).max() < 1e-8
+
+
+def test_a_wheel_that_is_not_steered_has_a_freedom_left() -> None:
+    with pytest.raises(
+        lw.ModelError, match="1 freedom is left to the model 'wheel': body '(fork|wheel)' turns"
+    ):
+        lw.kinematics(steered_wheel(None, lw.functions.polynomial(0.0, 4.0)), [0, 1])
 
 
 @pytest.mark.parametrize(

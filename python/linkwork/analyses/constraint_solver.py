@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.analyses.equations import Equations, Sparse
+from linkwork.analyses.equations import LISTED, Equations, Sparse
 from linkwork.errors import LinkworkError, SingularSystemError
 
 __all__ = [
@@ -123,6 +123,8 @@ class SparseConstraints:
         from scipy.sparse.linalg import norm, splu
 
         rows = equations.independent
+        if len(rows) != D.shape[1]:
+            raise _singular(equations)
         scaled = D[rows].multiply(equations.scale[None, :]).tocsr()
         length = norm(scaled, axis=1)
         R = np.divide(1.0, length, out=np.ones_like(length), where=length > 0)
@@ -278,16 +280,21 @@ def balance(equations: Equations, t: float, q: Floats) -> tuple[Floats, Floats, 
     W = diags_array(1 / equations.scale**2).tocsr()
     found = saddle_point(equations, W, terms.D[rows], terms.g, np.zeros(len(rows)))
     if found is None:
-        names = equations.joints(equations.rank.singular_rows)
-        raise SingularSystemError(
-            f"model '{equations.model.name}': in this pose the equations of "
-            f"{', '.join(names) or 'some joints'} depend on others for the moment; start elsewhere",
-            code="singular_pose",
-            joints=names,
-        )
+        raise _singular(equations)
     multipliers = np.zeros(equations.core.row_count)
     multipliers[rows] = found[1]
     return W @ found[0], multipliers, terms.g
+
+
+def _singular(equations: Equations) -> SingularSystemError:
+    names = equations.joints(equations.rank.singular_rows)
+    listed = ", ".join(names[:LISTED]) + (", ..." if len(names) > LISTED else "")
+    return SingularSystemError(
+        f"model '{equations.model.name}': in this pose the equations of {listed or 'some joints'} depend on "
+        "others for the moment; start elsewhere",
+        code="singular_pose",
+        joints=names,
+    )
 
 
 def shared(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Floats:

@@ -18,7 +18,7 @@ from linkwork.analyses.constraint_solver import (
     free_motions,
 )
 from linkwork.analyses.equations import LISTED, Equations, Sparse
-from linkwork.analyses.tangent import displaced, turned_in, turned_out
+from linkwork.analyses.tangent import displaced, rate_of_change, turned_in, turned_out
 from linkwork.errors import (
     LinkworkError,
     ModelError,
@@ -56,6 +56,9 @@ NEARBY = 1e-2
 #: The shortest step, as a part of the time between two frames.
 SHORTEST_STEP = 2.0**-40
 
+#: Of the integration where joints restrict velocities only, relative and absolute.
+ROLLING = 1e-11
+
 #: Corrections relative to the size of the mechanism at which Newton's method ends.
 CONVERGED, ITERATIONS = 1e-14, 30
 
@@ -71,19 +74,21 @@ def kinematics(
     The joints and drivers alone decide: Phi(q, t) = 0 by Newton's method, from frame to frame with the
     velocity and acceleration as predictor, so that the mechanism stays on its branch; D v = -Phi_t and
     D v_dot = gamma. The model's own initial velocities do not matter, its initial pose says which branch.
-    Redundant equations do no harm. Multipliers and reactions are those that the motion needs (inverse
-    dynamics); `Result.work` is that of the drivers and of forces without a potential.
+    Where joints restrict velocities only, as by rolling, positions follow by integration. Redundant equations
+    do no harm. Multipliers and reactions are those that the motion needs (inverse dynamics); `Result.work` is
+    that of the drivers and of forces without a potential.
 
     times        increasing, at least two, from 0 on [s]
     on_singular  where branches meet (dead points, toggles): "pass", "warn" or "stop". In any case
                  `Result.singular_poses` has them, found between the times as well, with the joints whose
                  equations depend on each other there; `pivot` is the smallest singular value of D, scaled
 
-    ModelError: freedoms are left, which the message names, or joints that restrict velocities only.
+    ModelError: freedoms are left, which the message names.
     NotConvergedError: the drivers ask for what the joints do not allow: at the start, or after a dead point,
     which the message names with its time; the error's `result` is the motion up to there.
-    SingularSystemError: a singular pose with on_singular="stop". OptionError: times, or a function of time
-    that is not known there. LinkworkWarning: a singular pose was passed.
+    SingularSystemError: a singular pose with on_singular="stop", or at the start of a large model.
+    OptionError: times, or a function of time that is not known there. LinkworkWarning: a singular pose was
+    passed.
     """
     began = time.perf_counter()
     t = _times(times)
@@ -168,7 +173,6 @@ class _Follower:
         """Onto the constraints at t = 0. ModelError, NotConvergedError."""
         eq = self.equations
         q0 = np.array(eq.core.q0)
-        self._refuse_velocity_rows()
         if eq.rank.degrees_of_freedom > 0:
             self._refuse_freedoms(q0)
         start = self._constraints(eq.terms(0.0, q0).D)
@@ -215,7 +219,7 @@ class _Follower:
         moved = _reach(x, length)
         if moved > LONGEST_STEP:
             return None
-        predicted = displaced(at.q, x)
+        predicted = displaced(at.q, x) if self.equations.holonomic.all() else self._rolled(t)
         q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * moved, 1e-9))
         if q is None:
             return None
@@ -223,6 +227,20 @@ class _Follower:
         if moment.constraints.rank < self.freedoms and h > 1e-6 * max(t, 1e-3):
             return self._singular(moment, h)
         return moment
+
+    def _rolled(self, t: float) -> Floats:
+        """q at t by integration of D v = -Phi_t, where joints restrict velocities only."""
+        from scipy.integrate import solve_ivp
+
+        def rate(t: float, q: Floats) -> Floats:
+            terms = self.equations.terms(t, q)
+            self.counts["evaluations"] += 1
+            x_dot = self._constraints(terms.D).solve(-terms.Phi_t)
+            return rate_of_change(q, x_dot)
+
+        options = {"rtol": ROLLING, "atol": ROLLING, "first_step": t - self.at.t}
+        found = solve_ivp(rate, (self.at.t, t), self.at.q, "DOP853", **options)
+        return displaced(found.y[:, -1], np.zeros(self.freedoms))
 
     def _singular(self, moment: _Moment, h: float) -> _Moment | None:
         """The same, with the velocity and acceleration that it leaves open from both sides of it.
@@ -285,17 +303,6 @@ class _Follower:
         return _Moment(t, q, v, a, constraints)
 
     # --- what cannot be done ---
-
-    def _refuse_velocity_rows(self) -> None:
-        eq = self.equations
-        names = eq.joints(np.flatnonzero(~eq.holonomic))
-        if names:
-            raise ModelError(
-                f"kinematics: {_named(names)} restrict velocities only, so that positions follow from their "
-                "integration; use simulate",
-                code="velocity_constraints",
-                joints=names,
-            )
 
     def _refuse_freedoms(self, q: Floats) -> None:
         eq = self.equations

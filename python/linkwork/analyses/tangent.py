@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from linkwork import rotation
 
-__all__ = ["between", "displaced", "turned_in", "turned_out"]
+__all__ = ["between", "displaced", "rate_of_change", "turned_in", "turned_out"]
 
 Floats = NDArray[np.float64]
 
@@ -31,6 +31,15 @@ def between(q: Floats, other: Floats) -> Floats:
     angle = 2 * np.arctan2(sine, turn[:, :1])
     scale = np.divide(angle, sine, out=np.full_like(sine, 2.0), where=sine > 0)
     return np.hstack([b[:, :3] - a[:, :3], scale * turn[:, 1:]]).ravel()
+
+
+def rate_of_change(q: Floats, x_dot: Floats) -> Floats:
+    """q_dot (7n,) of velocities and angular velocities x_dot (6n,): p_dot = (0, omega) p / 2."""
+    p, v = q.reshape(-1, 7)[:, 3:], x_dot.reshape(-1, 6)
+    w = v[:, 3:]
+    scalar = -np.sum(w * p[:, 1:], axis=1, keepdims=True)
+    p_dot = np.hstack([scalar, p[:, :1] * w + np.cross(w, p[:, 1:])]) / 2
+    return np.hstack([v[:, :3], p_dot]).ravel()
 
 
 def turned_in(q: Floats, x: Floats) -> Floats:
