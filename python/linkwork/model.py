@@ -217,7 +217,10 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         text = joint.name if isinstance(joint, Joint) else joint
         index = self._core.find_joint(text) if isinstance(text, str) else -1
         if index < 0:
-            raise ModelError(f"drive: no joint named {text!r}", code="unknown_name")
+            known = [self._core.joint_name(joint) for joint in range(self.joint_count)]
+            raise ModelError(
+                f"drive: no joint named {text!r}{nearest(str(text), known)}", code="unknown_name"
+            )
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
         if which not in ("angle", "displacement"):
             raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
