@@ -482,6 +482,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """Indices (k,) of one or many bodies, -1 the ground. ModelError: there is no such body."""
         return self._bodies.indices(bodies, Subject("model", self.name, False, 1))
 
+    @property
+    def curves(self) -> dict[int, NDArray[np.float64]]:
+        """Of each point_on_curve, by the index of the joint: points along it (m, 3), in body a [m]."""
+        return {joint: it.line() for joint, it in self._special.items() if isinstance(it, CurveData)}
+
     def with_initial_state(self, q: ArrayLike, v: ArrayLike) -> Model:
         """The same mechanism from another state, such as a frame of a result: `result.q[-1], result.v[-1]`.
 

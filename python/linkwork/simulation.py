@@ -114,8 +114,9 @@ def simulate(
         "assembled": assembly and str(assembly),
     }
     header = Header.of(
-        system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes
-    )
+        system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes,
+        system.model.curves,
+    )  # fmt: skip
     recorder = recording.recorder(output, header)
 
     setup_seconds = time.perf_counter() - started
