@@ -64,6 +64,7 @@ class Header:
     force_parameters: Floats = field(default_factory=_none(0))
     expected_frames: int | None = None
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
+    curves: Mapping[int, Floats] = field(default_factory=dict, compare=False)  # by joint: points (m, 3) in a
     reactions: Reactions | None = field(default=None, compare=False)
 
     @classmethod
@@ -74,6 +75,7 @@ class Header:
         manifest: Mapping[str, Any],
         expected_frames: int | None = None,
         shapes: Shapes | None = None,
+        curves: Mapping[int, Floats] | None = None,
     ) -> Header:
         """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
         joints, forces, rank = model.joint_arrays(), model.force_arrays(), dynamics.rank()
@@ -102,6 +104,7 @@ class Header:
             **_parameters("force", forces),
             expected_frames=expected_frames,
             shapes=shapes or Shapes(),
+            curves=curves or {},
             reactions=dynamics.reactions,
         )
 

@@ -217,7 +217,10 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         text = joint.name if isinstance(joint, Joint) else joint
         index = self._core.find_joint(text) if isinstance(text, str) else -1
         if index < 0:
-            raise ModelError(f"drive: no joint named {text!r}", code="unknown_name")
+            known = [self._core.joint_name(joint) for joint in range(self.joint_count)]
+            raise ModelError(
+                f"drive: no joint named {text!r}{nearest(str(text), known)}", code="unknown_name"
+            )
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
         if which not in ("angle", "displacement"):
             raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
@@ -483,6 +486,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
     def indices(self, bodies: BodiesLike) -> NDArray[np.int32]:
         """Indices (k,) of one or many bodies, -1 the ground. ModelError: there is no such body."""
         return self._bodies.indices(bodies, Subject("model", self.name, False, 1))
+
+    @property
+    def curves(self) -> dict[int, NDArray[np.float64]]:
+        """Of each point_on_curve, by the index of the joint: points along it (m, 3), in body a [m]."""
+        return {joint: it.line() for joint, it in self._special.items() if isinstance(it, CurveData)}
 
     def with_initial_state(self, q: ArrayLike, v: ArrayLike) -> Model:
         """The same mechanism from another state, such as a frame of a result: `result.q[-1], result.v[-1]`.

@@ -4,7 +4,8 @@
                `statistics` (JSON)
     /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
                violation (k, 3), reaction_force and reaction_torque (k, joints, 3), t (k,)
-    /model/    the arrays of `Header`, the names, and the shapes of bodies that have their own
+    /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
+               of joints, by their index
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
 
 The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
@@ -212,6 +213,8 @@ class ResultWriter:
         for name in MODEL_NAMES:
             model[name] = _encoded(getattr(self._header, name))
         write_shapes(model, self._header.shapes)
+        for joint, line in self._header.curves.items():
+            model[f"curves/{joint}"] = line
         frames = self._file.create_group("frames")
         for name, shape in self._header.frame_shapes().items():
             if math.prod(shape):

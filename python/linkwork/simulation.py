@@ -110,8 +110,10 @@ def simulate(
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
     }
-    frames = plan.expected_frames(run)
-    header = Header.of(system.model.compiled(), system.compiled(), facts, frames, system.model.shapes)
+    header = Header.of(
+        system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes,
+        system.model.curves,
+    )  # fmt: skip
     recorder = recording.recorder(output, header)
 
     setup_seconds = time.perf_counter() - started

@@ -63,6 +63,12 @@ class CurveData:
         points, at = self.points.tolist(), self.at.tolist()
         return {"points": points, "at": at, "closed": self.closed, "frames": "body"}
 
+    def line(self) -> Floats:
+        """Points along the curve (m, 3), in body a [m], near enough to each other for a picture."""
+        curve = _curve(self.points, self.closed)
+        line: Floats = curve(_refined(curve.x, max(1, min(8, 400 // len(self.points)))))
+        return line
+
 
 def _coupled(core: _core.Model, terms: Sequence[Any], who: str) -> tuple[CoupledCoordinate, ...]:
     """Checked terms of a coupler: (joint, factor) or (joint, coordinate, factor)."""
@@ -194,14 +200,12 @@ def _spline(points: Floats, closed: bool, subject: Subject) -> tuple[Floats, Flo
     least = 3 if closed else 2
     if len(points) < least:
         subject.refuse(0, f"{len(points)} points: a curve needs {least} or more", "points")
-    if closed and not np.array_equal(points[0], points[-1]):
-        points = np.vstack([points, points[:1]])
-    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    chords = np.linalg.norm(np.diff(_around(points, closed), axis=0), axis=1)
     if not (chords > 0.0).all():
         k = int(np.argmin(chords))
         subject.refuse(0, f"points {k} and {k + 1} of the curve coincide", "points")
     ends = "periodic" if closed else "natural"
-    curve = CubicSpline(np.concatenate([[0.0], np.cumsum(chords)]), points, bc_type=ends)
+    curve = _curve(points, closed)
     for pieces in (1, 2, 4, 8, 16, 32):
         knots, fine = _refined(curve.x, pieces), _refined(curve.x, pieces * _STEPS)
         tangents = curve(fine, 1)
@@ -217,6 +221,19 @@ def _spline(points: Floats, closed: bool, subject: Subject) -> tuple[Floats, Flo
             return knots, _ascending(curve, knots), _ascending(across, knots)
     k = int(np.argmin(off)) // (pieces * _STEPS)
     subject.refuse(0, f"the curve turns too sharply after point {k}: give more points there", "points")
+
+
+def _around(points: Floats, closed: bool) -> Floats:
+    """Of a closed curve the first point once more at the end."""
+    again = closed and not np.array_equal(points[0], points[-1])
+    return np.vstack([points, points[:1]]) if again else points
+
+
+def _curve(points: Floats, closed: bool) -> CubicSpline:
+    """The spline over the length of the chords."""
+    points = _around(points, closed)
+    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    return CubicSpline(np.append(0.0, np.cumsum(chords)), points, bc_type="periodic" if closed else "natural")
 
 
 def _refined(knots: Floats, pieces: int) -> Floats:

@@ -113,7 +113,9 @@ def _read_header(file: h5py.File) -> Header:
     values.update(
         {name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES if name in model}
     )
-    return Header(manifest=json.loads(file.attrs["manifest"]), shapes=read_shapes(model), **values)
+    curves = {int(joint): line[()] for joint, line in model.get("curves", {}).items()}
+    manifest = json.loads(file.attrs["manifest"])
+    return Header(manifest=manifest, shapes=read_shapes(model), curves=curves, **values)
 
 
 def _read_events(file: h5py.File) -> list[Occurrence]:

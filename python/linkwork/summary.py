@@ -53,7 +53,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
     violation = ", ".join(f"{level} {_figure(value)}" for level, value in found["max_violation"].items())
     return [
         ("model", f"{model}: {counts}"),
-        ("method", _method(manifest.get("options", {}))),
+        ("method", ", ".join(method(manifest.get("options", {})))),
         ("recorded", f"{end}, {found['frames']} frames{'' if result.finished else ', not finished'}"),
         ("violation", f"largest {violation}"),
         ("energy", f"{_figure(found['energy_start'])} J at the start, error at most "
@@ -66,15 +66,18 @@ def lines(result: Result) -> list[tuple[str, str]]:
     ]  # fmt: skip
 
 
-def _method(options: dict[str, Any]) -> str:
+def method(options: dict[str, Any], *, short: bool = False) -> list[str]:
+    """The choices of a run in words; `short`: without what is of less interest."""
     words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
     if options.get("step"):
         words.append(f"step {options['step']:g} s")
     if options.get("rtol"):
-        words.append(f"rtol {options['rtol']:g}, atol {options['atol']:g}")
-    if options.get("linear_solver"):
+        words.append(f"rtol {options['rtol']:g}")
+    if options.get("rtol") and not short:
+        words.append(f"atol {options['atol']:g}")
+    if options.get("linear_solver") and not short:
         words.append(f"solver {options['linear_solver']}")
-    return ", ".join(words)
+    return words
 
 
 def _reactions(found: dict[str, Any]) -> str:

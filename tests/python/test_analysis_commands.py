@@ -56,6 +56,18 @@ def test_kinematics_of_a_file_tells_the_torque_of_the_motor(
     assert lw.Result.load(output).position[-1, 0] == pytest.approx([0.7 * np.cos(1), 0.7 * np.sin(1), 0])
 
 
+def test_kinematics_drives_a_joint_at_a_speed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Power is torque times speed; after 0.5 s at 2 rad/s the crank has turned by 1 rad."""
+    output = tmp_path / "motion.h5"
+    words = ["kinematics", "four_bar", "--drive", "pin 0=2", "--t-end", "0.5", "--output", str(output)]
+    (drive,) = answer(words, capsys)["drives"]
+    assert drive["driver"] == "drive of pin 0"
+    assert drive["largest_power"] == pytest.approx(2 * drive["largest_effort"])
+    motion = lw.Result.load(output)
+    angle = motion.coordinate("pin 0").value
+    assert angle[-1] - angle[0] == pytest.approx(1.0, abs=1e-9)
+
+
 def test_kinematics_without_drivers_says_what_is_missing(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["kinematics", "four_bar"], debug=False) == 1
     assert "the model 'four_bar' has no drivers; add an angle_driver" in capsys.readouterr().err

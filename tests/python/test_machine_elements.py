@@ -8,7 +8,7 @@ import h5py
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.shapes import Mesh, Sphere
+from linkwork.shapes import Mesh, Rod, Sphere
 from linkwork.view import machine_elements, meshes
 from linkwork.view.appearance import Solid, scene
 
@@ -173,3 +173,19 @@ def test_mechanisms_are_drawn_whatever_they_are_made_of(name: str) -> None:
     for it in drawn.solids:
         assert np.isfinite(it.shape.position).all()
         assert np.isfinite(it.shape.orientation).all()
+
+
+def test_curve_of_a_joint_is_drawn_through_its_points_also_from_a_file(tmp_path: Path) -> None:
+    angle = np.linspace(0, 2 * np.pi, 13)[:-1]
+    points = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+    model = lw.Model(gravity=(0, 0, 0))
+    bead = model.body("bead", mass=1, inertia=(0.01, 0.01, 0.01), position=points[2])
+    model.point_on_curve("ground", bead, points=points, at=points[2], closed=True)
+    lw.simulate(model, t_end=0.1, step=0.01).save(tmp_path / "run.h5")
+    drawn = scene(lw.Result.load(tmp_path / "run.h5")).solids
+    rods = [it.shape for it in drawn if isinstance(it.shape, Rod)]
+    assert len(rods) == 96
+    ends = np.array([rod.start for rod in rods])
+    np.testing.assert_allclose(ends[::8], points, atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(ends, axis=1), 1, atol=2e-3)  # of the spline
+    np.testing.assert_array_equal(ends[1:], [rod.end for rod in rods[:-1]])

@@ -54,6 +54,8 @@ MISTAKES = [
     "convert broken.urdf x.yaml --align-axes x",
     "linearize chain --modes 0", "linearize chain --near -1", "kinematics four_bar --t-end -1",
     "kinematics four_bar --step 0", "kinematics four_bar --output nowhere/x.h5",
+    "kinematics four_bar", "kinematics four_bar --drive x", "kinematics four_bar --drive x=1",
+    "kinematics four_bar --drive 'pin 0=x'",
     "demo --output-dir text.txt",
     "bench", "bench nix", "bench rhs --mechanism nix", "bench rhs --set x", "bench rhs --set x=1",
     "bench rhs --solver nix", "bench rhs --formulation nix", "bench rhs --repeats x", "bench rhs --limit -1",

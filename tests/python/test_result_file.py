@@ -265,7 +265,20 @@ def test_file_size_limit_ends_with_one_line_and_a_readable_file(tmp_path: Path) 
     np.testing.assert_array_equal(result.q[:, -1, -1], result.t)
 
 
-ON_A_SMALL_DISK = """
+def on_a_small_disk(program: str, folder: Path) -> list[str]:
+    """What a program prints that mounts 3 MB at that folder, seen by nobody else, between its bars."""
+    if os.geteuid() != 0 or shutil.which("unshare") is None:
+        pytest.skip("mounting a small disk needs root")
+    trial = ["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", folder]
+    if subprocess.run(trial, capture_output=True).returncode:
+        pytest.skip("mounting is not allowed here")
+    run = start(program, folder, before=["unshare", "-m"])
+    output, errors = run.communicate(timeout=120)
+    assert run.returncode == 0, errors
+    return output.strip().split("|")
+
+
+WRITE_ON_A_SMALL_DISK = """
     import subprocess, sys, synthetic
     from linkwork import Result, errors, result_file
     subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", sys.argv[1]], check=True)
@@ -280,18 +293,8 @@ ON_A_SMALL_DISK = """
 """
 
 
-@pytest.mark.skipif(
-    os.geteuid() != 0 or shutil.which("unshare") is None, reason="mounting a small disk needs root"
-)
 def test_full_disk_ends_with_one_line_and_a_readable_file(tmp_path: Path) -> None:
-    if subprocess.run(
-        ["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", tmp_path], capture_output=True
-    ).returncode:
-        pytest.skip("mounting is not allowed here")
-    run = start(ON_A_SMALL_DISK, tmp_path, before=["unshare", "-m"])
-    output, errors = run.communicate(timeout=60)
-    assert run.returncode == 0, errors
-    error, count, whole = output.strip().split("|")
+    error, count, whole = on_a_small_disk(WRITE_ON_A_SMALL_DISK, tmp_path)
     assert int(count) > 100 and whole == "True"
     assert "run.h5': no room: " in error and f"free; the {count} frames so far are kept" in error
 
@@ -308,18 +311,8 @@ RUN_ON_A_SMALL_DISK = """
 """
 
 
-@pytest.mark.skipif(
-    os.geteuid() != 0 or shutil.which("unshare") is None, reason="mounting a small disk needs root"
-)
 def test_command_ends_with_one_line_where_the_disk_is_full(tmp_path: Path) -> None:
-    if subprocess.run(
-        ["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", tmp_path], capture_output=True
-    ).returncode:
-        pytest.skip("mounting is not allowed here")
-    run = start(RUN_ON_A_SMALL_DISK, tmp_path, before=["unshare", "-m"])
-    output, errors = run.communicate(timeout=120)
-    assert run.returncode == 0, errors
-    code, out, lines, count, error = output.strip().split("|")
+    code, out, lines, count, error = on_a_small_disk(RUN_ON_A_SMALL_DISK, tmp_path)
     assert (code, out, lines) == ("1", "''", "1")
     assert int(count) > 100 and f"the {count} frames so far are kept" in error
 

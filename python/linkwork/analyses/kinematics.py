@@ -419,7 +419,7 @@ class _Frames:
         fields, dynamics = self._fields(), self.system.compiled()
         given = {"times": f"{t[0]:g} to {t[-1]:g} s, {len(t)}"}
         facts = manifest(self.model, given, {"analysis": "kinematics", "integrator": "kinematics"})
-        header = Header.of(self.model.compiled(), dynamics, facts)
+        header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)
         passages = follower.passages
         statistics = {**follower.counts, "singular_poses": len(passages), "passages": passages,
                       "seconds": time.perf_counter() - began, "failed": failed}  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -94,14 +94,17 @@ def equilibrium_and_show(
 
 
 def kinematics_and_show(
-    name: str, mechanism: Mechanism, parameters: Mapping[str, Any], *, t_end: float, step: float,
-    output: str | None, plot: str | None, as_json: bool,
+    name: str, mechanism: Mechanism, parameters: Mapping[str, Any], *, drive: Sequence[tuple[str, float]],
+    t_end: float, step: float, output: str | None, plot: str | None, as_json: bool,
 ) -> None:  # fmt: skip
-    """The motion that the drivers prescribe, and what they must exert."""
+    """The motion that the drivers prescribe, and what they must exert; `drive`: joints with their speeds."""
     for path in filter(None, (output, plot)):
         out.check_writable(path)
     count = max(1, round(t_end / step))
-    needed = lw.inverse_dynamics(mechanism.function(**parameters), np.linspace(0, t_end, count + 1))
+    model = mechanism.function(**parameters)
+    for joint, speed in drive:
+        model.drive(joint, velocity=speed, name=f"drive of {joint}")
+    needed = lw.inverse_dynamics(model, np.linspace(0, t_end, count + 1))
     motion = needed.motion
     if output:
         motion.save(output)

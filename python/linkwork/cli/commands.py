@@ -151,10 +151,10 @@ def kinematics() -> None:
     """The motion that drivers prescribe, and the forces and torques that they need for it.
 
     \b
-    linkwork kinematics four_bar --help
+    linkwork kinematics four_bar --drive 'pin 0=2' --t-end 2
 
-    For mechanisms whose freedoms are all fixed by drivers, mostly models from files:
-    `linkwork kinematics crank.yaml --t-end 2 --plot crank.png`. Dead points are told.
+    For mechanisms whose freedoms are all fixed by drivers: those of a model from a file
+    (`linkwork kinematics crank.yaml --plot crank.png`), or --drive. Dead points are told.
     """
 
 

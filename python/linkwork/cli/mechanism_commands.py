@@ -92,12 +92,28 @@ def kinematics_command(name: str, mechanism: Mechanism) -> click.Command:
     positive = click.FloatRange(0, min_open=True)
     options = [
         *_parameter_options(mechanism),
+        click.Option(["--drive"], type=Speed(), multiple=True,
+                     help="Drive this joint from its initial pose on at a speed [rad/s or m/s]; repeatable."),
         click.Option(["--t-end"], type=positive, default=1.0, show_default=True, help="End [s]."),
         click.Option(["--step"], type=positive, default=0.01, show_default=True, help="Between frames [s]."),
         *run_options.outputs(),
         JSON,
-    ]
-    return _command(name, mechanism, options, kinematics, "linkwork kinematics {name} --t-end 0.5")
+    ]  # fmt: skip
+    example = "linkwork kinematics {name} --drive JOINT=2 --t-end 0.5"
+    return _command(name, mechanism, options, kinematics, example)
+
+
+class Speed(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
+    """A joint and its speed."""
+
+    name = "JOINT=SPEED"
+
+    def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
+        joint, _, speed = str(value).rpartition("=")
+        try:
+            return joint, float(speed)
+        except ValueError:
+            self.fail(f"'{value}' is no joint with a speed; write 'pin 0=2'", param, context)
 
 
 def _split(values: dict[str, Any], mechanism: Mechanism) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork import summary
 from linkwork.comparison.measures import Differences, Sampled, Scales, longest_arm
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError, ModelError, OptionError
@@ -78,9 +79,7 @@ def given_reference(
     """
     result = reference if isinstance(reference, Result) else Result.load(reference)
     name = "given result" if isinstance(reference, Result) else str(reference)
-    options = result.manifest.get("options", {})
-    words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
-    words += [f"{key} {options[key]:g}" for key in ("step", "rtol") if options.get(key)]
+    words = summary.method(result.manifest.get("options", {}), short=True)
     made = _made(result, ": ".join(filter(None, [name, ", ".join(words)])), None)
     if state_error is None:
         return made

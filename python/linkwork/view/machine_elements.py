@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -17,7 +18,7 @@ from linkwork import rotation
 from linkwork.elements import KINDS
 from linkwork.header import Floats, Header
 from linkwork.joint_motion import Holds, joint_kinds, separations
-from linkwork.shapes import Box, Cylinder, Mesh, Shape, Sphere
+from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.view import meshes
 
 if TYPE_CHECKING:
@@ -114,6 +115,8 @@ def solid_parts(result: Result, thickness: float) -> list[Placed]:
         if holds.translations == (False, False, True) or _placement(it) in ("disc", "plane"):
             planes.append((it, max(abs(it.numbers.get("radius", 0.0)), 4 * thickness)))
         found += [placed for placed in _wheels(header, it, thickness) if placed.body not in shaped]
+        line = header.curves.get(it.index, np.zeros((0, 3)))
+        found += [Placed(it, it.bodies[0], Rod(a, b, 0.5 * thickness), "plane") for a, b in pairwise(line)]
     for it in elements(header, "force"):
         if "radius" in it.numbers:
             planes.append((it, 2 * abs(it.numbers["radius"])))

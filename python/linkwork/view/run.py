@@ -15,6 +15,7 @@ from linkwork.errors import OptionError
 from linkwork.header import Floats, Header
 from linkwork.joint_motion import joint_kinds, violations
 from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.summary import method
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
 
@@ -74,7 +75,7 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     return {
         "label": label,
         "model": manifest.get("model") or "model",
-        "method": _method(manifest.get("options", {})),
+        "method": ", ".join(method(manifest.get("options", {}), short=True)).replace("_", " "),
         "finished": result.finished,
         "frames": {"recorded": len(result), "shown": pack.directory["t"]["shape"][0], "every": choice.every},
         "precision": precision,
@@ -267,12 +268,3 @@ def _add_spans(pack: Pack, drawn: list[Span]) -> list[dict[str, Any]]:
 
 def _colors(drawn: Sequence[Solid | Span]) -> NDArray[np.uint8]:
     return np.array([list(bytes.fromhex(it.color[1:])) for it in drawn], np.uint8)
-
-
-def _method(options: dict[str, Any]) -> str:
-    words = [str(options[key]) for key in ("formulation", "stabilization", "integrator") if options.get(key)]
-    if options.get("step"):
-        words.append(f"step {options['step']:g} s")
-    if options.get("rtol"):
-        words.append(f"rtol {options['rtol']:g}")
-    return ", ".join(words).replace("_", " ")

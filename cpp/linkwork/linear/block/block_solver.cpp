@@ -10,7 +10,9 @@ namespace linkwork::block {
 namespace {
 
 constexpr double singular_pivot = 1e-15;
-constexpr double small_pivot = 1e-8;      // beyond it a joint waits for a hub, if there is one
+constexpr double small_pivot = 1e-8;  // beyond it a joint waits for a hub, if there is one
+constexpr double far_apart = 1e6, refined_enough = 1e-13;
+constexpr int most_refinements = 5;
 constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {
@@ -24,6 +26,10 @@ class BlockSolver final : public SaddleSolver {
     postponements_ = 0;
     make_schedule();
     no_a_.resize(0);
+    refined_ = masses_far_apart(system);
+    if (!refined_) return;
+    for (VectorXd* velocities : {&rest_a_, &change_x_}) velocities->setZero(system.v_size());
+    for (VectorXd* rows : {&rest_b_, &change_lambda_}) rows->setZero(system.row_count());
   }
 
   void factorize(const Evaluation& at, const VectorXd& e) override {
@@ -37,12 +43,14 @@ class BlockSolver final : public SaddleSolver {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
     kernels_->forward(data_, a.data(), b.data());
     substitute_backward(a, x, lambda);
+    if (refined_) refine(a, b, x, lambda);
   }
 
   void factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
                            MutableVector x, MutableVector lambda) override {
     factorize(at, e, a, b);
     substitute_backward(a, x, lambda);
+    if (refined_) refine(a, b, x, lambda);
   }
 
   std::int64_t factor_nonzeros() const override { return schedule_->nonzeros; }
@@ -56,6 +64,34 @@ class BlockSolver final : public SaddleSolver {
   }
 
  private:
+  /// Light bodies between heavy ones cost digits, which the residual brings back.
+  static bool masses_far_apart(const System& system) {
+    double least[2] = {INFINITY, INFINITY}, most[2] = {0.0, 0.0};
+    for (int body = 0; body < system.body_count(); ++body) {
+      const double size[2] = {system.mass(body), system.inertia(body).diagonal().maxCoeff()};
+      for (int k = 0; k < 2; ++k) {
+        least[k] = std::min(least[k], size[k]);
+        most[k] = std::max(most[k], size[k]);
+      }
+    }
+    return most[0] > far_apart * least[0] || most[1] > far_apart * least[1];
+  }
+
+  void refine(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
+    for (int step = 0; step < most_refinements; ++step) {
+      system_->multiply_mass(x, change_x_);
+      rest_a_ = a - change_x_;
+      system_->add_D_transposed(*at_, lambda, rest_a_);
+      system_->multiply_D(*at_, x, change_lambda_);
+      rest_b_ = b - change_lambda_ - e_.cwiseProduct(lambda);
+      kernels_->forward(data_, rest_a_.data(), rest_b_.data());
+      substitute_backward(rest_a_, change_x_, change_lambda_);
+      x += change_x_;
+      lambda += change_lambda_;
+      if (!(change_x_.cwiseAbs().maxCoeff() > refined_enough * x.cwiseAbs().maxCoeff())) return;
+    }
+  }
+
   void substitute_backward(const ConstVector& a, MutableVector x, MutableVector lambda) const {
     for (const int row : dropped_) lambda[row] = 0.0;
     kernels_->backward(data_, a.data(), x.data(), lambda.data());
@@ -114,6 +150,7 @@ class BlockSolver final : public SaddleSolver {
 
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
     e_ = e;
+    at_ = &at;
     if (!schedule_->fronts.empty()) diagonal_.assign(e.data(), e.data() + e.size());
     data_ = {schedule_->steps.data(),
              static_cast<std::ptrdiff_t>(schedule_->steps.size()),
@@ -146,6 +183,7 @@ class BlockSolver final : public SaddleSolver {
   }
 
   const System* system_ = nullptr;
+  const Evaluation* at_ = nullptr;
   const Kernels* kernels_;
   std::unique_ptr<Schedule> schedule_;
   std::vector<Schedule::Postponed> postponed_;
@@ -153,6 +191,8 @@ class BlockSolver final : public SaddleSolver {
   std::vector<double> factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_;
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
+  bool refined_ = false;
+  VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
 };
 
