@@ -72,7 +72,7 @@ class YamlText:
             self._read(text)
         except MarkedYAMLError as error:
             mark = error.problem_mark or error.context_mark  # counts from 0
-            line = mark.line + 1 if mark else 1
+            line = min(mark.line, text.count("\n")) + 1 if mark else 1  # the end may be a line too far
             self._faults.append(Fault(line, "", f"is no YAML: {error.problem or error.context}"))
         except (YAMLError, RecursionError, ValueError) as error:
             line = text.encode().count(b"\n", 0, getattr(error, "position", None) or 0) + 1
