@@ -196,7 +196,11 @@ def _spline(points: Floats, closed: bool, subject: Subject) -> tuple[Floats, Flo
         subject.refuse(0, f"{len(points)} points: a curve needs {least} or more", "points")
     if closed and not np.array_equal(points[0], points[-1]):
         points = np.vstack([points, points[:1]])
-    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    with np.errstate(over="ignore"):
+        chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    if not np.isfinite(chords).all():
+        k = int(np.argmin(np.isfinite(chords)))
+        subject.refuse(0, f"points {k} and {k + 1} of the curve are too far apart", "points")
     if not (chords > 0.0).all():
         k = int(np.argmin(chords))
         subject.refuse(0, f"points {k} and {k + 1} of the curve coincide", "points")
