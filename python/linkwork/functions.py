@@ -364,8 +364,16 @@ def _check_samples(t: Floats, values: Floats) -> None:
         if not np.isfinite(samples).all():
             k = int(np.argmin(np.isfinite(samples)))
             raise ModelError(f"table: {name} {k} is {samples[k]}, not finite", code="not_finite")
-    if (np.diff(t) <= 0).any():
-        k = int(np.argmax(np.diff(t) <= 0))
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        steps = np.diff(t)
+        slopes = np.diff(values) / steps
+    if (steps <= 0).any():
+        k = int(np.argmax(steps <= 0))
         raise ModelError(
             f"table: times must increase, but {t[k + 1]:g} s follows {t[k]:g} s", code="time_function"
         )
+    possible = np.isfinite(steps) & np.isfinite(slopes)
+    if not possible.all():
+        k = int(np.argmin(possible))
+        where = f"{values[k]:g} at {t[k]:g} s and {values[k + 1]:g} at {t[k + 1]:g} s"
+        raise ModelError(f"table: the slope between {where} is beyond all numbers", code="not_finite")

@@ -200,7 +200,11 @@ def _spline(points: Floats, closed: bool, subject: Subject) -> tuple[Floats, Flo
     least = 3 if closed else 2
     if len(points) < least:
         subject.refuse(0, f"{len(points)} points: a curve needs {least} or more", "points")
-    chords = np.linalg.norm(np.diff(_around(points, closed), axis=0), axis=1)
+    with np.errstate(over="ignore"):
+        chords = np.linalg.norm(np.diff(_around(points, closed), axis=0), axis=1)
+    if not np.isfinite(chords).all():
+        k = int(np.argmin(np.isfinite(chords)))
+        subject.refuse(0, f"points {k} and {k + 1} of the curve are too far apart", "points")
     if not (chords > 0.0).all():
         k = int(np.argmin(chords))
         subject.refuse(0, f"points {k} and {k + 1} of the curve coincide", "points")

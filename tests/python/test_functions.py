@@ -221,3 +221,11 @@ def test_wrong_derivatives_are_refused() -> None:
         as_time_function((math.sin, math.cos, math.sin), "drive")
     with pytest.raises(lw.ModelError, match="first derivative"):
         as_time_function((math.sin, math.sin, math.cos), "drive")
+
+
+@pytest.mark.parametrize(("t", "values"), [
+    ([0, 1], [1e308, -1e308]), ([0, 5e-324], [0, 1]), ([-1e308, 1e308], [0, 1]),
+])  # fmt: skip
+def test_tables_beyond_all_numbers_are_refused(t: list[float], values: list[float]) -> None:
+    with pytest.raises(lw.ModelError, match="table: the slope between"):
+        lw.functions.table(t, values)

@@ -88,6 +88,14 @@ def test_a_model_in_a_model_is_where_its_pose_says(
     assert pose(model, "arm::rod") == pytest.approx(expected, abs=1e-14)
 
 
+def test_a_model_alone_is_placed_by_its_placement_frame(tmp_path: Path) -> None:
+    arm = ARM.replace('name="arm"', 'name="arm" placement_frame="tip"', 1)
+    model = loaded(tmp_path, arm).model
+    assert pose(model, "rod") == pytest.approx(frame((0, 0, 7)) @ np.linalg.inv(TIP), abs=1e-14)
+    with pytest.raises(lw.ModelFileError, match=r":3: pose: there is nothing that a model alone"):
+        loaded(tmp_path, ARM.replace("<pose>0 0 7", '<pose relative_to="tip">0 0 7', 1))
+
+
 def test_an_include_without_a_pose_has_that_of_its_file(tmp_path: Path) -> None:
     (tmp_path / "arm.sdf").write_text(sdf(ARM))
     model = loaded(tmp_path, with_models("<include><uri>arm.sdf</uri></include>")).model

@@ -78,22 +78,32 @@ CASES: list[Case] = [
     ("    length: drive", "    length: {expression: 1 / t}", 30, "joints[1].length", "at t = 0: nan"),
     ("    length: drive", "    length: {expression: 3}", 30, "joints[1].length.expression", "is not text"),
     ("    length: drive", "    length: 2 + t", 30, "joints[1].length", 'written {expression: "2 + t"}'),
-    # --- couplers and curves ---
+    # --- couplers, curves and drives ---
     *(
-        ("    length: drive", f"    length: drive\n  - {{kind: {what}}}", 31, f"joints[2].{field}", words)
+        ("    length: drive", f"    length: drive\n  - {{kind: {what}}}", 31, f"joints[2]{field}", words)
         for what, field, words in (
-            ("coupler, coordinates: [{joint: p, factor: 1}]", "coordinates[0].joint", "no joint named 'p'"),
-            ("coupler, coordinates: [{joint: ball, factor: 1}]", "coordinates[0].joint", "'ball' before"),
-            ("coupler, coordinates: [{joint: pin, factor: 0}]", "coordinates[0].factor", "not be zero"),
-            ("coupler, coordinates: [{joint: pin, factor: x}]", "coordinates[0].factor", "'x' is not a"),
-            ("coupler, coordinates: [{joint: pin}]", "coordinates[0].factor", "is missing"),
-            ("coupler, coordinates: [pin]", "coordinates[0]", "'pin' is not a mapping"),
-            ("coupler, coordinates: []", "coordinates", "has 0 entries"),
-            ("coupler, a: crank", "a", "is not known here"),
-            ("coupler, coordinates: [], attachment: 1", "attachment", "is not known here"),
-            ("point_on_curve, a: crank, b: rod, at: [0, 0, 0], points: [[0, 0, 0]]", "points", "has 1 ent"),
-            ("point_on_curve, a: crank, b: rod, at: [0, 0, 0], points: line", "points", "is not a list"),
-            ("point_on_curve, a: crank, b: c, at: [0, 0, 0], points: [[0, 0, 0], [1, 0, 0]]", "b", "named"),
+            ("drive, joint: pin", "", "give one of position, velocity, acceleration"),
+            ("drive, joint: pin, position: 1, velocity: 2", "", "give one of position"),
+            ("drive, joint: pin, speed: 1", ".speed", "is not known here"),
+            ("drive, joint: pin, position: t", ".position", "neither a number nor in functions"),
+            ("drive, joint: pin, position: {expression: t +}", ".position", "is not a formula"),
+            ("drive, joint: pin, velocity: {expression: t}", "", "integral is not known"),
+            ("drive, joint: pin, position: 1, coordinate: displacement", "", "it has angle"),
+            ("drive, joint: pon, position: 1", ".joint", "no joint named 'pon' before"),
+            ("drive, joint: link, position: 1", "", "distance 'link'"),
+            ("drive, a: crank, joint: pin, position: 1", ".a", "is not known here"),
+            ("coupler, coordinates: [{joint: p, factor: 1}]", ".coordinates[0].joint", "no joint named 'p'"),
+            ("coupler, coordinates: [{joint: ball, factor: 1}]", ".coordinates[0].joint", "'ball' before"),
+            ("coupler, coordinates: [{joint: pin, factor: 0}]", ".coordinates[0].factor", "not be zero"),
+            ("coupler, coordinates: [{joint: pin, factor: x}]", ".coordinates[0].factor", "'x' is not a"),
+            ("coupler, coordinates: [{joint: pin}]", ".coordinates[0].factor", "is missing"),
+            ("coupler, coordinates: [pin]", ".coordinates[0]", "'pin' is not a mapping"),
+            ("coupler, coordinates: []", ".coordinates", "has 0 entries"),
+            ("coupler, a: crank", ".a", "is not known here"),
+            ("coupler, coordinates: [], attachment: 1", ".attachment", "is not known here"),
+            ("point_on_curve, a: crank, b: rod, at: [0, 0, 0], points: [[0, 0, 0]]", ".points", "has 1 ent"),
+            ("point_on_curve, a: crank, b: rod, at: [0, 0, 0], points: line", ".points", "is not a list"),
+            ("point_on_curve, a: crank, b: c, at: [0, 0, 0], points: [[0, 0, 0], [1, 0, 0]]", ".b", "named"),
         )
     ),
     # --- missing ---

@@ -182,6 +182,35 @@ def test_drivers_of_a_file_move_as_their_functions_say(text: str, tmp_path: Path
         assert result.coordinate(joint).value == pytest.approx(DRIVERS[text](result.t), abs=1e-9), joint
 
 
+@pytest.mark.parametrize(("motion", "expected"), [
+    ("position: {expression: 0.2 * sin(3 * t)}", lambda t: 0.2 * np.sin(3 * t)),
+    ("velocity: {polynomial: [0.5, 2]}", lambda t: 0.5 * t + t**2),
+    ("velocity: swing", lambda t: 0.4 * (1 - np.cos(5 * t)) / 5),
+    ("acceleration: 3", lambda t: 1.5 * t**2),
+])  # fmt: skip
+@pytest.mark.parametrize("joint", ["joint: pin", "joint: rail", "joint: bush, coordinate: angle"])
+def test_joints_of_a_file_are_driven_by_their_names(
+    joint: str, motion: str, expected: Any, tmp_path: Path
+) -> None:
+    path = tmp_path / "driven.yaml"
+    drive = f"  - {{kind: drive, {joint}, {motion}}}"
+    bush = "  - {kind: cylindrical, name: bush, a: ground, b: cart, at: [0, 1, 0], axis: [1, 0, 1]}"
+    lines = [line for line in DRIVEN.format(0).splitlines() if "driver" not in line]
+    if "bush" in joint:
+        lines = [bush if "rail" in line else line for line in lines]
+    text = "\n".join([*lines, drive])
+    path.write_text(
+        text.replace(
+            "{shared: {polynomial: [0.1, 1, -0.5]}}", "{swing: {harmonic: {amplitude: 0.4, frequency: 5}}}"
+        )
+    )
+    model = lw.Model.load(path)
+    assert bits(round_trip(model, tmp_path / "again.json")) == bits(model)
+    result = lw.simulate(lw.assemble(model).model, t_end=0.3, step=1e-3)
+    name, *which = (word.split(": ")[1] for word in joint.split(", "))
+    assert result.coordinate(name, *which).value == pytest.approx(expected(result.t), abs=1e-9)
+
+
 def test_every_function_of_time_there_is_is_in_the_schema() -> None:
     """Each class of linkwork.functions but the Python callback is written: above is one of each."""
     written = {"Polynomial", "Harmonic", "Table", "Cycloidal", "Expression", "Sum"}

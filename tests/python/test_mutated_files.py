@@ -20,8 +20,24 @@ from test_malformed_files import YAML
 
 MIMIC = '<mimic joint="shoulder" multiplier="2" offset="0.1"/>'
 
+DRIVEN = """\
+linkwork: 1
+functions: {swing: {table: {t: [0, 1, 2], values: [0.1, 0.2, 0.7]}}}
+bodies:
+  - {name: a, mass: 1, inertia: [1, 1, 1]}
+  - {name: b, mass: 1, inertia: [1, 1, 1], position: [1, 0, 0]}
+joints:
+  - {kind: cylindrical, name: p, a: ground, b: a, at: [0, 0, 0], axis: [0, 1, 0]}
+  - {kind: revolute, name: q, a: ground, b: b, at: [1, 0, 0], axis: [0, 1, 0]}
+  - {kind: coupler, coordinates: [{joint: p, coordinate: angle, factor: 2}, {joint: q, factor: -1}]}
+  - {kind: drive, joint: p, coordinate: angle, position: {expression: 0.3 * sin(2 * pi * t)**2}}
+  - {kind: drive, joint: p, coordinate: displacement, velocity: swing}
+  - {kind: point_on_curve, a: ground, b: b, points: [[0, 0, 0], [1, 0, 0], [2, 1, 0]], at: [1, 0, 0]}
+"""
+
 FILES: dict[str, bytes] = {
     "model.yaml": YAML.encode(),
+    "driven.yaml": DRIVEN.encode(),
     "model.json": json.dumps(YamlText(YAML).data, indent=1).encode(),
     "arm.urdf": (ROBOTS / "arm.urdf").read_bytes().replace(b"<dynamics", MIMIC.encode() + b"\n<dynamics"),
     "loop.sdf": (ROBOTS / "four_bar.sdf").read_bytes(),
@@ -112,7 +128,7 @@ def test_the_files_that_are_changed_are_good(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", FILES)
-@examples(350)
+@examples(300)
 @given(changes=CHANGES)
 def test_changed_files_give_a_model_or_their_faults(
     name: str, changes: list[Edit], tmp_path_factory: pytest.TempPathFactory

@@ -356,3 +356,11 @@ def test_a_bead_at_the_bottom_of_a_bent_wire_swings_by_its_curvature() -> None:
     model.orientation(model.ground, body)
     found = lw.linearize(model)
     assert found.frequencies == pytest.approx([np.sqrt(9.81 * 3.0)], rel=1e-3)
+
+
+@pytest.mark.parametrize("far", [1e160, 1e308])
+def test_a_curve_whose_length_is_no_number_is_refused(far: float) -> None:
+    model = lw.Model()
+    bead = model.body("bead", mass=1.0, inertia=INERTIA)
+    with pytest.raises(ModelError, match="points 0 and 1 of the curve are too far apart"):
+        model.point_on_curve(model.ground, bead, points=[(0, 0, 0), (far, 0, 0)], at=(0, 0, 0))

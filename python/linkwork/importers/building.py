@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypedDict
@@ -91,10 +91,11 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
             hint = nearest(name, Options.__annotations__)
             raise OptionError(f"'{description.path}': no option '{name}'{hint}", code="unknown_option")
     floating = options.get("floating")
-    grounded = description.grounded if floating is None else () if floating else description.links
+    if floating is not None:
+        description.grounded = () if floating else description.links
     align_axes(description, options.get("align_axes"))
     states = link_states(description, options.get("coordinates") or {}, options.get("velocities") or {})
-    groups = _grouped(description, states, grounded, options.get("merge_fixed", False))
+    groups = _grouped(description, states, options.get("merge_fixed", False))
     faults: list[Fault] = []
     _check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
@@ -131,7 +132,7 @@ def _collect(faults: list[Fault], lines: Mapping[str, int], who: str, add: Calla
 
 
 def _grouped(
-    description: Description, states: Mapping[str, LinkState], grounded: Collection[str], merge_fixed: bool
+    description: Description, states: Mapping[str, LinkState], merge_fixed: bool
 ) -> dict[str, _Group]:
     """The group of every link and of the world."""
     group_of = {name: _group(link) for name, link in description.links.items()}
@@ -146,7 +147,7 @@ def _grouped(
 
     carried = {joint.child for joint in description.joints if not joint.closes_loop}
     for name in description.links:
-        if name in grounded and name not in carried and name != WORLD:
+        if name in description.grounded and name not in carried and name != WORLD:
             merge(WORLD, name)
             description.note("base", f"link '{name}'", "the base is the ground")
     fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]

@@ -157,7 +157,7 @@ class Scope:
         """The model's frame in the world."""
         if self.parent is not None:
             return self.parent.absolute @ self.parent.pose_of("model", self.name)
-        return Frame() if self.is_world else self.own(self.node, "model")
+        return Frame() if self.is_world else self._placed(self, self.node)
 
     def pose(self, name: str, at: Node) -> Frame:
         """Of a link, joint, frame or model, or of __model__. A fault of the node `at`: there is none."""
@@ -217,11 +217,21 @@ class Scope:
         around = self.pose(self._relative_to(tag, name), node)
         if tag != "model":
             return around @ self.own(node, f"{tag} '{name}'")
-        model = self.models[name]  # included without a pose it has that of its own file
-        scope, placing = (self, node) if node.one("pose") is not None else (model, model.node)
-        here = around @ scope.own(placing, f"model '{name}'")
-        frame = node.word("placement_frame") or model.node.attributes.get("placement_frame", "")
-        return here @ model.pose(frame, model.node).inverse
+        model = self.models[name]
+        if node.one("pose") is not None:
+            return around @ model._placed(self, node)
+        return around @ model._placed(model, model.node)  # included without a pose: as in its own file
+
+    def _placed(self, scope: Scope, node: Node) -> Frame:
+        """This model by the <pose> of a node in a scope, which is that of its placement frame."""
+        pose = node.one("pose")
+        frame = pose.attributes.get("relative_to") if pose is not None else None
+        if scope is self and frame:
+            self.reader.add(
+                node, "pose", f"there is nothing that a model alone could be relative to: '{frame}'"
+            )
+        frame = self.placed_by.word("placement_frame") or self.node.attributes.get("placement_frame", "")
+        return scope.own(node, f"model '{self.name}'") @ self.pose(frame, self.node).inverse
 
     def own(self, node: Node, who: str) -> Frame:
         """What the <pose> of a node says, in the frame that it is relative to."""

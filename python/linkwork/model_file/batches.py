@@ -64,7 +64,7 @@ class Placed:
         for name, value in values.items():
             if name == "coordinates":
                 values[name] = [_term(record) for record in value]
-        own = set(self.info.parameters) | {name.removesuffix("_x") for name in self.info.parameters}
+        own = schema.quantities_of(type(self.record))
         return {name: self.quantity(value) if name in own else value for name, value in values.items()}
 
 
@@ -77,9 +77,11 @@ def _term(record: schema.CoupledRecord) -> tuple[Any, ...]:
 def batch_key(number: int, element: Placed) -> Hashable:
     """Equal for elements that can be added in one call: of one kind and form, with the same functions."""
     record = element.record
+    if record.name is None or record.kind == schema.DRIVE:
+        return number
     attached = isinstance(record, schema.Attached)
     shape = _shape(type(record), element.info, attached)
-    if shape is None or record.name is None:
+    if shape is None:
         return number
     values = [getattr(record, name) for name in shape.parameters]
     if any(isinstance(value, schema.Record) for value in values):
@@ -121,13 +123,12 @@ def _shape(type_: type[schema.Element], info: _core.KindInfo, attached: bool) ->
 def add_batch(model: Model, elements: Sequence[Placed]) -> None:
     """ModelError: what the model refuses."""
     first = elements[0]
-    record, info = first.record, first.info
-    if isinstance(record, schema.Attached):
-        _add(model, elements, info, _attached)
+    if isinstance(first.record, schema.Attached):
+        _add(model, elements, first.info, _attached)
     elif len(elements) > 1:
-        _add(model, elements, info, _in_place)
+        _add(model, elements, first.info, _in_place)
     else:
-        schema.method_of(record.kind)(model, **first.arguments())
+        schema.method_of(first.record.kind)(model, **first.arguments())
 
 
 def _add(model: Model, elements: Sequence[Placed], info: _core.KindInfo, how: Callable[..., Any]) -> None:

@@ -117,25 +117,27 @@ def _check_names(document: schema.Document, checker: _Checker) -> None:
             for what, name in _named_functions(record):
                 if name not in document.functions and not checker.full:
                     checker.add((f"{role}s", k, what), _no_function(name, document.functions))
-    _check_couplers(document.joints, checker)
+    _check_joints(document.joints, checker)
     for k, shapes in enumerate(document.shapes):
         for j, name in enumerate(shapes.bodies):
             _check_body(name, ("shapes", k, "bodies", j), bodies, checker)
 
 
-def _check_couplers(joints: Sequence[Any], checker: _Checker) -> None:
-    """Joints that couplers name stand before them; those without a name get theirs when they are added."""
+def _check_joints(joints: Sequence[Any], checker: _Checker) -> None:
+    """Joints that others name stand before them; those without a name get theirs when they are added."""
     before: set[str] = set()
     unnamed = False
     for k, record in enumerate(joints):
+        named: list[tuple[Where, str]] = []
+        if record.kind == schema.DRIVE:
+            named.append((("joints", k, "joint"), record.joint))
         for j, term in enumerate(getattr(record, "coordinates", ())):
-            where: Where = ("joints", k, "coordinates", j)
-            if term.joint not in before and not unnamed and not checker.full:
-                checker.add(
-                    (*where, "joint"), f"no joint named '{term.joint}' before{nearest(term.joint, before)}"
-                )
+            named.append((("joints", k, "coordinates", j, "joint"), term.joint))
             if term.factor == 0:
-                checker.add((*where, "factor"), "must not be zero")
+                checker.add(("joints", k, "coordinates", j, "factor"), "must not be zero")
+        for where, name in named:
+            if name not in before and not unnamed and not checker.full:
+                checker.add(where, f"no joint named '{name}' before{nearest(name, before)}")
         unnamed = unnamed or record.name is None
         before.add(record.name)
 
@@ -175,19 +177,11 @@ def _first(section: str, records: Sequence[Any], name: str, checker: _Checker) -
 
 def _named_functions(record: schema.Element) -> Iterator[tuple[str, str]]:
     """Parameters that are the name of a function."""
-    if type(record) not in _QUANTITIES:
-        info = KINDS["joint"].get(record.kind) or KINDS["force"][record.kind]
-        names = set(info.parameters) | {name.removesuffix("_x") for name in info.parameters}
-        _QUANTITIES[type(record)] = [name for name in type(record).model_fields if name in names]
-    for what in _QUANTITIES[type(record)]:
+    for what in schema.quantities_of(type(record)):
         value = getattr(record, what)
         for name in value if isinstance(value, list) else (value,):
             if isinstance(name, str):
                 yield what, name
-
-
-#: Of each type of element: the fields that are numbers or functions.
-_QUANTITIES: dict[type, list[str]] = {}
 
 
 # --- from records to a model --------------------------------------------------------------------------------
@@ -325,4 +319,4 @@ def _place(document: schema.Document, where: Where, error: LinkworkError) -> tup
         if isinstance(value, schema.Record) and word in type(value).model_fields:  # a function of time
             return (*where, name), reason
     subject = error.code.split("_", 1)[0]  # such as inertia_triangle
-    return ((*where, subject) if subject in known else where), reason
+    return ((*where, subject) if getattr(record, subject, None) is not None else where), reason

@@ -320,9 +320,41 @@ def _parameter_fields(kind: Any) -> Iterator[tuple[str, Any]]:
             yield name, (type_, ... if default != default else default)
 
 
+#: A driver of a joint that stands before, by Model.drive; it is saved as the angle_driver or such that it is.
+DRIVE = "drive"
+
+#: What a driver can prescribe.
+MOTIONS = ("position", "velocity", "acceleration")
+
+
+def _drive_type() -> type[Element]:
+    quantity: Any = (_quantity_type() | None, None)
+    fields: dict[str, Any] = {
+        "kind": (Literal["drive"], ...),
+        "joint": (Word, ...),
+        "coordinate": (Word | None, Field(None, description="not needed where the joint has only one")),
+        **dict.fromkeys(MOTIONS, quantity),
+    }
+    documentation = " ".join((inspect.getdoc(Model.drive) or "").partition("ModelError:")[0].split())
+    return create_model("drive", __base__=Element, __doc__=documentation, **fields)
+
+
+@cache
+def quantities_of(type_: type[Element]) -> tuple[str, ...]:
+    """The fields of an element that are numbers or functions of time."""
+    kind = type_.model_fields["kind"].annotation.__args__[0]  # type: ignore[union-attr]
+    if kind == DRIVE:
+        return MOTIONS
+    info = KINDS["joint"].get(kind) or KINDS["force"][kind]
+    names = set(info.parameters) | {name.removesuffix("_x") for name in info.parameters}
+    return tuple(name for name in type_.model_fields if name in names)
+
+
 @cache
 def element_type(role: Role, kind: str, attached: bool) -> type[Element]:
     """The record of one kind in one of its two forms."""
+    if kind == DRIVE:
+        return _drive_type()
     info = KINDS[role][kind]
     fields = dict(_parameter_fields(info) if attached else _placed_fields(info))
     name = f"{kind} {role}, attached" if attached else f"{kind} {role}"
@@ -340,19 +372,21 @@ def form_of(value: Any) -> tuple[str, bool] | None:
     """Kind, and whether attached, of an element of a file."""
     kind = value.get("kind") if isinstance(value, dict) else getattr(value, "kind", None)
     attached = "attachment" in value if isinstance(value, dict) else isinstance(value, Attached)
-    return (kind, attached and kind not in SPECIAL) if isinstance(kind, str) else None
+    return (kind, attached and kind not in (*SPECIAL, DRIVE)) if isinstance(kind, str) else None
 
 
 def _elements_type(role: Role) -> Any:
+    known = [*KINDS[role], DRIVE] if role == "joint" else list(KINDS[role])
+
     def tag(value: Any) -> str | None:
         form = form_of(value)
-        return None if form is None or form[0] not in KINDS[role] else f"{form[0]} {form[1]}"
+        return None if form is None or form[0] not in known else f"{form[0]} {form[1]}"
 
     variants = [
         Annotated[element_type(role, kind, attached), Tag(f"{kind} {attached}")]
-        for kind in KINDS[role]
+        for kind in known
         for attached in (False, True)
-        if kind not in SPECIAL or not attached
+        if kind not in (*SPECIAL, DRIVE) or not attached
         if attached or hasattr(Model, METHODS.get(kind, kind))
     ]
     return Annotated[_union(variants), Discriminator(tag)]
