@@ -1,6 +1,7 @@
 #include "linkwork/formulation/rank.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 
 #include "linkwork/formulation/consistent_pose.hpp"
@@ -13,6 +14,7 @@ namespace linkwork {
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
+constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
 constexpr double assembled = 1e-13;  // |Phi| below which a pose needs no correction
 constexpr std::size_t joints_in_text = 8;
 
@@ -68,6 +70,19 @@ void find_redundancy(const System& given, const LoopCore& core, double tolerance
       report.unique[static_cast<std::size_t>(system.model().joint_of_row(row(place)))] = 0;
 }
 
+/// What the roundoff of positions far from the origin does to rows of D, relative to their size: the arms of joints are
+/// differences of positions.
+double roundoff_of_positions(const System& system, const VectorXd& q) {
+  double reach = 0.0, arm = 0.0;
+  for (int body = 0; body < system.body_count(); ++body)
+    reach = std::max(reach, q.segment<3>(position_size * body).norm());
+  for (const Element& joint : system.model().joints()) {
+    if (joint.i != ground) arm = std::max(arm, joint.at.s_i.norm());
+    if (joint.j != ground) arm = std::max(arm, joint.at.s_j.norm());
+  }
+  return arm > 0.0 ? roundoff * reach / arm : 0.0;
+}
+
 }  // namespace
 
 PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance) {
@@ -81,11 +96,12 @@ PoseRank rank_of_constraints(const System& system, const Evaluation& at, double 
   return report;
 }
 
-RankReport examine_rank(const System& given, double tolerance) {
+RankReport examine_rank(const System& given, double least_tolerance) {
   RankReport report;
   report.rows = given.row_count();
   report.unique.assign(static_cast<std::size_t>(given.joint_count()), 1);
   report.q = given.model().initial_q();
+  const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   Evaluation at = given.make_evaluation();
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), at);
   const LoopCore core(given, at, tolerance);
@@ -104,7 +120,7 @@ std::vector<DependentGroup> dependent_groups(const System& given, const RankRepo
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), at);
-  const LoopCore core(system, at, rank_tolerance);
+  const LoopCore core(system, at, std::max(rank_tolerance, roundoff_of_positions(system, report.q)));
   const auto kernel = make_kernel(solver, core, at, report);
   for (std::size_t k = 0; k < std::min(most, report.redundant_rows.size()); ++k) {
     const auto& dependent = kernel->dependent();
