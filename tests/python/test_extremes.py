@@ -86,7 +86,6 @@ def sprung_four_bar(origin: Floats, miss: float = 0.0) -> lw.Model:
     return model.with_initial_state(q, model.compiled().v0)
 
 
-#: Ten times further, rounded rows of D no longer count as dependent, by the tolerance 1e-9 of the rank.
 FAR = np.array([1e5, -1e5, 1e5])
 
 
@@ -100,6 +99,12 @@ def test_a_run_a_hundred_kilometers_away_is_the_run_here(choice: dict[str, float
     assert far.violation[:, 0].max() <= 1e-9
     np.testing.assert_allclose(far.position - FAR, near.position, atol=1e-8)
     assert far.energy - far.energy[0] == pytest.approx(near.energy - near.energy[0], abs=1e-6)
+
+
+def test_planar_loops_are_as_redundant_a_thousand_kilometers_away() -> None:
+    near, far = (lw.System(sprung_four_bar(origin)).compiled().rank() for origin in (np.zeros(3), 10 * FAR))
+    assert near.rank == far.rank == 17
+    assert near.redundant_rows == far.redundant_rows
 
 
 def test_a_spring_is_as_stiff_a_hundred_kilometers_away() -> None:

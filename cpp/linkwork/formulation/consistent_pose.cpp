@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <random>
 
 namespace linkwork {
@@ -12,6 +13,7 @@ namespace {
 constexpr double epsilon = 1e-10;
 constexpr double yielding = 1e20;
 constexpr double converged = 1e-10;  // last step [rad, or m relative to the size of the component]
+constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
 constexpr int most_steps = 20;
 constexpr double longest_step = 0.5;
 constexpr double immobile = 1e-5;  // part of a random velocity that the constraints allow
@@ -21,7 +23,13 @@ constexpr double moved_part = 0.1;  // of a step: less, and the pose fell back t
 /// The components of the core and the sizes of their motions. Bodies outside belong to none.
 class Components {
  public:
-  Components(const System& system, const LoopCore& core) : system_(system), core_(core) { measure_lengths(); }
+  Components(const System& system, const LoopCore& core) : system_(system), core_(core) {
+    measure_lengths();
+    measure_reach();
+  }
+
+  /// Size of a step that can be the last: far from the origin that of the roundoff of positions.
+  double last_step(std::size_t c) const { return std::max(converged, roundoff * reach_[c] / length_[c]); }
 
   std::size_t count() const { return static_cast<std::size_t>(core_.component_count()); }
 
@@ -74,9 +82,16 @@ class Components {
       if (length == 0.0) length = 1.0;
   }
 
+  void measure_reach() {
+    reach_.assign(count(), 0.0);
+    for_each_body([&](int body, std::size_t c) {
+      reach_[c] = std::max(reach_[c], system_.model().bodies()[static_cast<std::size_t>(body)].position.norm());
+    });
+  }
+
   const System& system_;
   const LoopCore& core_;
-  std::vector<double> length_;
+  std::vector<double> length_, reach_;
 };
 
 void move(const System& system, const VectorXd& velocity, VectorXd& q) {
@@ -109,7 +124,7 @@ ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Compo
     if (!step.allFinite()) break;
     std::vector<double> factors = components.sizes(step);
     for (std::size_t c = 0; c < factors.size(); ++c) {
-      out.reached[c] = factors[c] <= converged;
+      out.reached[c] = factors[c] <= components.last_step(c);
       factors[c] = std::min(1.0, longest_step / std::max(factors[c], longest_step));
     }
     components.multiply(factors, step);
