@@ -107,7 +107,7 @@ double rows_of(const std::vector<int>& weight_at, const std::vector<int>& places
 
 /// Operations of a front that eliminates w rows and keeps r, with a fixed cost for handling it.
 double cost(double w, double r) {
-  constexpr double handling = 1500.0;
+  constexpr double handling = 1000.0;
   return handling + w * w * w / 3.0 + w * w * r + w * r * r;
 }
 
