@@ -380,6 +380,9 @@ void bind_formulation(py::module_& module) {
       .def_property_readonly("system", [](const Dynamics& d) { return d.options().system; })
       .def_property_readonly("linear_solver", [](const Dynamics& d) { return d.options().linear_solver; })
       .def_property_readonly("options", &Dynamics::options)
+      .def_property(
+          "memory", [](const Dynamics& d) { return d.evaluation().memory; }, &Dynamics::remember,
+          "What force elements and couplers remember beside the state: full turns, speeds at which contacts began.")
       .def(
           "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
           "y = (q, v), 13 per body.")

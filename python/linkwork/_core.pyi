@@ -222,6 +222,13 @@ class Dynamics:
     @property
     def linear_solver(self) -> str: ...
     @property
+    def memory(self) -> list[float]:
+        """
+        What force elements and couplers remember beside the state: full turns, speeds at which contacts began.
+        """
+    @memory.setter
+    def memory(self, arg1: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> None: ...
+    @property
     def options(self) -> Options: ...
     @property
     def row_count(self) -> int: ...
@@ -603,6 +610,11 @@ class Run:
     def last_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         y = (q, v) at t, from which the run went on.
+        """
+    @property
+    def memory(self) -> list[float]:
+        """
+        See Dynamics.memory.
         """
     @property
     def steps_done(self) -> int: ...

@@ -156,7 +156,9 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
-    if start.t > 0:
+    if len(start.memory):
+        dynamics.memory = list(start.memory)
+    elif start.t > 0:
         _check_remembered(core)
 
 

@@ -63,12 +63,15 @@ class Snapshot(NamedTuple):
     t: float  #: [s]
     q: Floats  #: (n, 7) position [m] and Euler parameters of each body
     v: Floats  #: (n, 6) velocity, inertial [m/s], and angular velocity, body axes [rad/s]
+    #: what springs, stops, contacts and couplers remember: full turns, speeds at which contacts began; none:
+    #: they begin anew
+    memory: Sequence[float] = ()
 
     @classmethod
-    def of(cls, t: float, y: Floats) -> Snapshot:
+    def of(cls, t: float, y: Floats, memory: Sequence[float] = ()) -> Snapshot:
         """From y = (q, v) (13n,)."""
         split = 7 * (len(y) // 13)
-        return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6))
+        return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), memory)
 
     @property
     def y(self) -> Floats:
@@ -242,8 +245,13 @@ class Result:
         )
 
     def snapshot(self, frame: int = -1) -> Snapshot:
-        """The state of one frame, for simulate(..., start=...)."""
-        return Snapshot(float(self.t[frame]), self._field("q", frame), self._field("v", frame))
+        """The state of one frame, for simulate(..., start=...).
+
+        Only that of the last frame of a run that finished has what force elements and couplers remember.
+        """
+        last = self.finished and frame in (-1, len(self) - 1)
+        memory = self.statistics.get("memory", ()) if last else ()
+        return Snapshot(float(self.t[frame]), self._field("q", frame), self._field("v", frame), memory)
 
     @property
     def singular_poses(self) -> tuple[SingularPose, ...]:

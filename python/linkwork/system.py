@@ -65,15 +65,16 @@ class System:
         return found | {"violation_limit": {level: x for level, x in limits if math.isfinite(x)} or None}
 
     def initial_state(self) -> Floats:
-        """y (13n,) at t = 0, as described in the model."""
+        """y (13n,) at t = 0, as described in the model; what force elements remember begins anew."""
         state: Floats = self._dynamics.initial_state()
+        self._dynamics.memory = [0.0] * len(self._dynamics.memory)
         return state
 
     def derivative(self, t: float, y: ArrayLike) -> Floats:
         """y_dot (13n,) at t [s], continuous stabilization included; the Euler parameters need not be unit.
 
         Rotational springs and stops count full turns, and contacts the speed at which they began, from one
-        call to the next: a new motion with those takes a new System.
+        call to the next: a new motion with those begins with `initial_state`.
 
         SingularSystemError, NotConvergedError, NotFiniteError: where there is no acceleration.
         """

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import linkwork as lw
 import numpy as np
 import pytest
@@ -80,25 +82,67 @@ def test_start_that_is_not_finite_is_refused(broken: float) -> None:
         lw.simulate(model, 2.0, 1e-2, start=state._replace(v=np.full((1, 6), broken)), progress=False)
 
 
-def test_what_force_elements_remember_and_no_state_holds_is_a_warning_that_names_them() -> None:
+def wound(stiffness: float = 0.01) -> lw.Model:
+    """A wheel that winds a spring up, beside a floor."""
     model = lw.Model(gravity=(0, 0, 0))
-    model.body("wheel", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1), omega=(0, 0, 5.0))
+    model.body("wheel", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1), omega=(0, 0, 20.0))
     model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1))
-    model.rotational_spring_damper("ground", "wheel", axis=(0, 0, 1), stiffness=0.01, name="mainspring")
-    model.sphere_plane_contact(
-        "ground",
-        "wheel",
-        at=((0, 0, 0), (0, 0, 1)),
-        normal=(0, 0, 1),
-        radius=0.5,
-        stiffness=1e3,
-        name="floor",
-    )
-    state = halfway(model)
+    axis = (0, 0, 1)
+    model.rotational_spring_damper("ground", "wheel", axis=axis, stiffness=stiffness, name="mainspring")
+    at = ((0, 0, 0), (0, 0, 1))
+    model.sphere_plane_contact("ground", "wheel", at=at, normal=axis, radius=0.5, stiffness=1e3, name="floor")
+    return model
+
+
+def test_what_force_elements_remember_and_no_state_holds_is_a_warning_that_names_them() -> None:
+    model = wound()
+    state = halfway(model)._replace(memory=())
     with pytest.warns(lw.LinkworkWarning) as caught:
         lw.simulate(model, 1.01, 1e-2, start=state, progress=False)
     said = " ".join(str(warning.message) for warning in caught)
     assert "mainspring: full turns" in said and "floor: the speed at which a contact began" in said
+
+
+@pytest.mark.parametrize("kept", ["memory", "file"])
+def test_a_spring_that_is_wound_up_by_turns_stays_so(kept: str, tmp_path: Path) -> None:
+    model = wound(stiffness=1.0)
+    first = lw.simulate(model, 1.0, 1e-3, progress=False)
+    assert first.energy[-1] == pytest.approx(200.0, abs=1e-6)
+    if kept == "file":
+        first.save(tmp_path / "first.h5")
+        first = lw.Result.load(tmp_path / "first.h5")
+    rest = lw.simulate(model, 2.0, 1e-3, start=first.snapshot(), progress=False)
+    whole = lw.simulate(model, 2.0, 1e-3, progress=False)
+    assert rest.energy[0] == pytest.approx(200.0, abs=1e-6)
+    assert np.abs(rest.v[-1] - whole.v[-1]).max() < 1e-9
+
+
+def test_a_contact_that_is_under_way_goes_on() -> None:
+    model = lw.Model()
+    model.body("ball", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1.5))
+    at = ((0, 0, 0), (0, 0, 1.5))
+    model.sphere_plane_contact(
+        "ground", "ball", at=at, normal=(0, 0, 1), radius=0.5, stiffness=1e4, hysteresis=1.0
+    )
+    touched = np.sqrt(2 * 1.0 / 9.81) + 0.01  # it falls 1 m, and is pressed for a while
+    steps = {"step": touched / 1000}
+    first = lw.simulate(model, touched, progress=False, **steps)
+    assert first.q[-1, 0, 2] < 0.5
+    rest = lw.simulate(model, 2 * touched, start=first.snapshot(), progress=False, **steps)
+    whole = lw.simulate(model, 2 * touched, progress=False, **steps)
+    assert np.abs(rest.q[-1] - whole.q[-1]).max() < 1e-9
+
+
+def test_a_system_begins_a_new_motion_without_what_another_left() -> None:
+    system = lw.System(wound(stiffness=1.0))
+    y = system.initial_state()
+    fresh = system.derivative(0.0, y)
+    for angle in np.linspace(0.0, 6.0, 7):  # nearly a turn
+        turned = y.copy()
+        turned[3:7] = [np.cos(angle / 2), 0, 0, np.sin(angle / 2)]
+        system.derivative(0.0, turned)
+    assert np.abs(system.derivative(0.0, y) - fresh).max() > 1.0
+    assert np.array_equal(system.derivative(0.0, system.initial_state()), fresh)
 
 
 @examples(15)

@@ -124,6 +124,13 @@ void Dynamics::check_kkt() const {
                                          "'block'");
 }
 
+void Dynamics::remember(const std::vector<double>& memory) {
+  if (memory.size() != at_.memory.size())
+    throw OptionError("memory", "the mechanism remembers " + std::to_string(at_.memory.size()) + " numbers, not " +
+                                    std::to_string(memory.size()));
+  at_.memory = memory;
+}
+
 VectorXd Dynamics::initial_y() const {
   VectorXd y(y_size());
   y << system_.model().initial_q(), system_.model().initial_v(), 0.0;

@@ -49,6 +49,8 @@ class Dynamics {
   double assemble_time() const;                  ///< part of the factorize_time; see SaddleSolver
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
+  /// What force elements and special joints remember, see Evaluation, goes on from here; as many numbers as there are.
+  void remember(const std::vector<double>& memory);
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.
