@@ -364,3 +364,73 @@ def test_a_curve_whose_length_is_no_number_is_refused(far: float) -> None:
     bead = model.body("bead", mass=1.0, inertia=INERTIA)
     with pytest.raises(ModelError, match="points 0 and 1 of the curve are too far apart"):
         model.point_on_curve(model.ground, bead, points=[(0, 0, 0), (far, 0, 0)], at=(0, 0, 0))
+
+
+def coupled_and_railed(R: Floats, shift: Floats, order: tuple[int, ...], swap: bool = False) -> lw.Model:
+    """Three hinged bodies with a coupler, and a bead on a rail of one; turned by R, shifted, renumbered."""
+
+    def place(*x: float) -> Floats:
+        return R @ np.array(x) + shift
+
+    model = lw.Model(gravity=R @ np.array([0.3, -0.4, -9.0]))
+    places = [(0.2, 0.1, 0.0), (0.9, 0.3, 0.2), (1.4, -0.2, 0.5), (0.9, 0.1, 0.6)]
+    turn = lw.rotation.from_matrix(R)
+    for k in order:
+        motion = {"velocity": R @ np.array([0.1 * k, 0.2, -0.1]), "omega": (0.3, -0.2 * k, 0.4)}
+        moments = np.array(INERTIA) * (k + 1)
+        model.body(
+            str(k), mass=1.0 + k, inertia=moments, position=place(*places[k]), orientation=turn, **motion
+        )
+    x, y, z = R.T
+    hinges = [
+        model.revolute("ground", "0", at=place(0, 0, 0), axis=z + 0.3 * x),
+        model.revolute("0", "1", at=place(0.5, 0.2, 0), axis=y),
+        model.cylindrical("1", "2", at=place(1.2, 0, 0.3), axis=x - 0.2 * y),
+    ]
+    terms = [(hinges[0], 0.7), (hinges[1], -1.3), (hinges[2], "angle", 0.4), (hinges[2], "displacement", 2.0)]
+    model.coupler(terms[::-1] if swap else terms, name="coupler")
+    s = np.linspace(-1.0, 1.0, 9)
+    rail = [place(0.9 + t, 0.1 + 0.3 * np.sin(t), 0.6 + 0.2 * t**2) for t in s]
+    model.point_on_curve("1", "3", points=rail, at=place(*places[3]), name="rail")
+    return model
+
+
+def motion(model: lw.Model) -> tuple[dict[str, Floats], dict[str, Floats]]:
+    """v_dot of each body (6,) at a consistent state, and multipliers of the special joints."""
+    model = lw.assemble(model).model  # off the curve, its two equations are a matter of choice
+    system, core = lw.System(model), model.compiled()
+    v_dot, multipliers = system.compiled().accelerations(0.0, core.q0, core.v0)
+    rows = core.joint_rows
+    joints = {name: core.find_joint(name) for name in ("coupler", "rail")}
+    return (
+        {core.body_name(k): x for k, x in enumerate(v_dot.reshape(-1, 6))},
+        {name: multipliers[rows[k] : rows[k + 1]] for name, k in joints.items()},
+    )
+
+
+@pytest.mark.parametrize("swap", [False, True])
+def test_special_joints_do_not_care_where_they_are_nor_for_numbers(swap: bool) -> None:
+    R = lw.rotation.matrix(np.array([0.5, -0.1, 0.7, 0.5]) / np.linalg.norm([0.5, -0.1, 0.7, 0.5]))
+    v_dot, forces = motion(coupled_and_railed(np.eye(3), np.zeros(3), (0, 1, 2, 3)))
+    other, other_forces = motion(coupled_and_railed(R, np.array([3.0, -20.0, 7.0]), (2, 3, 0, 1), swap))
+    scale = max(np.abs(x).max() for x in v_dot.values())
+    for name, x in v_dot.items():
+        assert np.abs(R @ x[:3] - other[name][:3]).max() < 1e-8 * scale
+        assert np.abs(x[3:] - other[name][3:]).max() < 1e-8 * scale
+    assert forces["coupler"] == pytest.approx(other_forces["coupler"], rel=1e-7)
+    assert np.linalg.norm(forces["rail"]) == pytest.approx(np.linalg.norm(other_forces["rail"]), rel=1e-7)
+
+
+def test_a_coupler_takes_one_freedom_and_a_curve_two() -> None:
+    model = coupled_and_railed(np.eye(3), np.zeros(3), (0, 1, 2, 3))
+    rank = lw.System(model).compiled().rank()
+    hinged = 6 * 3 - 5 - 5 - 4
+    assert rank.degrees_of_freedom == hinged - 1 + 6 - 2
+    assert not rank.redundant_rows
+
+
+def test_special_joints_do_no_work() -> None:
+    model = lw.assemble(coupled_and_railed(np.eye(3), np.zeros(3), (0, 1, 2, 3))).model
+    result = lw.simulate(model, t_end=1.0, step=1e-3)
+    assert np.ptp(result.energy) < 1e-7 * np.abs(result.energy).max()
+    assert result.violation[:, 0].max() < 1e-8
