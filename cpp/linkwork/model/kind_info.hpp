@@ -17,6 +17,7 @@ constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
 ///   centers     an axis, and a point per body, joined by a line perpendicular to it
 ///   disc        a point and an axis per body
 ///   plane       a point and a normal of a, a point of b
+///   coordinates, curve   of special joints: free coordinates of other joints; points of a, a point of b
 struct KindInfo {
   std::string name = "";
   int rows = 0;  ///< constraint equations (0 for forces)
@@ -29,7 +30,7 @@ struct KindInfo {
   std::vector<double> defaults = {};        ///< of the parameters, where there are any: NaN: none
   std::vector<std::string> equations = {};  ///< one name per row
   int velocity_rows = 0;  ///< of the equations, the last so many are of velocities only (non-holonomic): Phi = 0
-  std::vector<std::string> coordinates = {};  ///< relative positions that are free: see System::joint_coordinates
+  std::vector<std::string> coordinates = {};  ///< relative positions that are free: see Coupler
   std::string documentation = "";
 };
 
