@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
+from linkwork.elements import KINDS
 from linkwork.errors import ModelError
 
 Floats = NDArray[np.float64]
@@ -91,18 +92,21 @@ COORDINATES: Mapping[str, Callable[[Floats, Side, Side], JointCoordinate]] = {
 
 def known_coordinates(kind: str) -> Sequence[str]:
     """Of a kind of joint; none of an unknown kind, from a file of a later version."""
-    from linkwork.elements import KINDS
-
     return KINDS["joint"][kind].coordinates if kind in KINDS["joint"] else ()
 
 
 def coordinate_of(kind: str, name: str, which: str | None) -> str:
     """The coordinate that is meant. ModelError: a joint of this kind has none of this name, or several."""
     known = known_coordinates(kind)
+    if not known:
+        others = " or ".join(k for k, info in KINDS["joint"].items() if info.coordinates)
+        raise ModelError(
+            f"{kind} '{name}': has no free coordinates; choose a joint that is {others}", code="coordinate"
+        )
     if which is None and len(known) == 1:
         which = known[0]
     if which is None or which not in known:
-        there = f"it has {' and '.join(known)}" if known else "it has none"
+        there = f"it has {' and '.join(known)}"
         given = "say which" if which is None else f"not {which!r}"
         raise ModelError(f"{kind} '{name}': free coordinates: {there}, {given}", code="coordinate")
     return which
