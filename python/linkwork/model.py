@@ -20,6 +20,7 @@ from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
+from linkwork.joint_force import along_coordinate
 from linkwork.placement import Attachment, Frames, Place, Subject
 from linkwork.shapes import Shape, Shapes, ShapesLike
 from linkwork.special_joints import CouplerData, CurveData, SpecialJointMethods
@@ -214,13 +215,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         The driver is a joint of its own, `angle_driver` or `displacement_driver`: its reaction drives.
         ModelError: no such joint or coordinate; no motion or several; one without derivatives or integral.
         """
-        text = joint.name if isinstance(joint, Joint) else joint
-        index = self._core.find_joint(text) if isinstance(text, str) else -1
-        if index < 0:
-            known = [self._core.joint_name(joint) for joint in range(self.joint_count)]
-            raise ModelError(
-                f"drive: no joint named {text!r}{nearest(str(text), known)}", code="unknown_name"
-            )
+        index, text = self._joint_named(joint, "drive")
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
         if which not in ("angle", "displacement"):
             raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
@@ -377,6 +372,48 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             whole = _on_bodies(function, self.indices(bodies), single, name)
         self._core.add_user_force(name, whole)
         self._user_forces.append((name, function))
+
+    def joint_force(
+        self,
+        joint: Joint | str,
+        function: Callable[[float, float, float], ArrayLike],
+        *,
+        coordinate: str | None = None,
+        name: str | None = None,
+    ) -> None:
+        """Let a Python function act along a free coordinate of a joint: a controller, a clutch, friction.
+
+        function    of t [s], the coordinate x and its rate, which returns the force [N] or torque [N m]
+                    Q that does the work Q dx: it acts on b, and back on a
+        coordinate  as `Result.coordinate` names it; not needed where the joint has only one. Angles are
+                    within half a turn of zero
+
+        All its power counts as work. For compiled laws see the force elements and `compiled_force`.
+
+        ModelError: no such joint or coordinate, not a function; at run time: it returned no number.
+        """
+        index, text = self._joint_named(joint, "joint_force")
+        name = self._named(name, "joint force", len(self._user_forces))
+        if not callable(function):
+            raise ModelError(f"joint force '{name}': {function!r} is not a function", code="not_callable")
+        which = coordinate_of(self._core.joint_kind(index), text, coordinate)
+        arrays = self._core.joint_arrays()
+        a, b = arrays["bodies"][index].tolist()
+        whole = along_coordinate(
+            function, which, (a, b), arrays["origin"][index], arrays["frame"][index], name
+        )
+        self._core.add_user_force(name, whole)
+        self._user_forces.append((name, function))
+
+    def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
+        text = joint.name if isinstance(joint, Joint) else joint
+        index = self._core.find_joint(text) if isinstance(text, str) else -1
+        if index < 0:
+            known = [self._core.joint_name(k) for k in range(min(self.joint_count, 10_000))]
+            raise ModelError(
+                f"{who}: no joint named {text!r}{nearest(str(text), known)}", code="unknown_name"
+            )
+        return index, text
 
     def compiled_force(self, function: Any, *, data: int = 0, name: str | None = None) -> None:
         """Let a compiled function apply forces; it runs without Python.
