@@ -71,9 +71,11 @@ def typical(batch: Batch, seconds: float, least: int = 1, most: int = 1_000_000)
 
 def beyond_first(run: Callable[[int], object], seconds: float) -> float:
     """Seconds of one step of many, from `run`, which makes so many from the start."""
-    first = median(calls(partial(run, 1))(1) for _ in range(3))
 
-    def batch(count: int) -> float:
+    def batch(
+        count: int,
+    ) -> float:  # both in turn: setting up takes longer than the steps of small mechanisms
+        first = calls(partial(run, 1))(1)
         return calls(partial(run, 1 + count))(1) - first
 
     return typical(batch, seconds, LEAST_STEPS, MOST_STEPS)
