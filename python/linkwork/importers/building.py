@@ -26,6 +26,7 @@ from linkwork.importers.description import (
 from linkwork.importers.frames import Frame
 from linkwork.importers.tree import LinkState, link_states
 from linkwork.model import Model
+from linkwork.placement import Attachment
 
 __all__ = ["Options", "build"]
 
@@ -366,7 +367,9 @@ class _Builder:
     # --- what acts at a joint ---
 
     def _add_forces(self, joint: JointDescription, a: _Side, b: _Side) -> None:
-        if joint.armature:
+        if joint.armature and joint.name in self._coordinates:
+            self._add_rotor(joint)
+        elif joint.armature:
             self._note("armature", joint, f"rotor inertia {joint.armature:g} is not represented")
         if joint.kind not in ("revolute", "translational"):
             if joint.damping or joint.friction or joint.stiffness:
@@ -380,6 +383,22 @@ class _Builder:
         if joint.stiffness:
             add = self._add_rotational_spring if joint.kind == "revolute" else self._add_spring
             add(joint, a, b)
+
+    def _add_rotor(self, joint: JointDescription) -> None:
+        """Inertia seen at a joint, armature x_dot^2 / 2: a wheel on the ground that turns as it moves."""
+        core, which, name = self._model.compiled(), self._coordinates[joint.name], f"{joint.name} rotor"
+        index, arrays = core.find_joint(joint.name), core.joint_arrays()
+        place = Attachment(arrays["origin"][[index]], arrays["frame"][[index]], np.zeros(1))
+        start = self._model._initial_coordinate(which, arrays["bodies"][index], place)
+        axis, J = np.array([0.0, 0.0, 1.0]), joint.armature
+        wheel = self._model.body(name, mass=J, inertia=(J, J, J), omega=start.rate[0] * axis)
+        hinge = self._model.revolute("ground", wheel, at=np.zeros(3), axis=axis, name=f"{name} hinge")
+        terms = [(hinge.name, "angle", 1.0), (joint.name, which, -1.0)]
+        self._model.coupler(terms, offset=-float(start.value[0]), name=f"{name} drive")
+        text = (
+            f"rotor inertia {J:g} is that of the wheel '{name}' on the ground, which is coupled to the joint"
+        )
+        self._note("armature", joint, text)
 
     def _add_friction(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         kind = "rotational_friction" if joint.kind == "revolute" else "translational_friction"

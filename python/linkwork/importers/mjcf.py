@@ -33,14 +33,14 @@ Floats = NDArray[np.float64]
 
 
 def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
-    """The model in an MJCF file: bodies, joints, springs, damping, equalities connect, weld and joint.
+    """The model in an MJCF file: bodies, joints, springs, damping, armature; equalities connect, weld, joint.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
     keep_massless, repair_inertia, align_axes, couple, merge_fixed. Coordinates are those of MuJoCo, zero or
     `ref` in the file's pose. Several joints of one body are taken where one joint here does the same: two
     slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
 
-    Not represented, and listed in the notes: limits, contact, actuators, armature, joint equalities that are
+    Not represented, and listed in the notes: limits, contact, actuators, joint equalities that are
     not linear. Needs the package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses,
     tendons, joints that cannot be combined, moving bodies without inertia. ModelError: wrong coordinates.
     LinkworkError: no mujoco package.
