@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwork import _core, branches
 from linkwork.errors import ModelError, NotConvergedError
 from linkwork.handles import BodiesLike, BodyLike
-from linkwork.model import Model
+from linkwork.model import Model, check_model
 
 __all__ = ["Assembly", "JointResidual", "assemble"]
 
@@ -99,6 +99,7 @@ def assemble(
     NotConvergedError: joints contradict each other, in positions or velocities; its `joints` and `residuals`
     are theirs.
     """
+    check_model(model)
     core, held = model.compiled(), model.indices(hold)
     held = held[held >= 0]
     assembler = _core.Assembler(core, _weights(model, weights or {}), held.tolist())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from inspect import isfunction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +12,7 @@ from linkwork.assembly import Assembly, assemble
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.extent import extent
 from linkwork.integrators import HalfExplicit, Integrator
-from linkwork.model import Model
+from linkwork.model import Model, check_model
 from linkwork.result import Snapshot
 from linkwork.system import System
 
@@ -52,9 +51,7 @@ ACCURATE_GAIN = 0.1
 
 def check_bodies(model: Model) -> None:
     """ModelError: no model, or nothing to simulate in it."""
-    if not isinstance(model, Model):
-        what = f"the function {model.__name__}: call it" if isfunction(model) else f"{model!r:.80}"
-        raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
+    check_model(model)
     if not model.body_count:
         raise ModelError(f"model '{model.name}': has no bodies", code="empty")
 
@@ -157,6 +154,14 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
     if len(start.memory):
+        remembered = len(dynamics.memory)
+        if len(start.memory) != remembered:
+            raise OptionError(
+                f"start: its memory has {len(start.memory)} numbers, but the springs, stops, contacts and "
+                f"couplers of model '{model.name}' remember {remembered}: start from a run of the same model, "
+                "or leave the memory out (start._replace(memory=()))",
+                code="start",
+            )
         dynamics.memory = list(start.memory)
     elif start.t > 0:
         _check_remembered(core)

@@ -96,6 +96,9 @@ def kind_info(role: Role, name: str) -> _core.KindInfo:
 
 def placed(info: _core.KindInfo, place: Place, bodies: Indices, arguments: Mapping[str, Any]) -> Elements:
     """Elements from the arguments of their placement and their parameters."""
+    if info.placement not in PLACEMENTS:
+        message = f"{info.name} joints are added one by one, by linkwork.Model.{info.name}"
+        raise OptionError(message, code="one_by_one")
     where = {what: value for what, value in arguments.items() if what not in info.parameters}
     attachment = PLACEMENTS[info.placement](place, **where)
     return with_parameters(info, place.subject, bodies, attachment, arguments)

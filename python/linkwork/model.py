@@ -7,6 +7,7 @@ import hashlib
 import os
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from inspect import isfunction
 from typing import Any, Literal
 
 import numpy as np
@@ -638,6 +639,13 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         ):
             count += 1
         return f"{kind} {count + 1}"
+
+
+def check_model(model: object) -> None:
+    """ModelError: it is no model."""
+    if not isinstance(model, Model):
+        what = f"the function {model.__name__}: call it" if isfunction(model) else f"{model!r:.80}"
+        raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
 
 
 def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:

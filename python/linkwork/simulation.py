@@ -95,10 +95,10 @@ def simulate(
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
+    checks.check_bodies(model)
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
-    checks.check_bodies(model)
     checks.check_tables(model, t_end)
     watched = compile_events(events, model)
     method = _method(plan.usual_integrator if integrator is None else integrator)

@@ -75,7 +75,7 @@ def _coupled(core: _core.Model, terms: Sequence[Any], who: str) -> tuple[Coupled
     wanted = "(joint, factor) or (joint, coordinate, factor)"
     if isinstance(terms, str) or not isinstance(terms, Sequence) or not terms:
         raise ModelError(f"{who}: its coordinates are a list of {wanted}, not {terms!r}", code="terms")
-    out = []
+    out: list[CoupledCoordinate] = []
     for term in terms:
         if isinstance(term, str) or not isinstance(term, Sequence) or len(term) not in (2, 3):
             raise ModelError(f"{who}: {term!r} is not {wanted}", code="terms")
@@ -92,6 +92,8 @@ def _coupled(core: _core.Model, terms: Sequence[Any], who: str) -> tuple[Coupled
         if not np.isfinite(factor) or factor == 0.0:
             why = f"factor {factor:g} of '{name}' must be finite and not zero"
             raise ModelError(f"{who}: {why}", code="factor")
+        if any(one[:2] == (name, coordinate) for one in out):
+            raise ModelError(f"{who}: {coordinate} of '{name}' is there twice; add the factors", code="terms")
         out.append(CoupledCoordinate(str(name), coordinate, factor))
     return tuple(out)
 

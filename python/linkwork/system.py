@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.model import Model
+from linkwork.model import Model, check_model
 from linkwork.options import LEVELS, Options, compile_options
 
 __all__ = ["Evaluation", "System"]
@@ -48,6 +48,7 @@ class System:
     """
 
     def __init__(self, model: Model, **options: Unpack[Options]) -> None:
+        check_model(model)
         self.model = model
         self._dynamics = _core.Dynamics(model.compiled(), compile_options(options))
 

@@ -277,6 +277,10 @@ LINE = [(0, 0, 0), (1, 0, 0), (2, 0, 0)]
         (lambda: coupled([("hinge 0", "displacement", 1.0)]), "it has angle, not 'displacement'"),
         (lambda: coupled([("hinge 0", 0.0)]), "factor 0 of 'hinge 0' must be finite and not zero"),
         (lambda: coupled([("hinge 0", float("nan"))]), "factor nan of 'hinge 0' must be finite"),
+        (
+            lambda: coupled([("hinge 0", 1.0), ("hinge 0", 2.0)]),
+            "angle of 'hinge 0' is there twice; add the factors",
+        ),
         (lambda: coupled([("hinge 0", "x")]), "factor 'x' of 'hinge 0' is not a number"),
         (lambda: coupled([("hinge 0", None)]), "factor None of 'hinge 0' is not a number"),
         (lambda: coupled([("hinge 0", 1.0)], offset=lambda t: t), "offset enters with its time derivatives"),
@@ -434,3 +438,10 @@ def test_special_joints_do_no_work() -> None:
     result = lw.simulate(model, t_end=1.0, step=1e-3)
     assert np.ptp(result.energy) < 1e-7 * np.abs(result.energy).max()
     assert result.violation[:, 0].max() < 1e-8
+
+
+@pytest.mark.parametrize("kind", ["coupler", "point_on_curve"])
+def test_special_joints_in_bulk_are_refused_with_the_way_to_add_them(kind: str) -> None:
+    model, _ = wheels([(0, 0, 1), (0, 0, 1)])
+    with pytest.raises(lw.OptionError, match=f"one by one, by linkwork.Model.{kind}"):
+        model.joints(kind, "wheel 0", "wheel 1")

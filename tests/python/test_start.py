@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -154,3 +155,21 @@ def test_random_mechanism_in_two_parts_moves_as_in_one(mechanism: Mechanism) -> 
     size = 1 + np.abs(whole.v).max()
     assert np.abs(rest.q[-1] - whole.q[-1]).max() <= 1e-10 * size
     assert np.abs(rest.v[-1] - whole.v[-1]).max() <= 1e-8 * size
+
+
+def test_memory_of_another_model_is_refused() -> None:
+    model = wound()
+    state = lw.simulate(model, 0.1, 1e-2, progress=False).snapshot()
+    model.rotational_spring_damper("ground", "wheel", axis=(0, 0, 1), stiffness=0.1)
+    with pytest.raises(lw.OptionError, match=r"memory has \d+ numbers, .* remember \d+: .*_replace\(memory"):
+        lw.simulate(model, 0.2, 1e-2, start=state, progress=False)
+
+
+@pytest.mark.parametrize(
+    "call", [lw.simulate, lw.System, lw.assemble, lw.compare, lw.equilibrium, lw.linearize]
+)
+@pytest.mark.parametrize("what, text", [(3, "3"), (mechanisms.pendulum, "the function pendulum: call it")])
+def test_what_is_no_model_is_named(call: Any, what: object, text: str) -> None:
+    numbers = {"t_end": 1.0} if call in (lw.simulate, lw.compare) else {}
+    with pytest.raises(lw.ModelError, match=f"a linkwork.Model is wanted, not {text}"):
+        call(what, **numbers)

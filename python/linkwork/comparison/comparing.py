@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from linkwork.checks import check_bodies
 from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
@@ -80,8 +81,7 @@ def compare(
 
     A cell that is refused, diverges or fails does not stop the others: its `status` and `reason` say so.
     Figures are those of `simulate` with the options of the cell, the largest of up to 200 frames, not of all
-    steps. Times are of processes
-    that run side by side: fewer of them than processors give better ones.
+    steps. Times are of processes that run side by side: fewer of them than processors give better ones.
 
     OptionError: a grid without cells, no reference. ModelError: the model cannot be simulated. FileError: of
     `reference` or `resume`. LinkworkWarning: the reference is too inaccurate to compare with.
@@ -257,13 +257,14 @@ def _store(folder: str | os.PathLike[str] | None, model: Model, t_end: float, re
 
 
 def _resolved(model: Model | str, t_end: float | None) -> tuple[Model, float, float | None]:
-    """The model, the end, and the recommended step. OptionError."""
+    """The model, the end, and the recommended step. OptionError. ModelError: no model."""
     settings: dict[str, Any] = {}
     if isinstance(model, str):
         from linkwork.mechanisms import named
 
         mechanism = named(model)
         settings, model = dict(mechanism.settings), mechanism.function()
+    check_bodies(model)
     end = settings.get("t_end") if t_end is None else t_end
     if end is None:
         raise OptionError("t_end is missing: give the end of the simulated time [s]", code="t_end")
