@@ -158,8 +158,8 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
         if len(start.memory) != remembered:
             raise OptionError(
                 f"start: its memory has {len(start.memory)} numbers, but the springs, stops, contacts and "
-                f"couplers of model '{model.name}' remember {remembered}: start from a run of the same model, "
-                "or leave the memory out (start._replace(memory=()))",
+                f"couplers of model '{model.name}' remember {remembered}: start from a run of the same "
+                "model, or leave the memory out (start._replace(memory=()))",
                 code="start",
             )
         dynamics.memory = list(start.memory)

@@ -445,3 +445,22 @@ def test_special_joints_in_bulk_are_refused_with_the_way_to_add_them(kind: str) 
     model, _ = wheels([(0, 0, 1), (0, 0, 1)])
     with pytest.raises(lw.OptionError, match=f"one by one, by linkwork.Model.{kind}"):
         model.joints(kind, "wheel 0", "wheel 1")
+
+
+@pytest.mark.parametrize("grounded", [True, False])
+def test_the_reaction_of_a_coupler_is_that_on_the_second_body_of_its_first_joint(grounded: bool) -> None:
+    """On the ground its torque is the multiplier times the factor, whatever else the arm has to do with."""
+    model = lw.Model()
+    arm = model.body("arm", mass=1.0, inertia=INERTIA, position=(0.4, 0, 0))
+    wheel = model.body("wheel", mass=0.5, inertia=INERTIA, position=(0.8, 0, 0))
+    ends = (arm, model.ground) if grounded else (model.ground, arm)
+    first = model.revolute(*ends, at=(0, 0, 0), axis=(0, 1, 0))
+    second = model.revolute(arm, wheel, at=(0.8, 0, 0), axis=(0, 1, 0))
+    model.coupler([(first, 0.7), (second, 2.0)], name="coupler")
+    result = lw.simulate(model, t_end=0.5, step=1e-3)
+    multiplier = result.multipliers[:, -1]
+    expected = 0.7 * multiplier if grounded else (0.7 - 2.0) * multiplier  # on the arm both terms act
+    reaction = result.reaction("coupler")
+    assert np.abs(multiplier).max() > 0.1
+    assert np.abs(reaction.torque - expected[:, None] * [0, 1, 0]).max() < 1e-10
+    assert np.abs(reaction.force).max() < 1e-12

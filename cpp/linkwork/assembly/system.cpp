@@ -325,13 +325,13 @@ VectorXd System::row_mobility(const Evaluation& at) const {
 // A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.
 // About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite;
 // that one is asked where the second is the ground, where P_j = s_j. Of a coupler: what it exerts on the second body of
-// its first coordinate.
+// its first coordinate, be it the ground, as the first body may have to do with other coordinates, too.
 void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
-    const bool grounded = element.j == ground;
-    const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
+    const bool grounded = element.j == ground && !model_.special_joint(joint);
+    const ConstraintBlock block = block_of_body(joint, grounded ? element.i : element.j);
     const double* D = at.D.data() + block.offset;
     Vec3<double> F = Vec3<double>::Zero(), n = Vec3<double>::Zero();
     for (int row = 0; row < block.rows; ++row, D += velocity_size) {
@@ -346,7 +346,14 @@ void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVe
   }
 }
 
-const ConstraintBlock& System::block_of_body(int joint, int body) const {
+ConstraintBlock System::block_of_body(int joint, int body) const {
+  if (body == ground) {
+    const auto it = std::find_if(special_joints_.begin(), special_joints_.end(),
+                                 [&](const CompiledSpecialJoint& special) { return special.joint == joint; });
+    const std::vector<int>& bodies = it->special->bodies();
+    const std::ptrdiff_t place = std::find(bodies.begin(), bodies.end(), ground) - bodies.begin();
+    return {joint, ground, it->row, it->rows, it->D + velocity_size * it->rows * place};
+  }
   const BlockRange range = joint_blocks(joint);
   const auto found = std::find_if(range.begin(), range.end(),
                                   [&](int index) { return blocks_[static_cast<std::size_t>(index)].body == body; });
