@@ -52,7 +52,10 @@ Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
 
 }  // namespace
 
-System::System(const Model& model, const InstructionSet& instructions) : model_(model), instructions_(instructions) {
+System::System(const Model& model, const InstructionSet& instructions)
+    : model_(model),
+      instructions_(instructions),
+      body_forces_(body_forces(instruction_set_for(body_count(), instructions))) {
   compile_masses();
   compile_joints();
   compile_forces();
@@ -73,12 +76,18 @@ void System::compile_masses() {
 }
 
 void System::compile_joints() {
-  joint_batches_.resize(joint_kinds().size());
-  std::vector<std::size_t> count(joint_kinds().size(), 0);
+  std::vector<int> count(joint_kinds().size(), 0);
+  std::vector<std::size_t> place(joint_kinds().size(), 0);
   for (const Element& element : model_.joints())
     if (static_cast<std::size_t>(element.kind) < count.size()) count[static_cast<std::size_t>(element.kind)] += 1;
-  for (std::size_t kind = 0; kind < count.size(); ++kind)
-    joint_batches_[kind].reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions_.width);
+  for (std::size_t kind = 0; kind < count.size(); ++kind) {
+    if (count[kind] == 0) continue;
+    place[kind] = joints_.size();
+    const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
+    joints_.push_back({joint_kinds()[kind].evaluate[instructions.level], instructions.width, {}});
+    joints_.back().batch.reserve(static_cast<std::size_t>(count[kind]), joint_kinds()[kind].info.parameters.size(),
+                                 instructions.width);
+  }
   blocks_.reserve(2 * model_.joints().size());
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
@@ -87,7 +96,7 @@ void System::compile_joints() {
       continue;
     }
     const KindInfo& info = joint_info(element.kind);
-    JointBatch& batch = joint_batches_[static_cast<std::size_t>(element.kind)];
+    JointBatch& batch = joints_[place[static_cast<std::size_t>(element.kind)]].batch;
     const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
     batch.body_i.push_back(element.i);
     batch.body_j.push_back(element.j);
@@ -102,9 +111,9 @@ void System::compile_joints() {
     if (element.j != ground) blocks_.push_back({joint, element.j, row, info.rows, D_size_ + 6 * info.rows});
     D_size_ += 12 * info.rows;
   }
-  for (JointBatch& batch : joint_batches_) {
-    batch.pack(instructions_.width);
-    time_dependent_constraints_ = time_dependent_constraints_ || batch.time_dependent;
+  for (CompiledJoints& joints : joints_) {
+    joints.batch.pack(joints.width);
+    time_dependent_constraints_ = time_dependent_constraints_ || joints.batch.time_dependent;
   }
   group_blocks(
       blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);
@@ -162,8 +171,7 @@ Evaluation System::make_evaluation() const {
 // g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
 void System::evaluate(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   evaluate_constraints(t, q, v, out);
-  out.potential =
-      body_forces(instructions_)(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
+  out.potential = body_forces_(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
   out.power = 0.0;
   if (!model_.forces().empty()) evaluate_elements(q, v, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
@@ -182,10 +190,8 @@ void System::evaluate_constraints(double t, const ConstVector& q, const ConstVec
   for (std::size_t s = 0; s < out.signals.size(); ++s)
     if (model_.signals()[s]->of_time()) out.signals[s] = model_.signals()[s]->evaluate(t);
   const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
-  for (std::size_t kind = 0; kind < joint_batches_.size(); ++kind)
-    if (!joint_batches_[kind].row.empty())
-      joint_kinds()[kind].evaluate[instructions_.level](joint_batches_[kind].arrays(), q.data(), v.data(),
-                                                        out.signals.data(), arrays);
+  for (const CompiledJoints& joints : joints_)
+    joints.evaluate(joints.batch.arrays(), q.data(), v.data(), out.signals.data(), arrays);
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, out);
 }
 

@@ -105,6 +105,11 @@ class System {
   Mat3<double> joint_frame(int joint, const ConstVector& q) const;
 
  private:
+  struct CompiledJoints {
+    EvaluateJoints evaluate;
+    int width;  ///< so many at a time
+    JointBatch batch;
+  };
   struct CompiledSpecialJoint {
     const SpecialJoint* special;
     int joint, row, rows;
@@ -125,10 +130,11 @@ class System {
 
   Model model_;
   InstructionSet instructions_;
+  BodyForces body_forces_;
   std::vector<MassBlock> mass_, inverse_mass_;
   std::vector<int> massless_;
-  std::vector<JointBatch> joint_batches_;  ///< one per registered kind
-  std::vector<Batch> force_batches_;       ///< likewise
+  std::vector<CompiledJoints> joints_;  ///< one per kind in use
+  std::vector<Batch> force_batches_;    ///< one per registered kind
   std::vector<CompiledSpecialJoint> special_joints_;
   std::size_t most_bodies_ = 0;  ///< of a special joint
   std::vector<ConstraintBlock> blocks_;

@@ -13,8 +13,10 @@ namespace {
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr int large_model = 10000;   // bodies from which memory counts
-constexpr double broken = -1.0;      // for a pivot of a factorization that broke down
-constexpr double diverged = 1e50;    // velocities of which nothing else is to blame for what follows
+constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
+constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
+constexpr double broken = -1.0;        // for a pivot of a factorization that broke down
+constexpr double diverged = 1e50;      // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -156,13 +158,20 @@ void Dynamics::poll() {
   interrupt_();
 }
 
+/// How many evaluations the time of this one stands for.
+int Dynamics::evaluations_on_the_clock() const {
+  if (statistics_.evaluations < timed_evaluations || system_.body_count() >= timed_bodies) return 1;
+  return statistics_.evaluations % timed_evaluations == 0 ? timed_evaluations : 0;
+}
+
 void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   poll();
   t_ = t;
   stage_ = stage;
   y_ = y;
+  clocked_ = evaluations_on_the_clock();
   {
-    const Stopwatch watch(statistics_.evaluate_time);
+    const Stopwatch watch(statistics_.evaluate_time, clocked_);
     system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
     statistics_.evaluations += 1;
   }
@@ -178,7 +187,7 @@ void Dynamics::factorize() {
 /// False where `factorize` was not the last word: a solution that it found is none.
 template <class Work>
 bool Dynamics::count_factorization(Work factorize) {
-  const Stopwatch watch(statistics_.factorize_time);
+  const Stopwatch watch(statistics_.factorize_time, clocked_);
   const double pivot = try_factorization(factorize);
   factorized_ = true;
   statistics_.factorizations += 1;
@@ -249,7 +258,7 @@ void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
   if (!factorized_ && count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept(b), v_dot, lambda); }))
     return;
-  const Stopwatch watch(statistics_.solve_time);
+  const Stopwatch watch(statistics_.solve_time, clocked_);
   active().solve(a, kept(b), v_dot, lambda);
 }
 

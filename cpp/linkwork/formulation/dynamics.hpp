@@ -17,7 +17,7 @@
 
 namespace linkwork {
 
-/// What a run cost. Times in s.
+/// What a run cost. Times in s; of small mechanisms estimated from a part of the evaluations.
 struct DynamicsStatistics {
   std::int64_t evaluations = 0, factorizations = 0, solves = 0;
   double evaluate_time = 0.0;
@@ -111,6 +111,7 @@ class Dynamics {
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
   void poll();
+  int evaluations_on_the_clock() const;
   void look_for_nan(bool accelerations) const;
 
   Options options_;
@@ -127,7 +128,7 @@ class Dynamics {
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
   double t_ = 0.0;
-  int stage_ = 1;
+  int stage_ = 1, clocked_ = 1;
   bool traces_ = false;
   VectorXd y_;  ///< the state of the last evaluate
   bool held_ = false, factorized_ = false;

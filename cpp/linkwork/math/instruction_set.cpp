@@ -29,4 +29,10 @@ InstructionSet instruction_set(int level) {
 
 InstructionSet best_instruction_set() { return instruction_set(instruction_set_count() - 1); }
 
+InstructionSet instruction_set_for(int count, const InstructionSet& widest) {
+  for (int level = 0; level < widest.level; ++level)
+    if (instruction_set(level).width >= count) return instruction_set(level);
+  return widest;
+}
+
 }  // namespace linkwork

@@ -17,5 +17,7 @@ int instruction_set_count();
 InstructionSet instruction_set(int level);
 /// The widest.
 InstructionSet best_instruction_set();
+/// The narrowest whose registers hold `count` doubles, or `widest`: half-empty registers cost as much as full ones.
+InstructionSet instruction_set_for(int count, const InstructionSet& widest);
 
 }  // namespace linkwork
