@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwork/linear/block/schedule.hpp"
+#include "linkwork/math/aligned.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork::block {
@@ -188,7 +189,7 @@ class BlockSolver final : public SaddleSolver {
   std::unique_ptr<Schedule> schedule_;
   std::vector<Schedule::Postponed> postponed_;
   std::size_t postponements_ = 0;
-  std::vector<double> factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_;
+  AlignedDoubles factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_;
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
   bool refined_ = false;
