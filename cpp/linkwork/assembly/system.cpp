@@ -55,7 +55,7 @@ Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
 System::System(const Model& model, const InstructionSet& instructions)
     : model_(model),
       instructions_(instructions),
-      body_forces_(body_forces(instruction_set_for(body_count(), instructions))) {
+      body_forces_(body_forces(instruction_set_for(static_cast<int>(model.bodies().size()), instructions))) {
   compile_masses();
   compile_joints();
   compile_forces();
@@ -160,7 +160,7 @@ Evaluation System::make_evaluation() const {
   if (!model_.forces().empty())
     out.bodies.assign(static_cast<std::size_t>(body_count()) + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
-  out.D.assign(static_cast<std::size_t>(D_size_), 0.0);
+  out.D.assign(static_cast<std::size_t>(D_size_) + velocity_size, 0.0);
   out.special.resize(most_bodies_);
   out.memory.assign(static_cast<std::size_t>(memory_size_), 0.0);
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());

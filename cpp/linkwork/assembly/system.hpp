@@ -79,6 +79,7 @@ class System {
   ConstMat3 inertia(int body) const { return ConstMat3(mass_[static_cast<std::size_t>(body)].J); }
   ConstMat3 inverse_inertia(int body) const { return ConstMat3(inverse_mass_[static_cast<std::size_t>(body)].J); }
   const std::vector<MassBlock>& mass_blocks() const { return mass_; }
+  std::ptrdiff_t row_of_zeros() const { return D_size_; }  ///< its place in D
   /// Bodies whose mass or inertia is singular; their inverses are zero in the singular directions.
   const std::vector<int>& massless_bodies() const { return massless_; }
   /// Basis of the kernel of a body's mass matrix (6 x its dimension).

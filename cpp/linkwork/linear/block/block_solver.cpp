@@ -23,6 +23,7 @@ class BlockSolver final : public SaddleSolver {
   void analyze(const System& system, const Evaluation&) override {
     system_ = &system;
     refuse_massless();
+    e_.resize(0);
     postponed_.clear();
     postponements_ = 0;
     make_schedule();
@@ -59,9 +60,9 @@ class BlockSolver final : public SaddleSolver {
   std::optional<std::int64_t> factor_bytes() const override {
     const auto bytes = [](const auto&... vectors) { return (... + (vectors.size() * sizeof(vectors[0]))); };
     const Schedule& s = *schedule_;
-    return static_cast<std::int64_t>(bytes(factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_,
-                                           mass_factors_, s.steps, s.fronts, s.segments, s.mixed, s.hubs, s.couplings,
-                                           s.D_rows, s.unknowns));
+    return static_cast<std::int64_t>(bytes(factors_, accumulators_, panels_, updates_, scratch_, pivots_, mass_factors_,
+                                           s.steps, s.fronts, s.segments, s.bodies, s.vectors, s.runs, s.rows, s.mixed,
+                                           s.hubs, s.couplings, s.unknowns));
   }
 
  private:
@@ -116,21 +117,21 @@ class BlockSolver final : public SaddleSolver {
     accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
     panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
     updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
-    scratch_.assign(static_cast<std::size_t>(lanes * schedule_->highest_front), 0.0);
+    scratch_.assign(static_cast<std::size_t>(12 * schedule_->highest_front), 0.0);
     pivots_.assign(static_cast<std::size_t>(schedule_->widest_front) + slack, 0.0);
     factorize_masses();
   }
 
   void factorize_masses() {
     mass_factors_.resize(static_cast<std::size_t>(schedule_->mass_factor_count));
-    for (const Front& front : schedule_->fronts) {
-      if (front.mass_factor < 0) continue;
-      const auto J = system_->inertia(front.body);
+    for (const CoreBody& body : schedule_->bodies) {
+      if (body.mass_factor < 0) continue;
+      const auto J = system_->inertia(body.body);
       const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
       const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
-      const double m = 1.0 / system_->mass(front.body);
-      mass_factors_[static_cast<std::size_t>(front.mass_factor)] = {
-          L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}};
+      const double m = 1.0 / system_->mass(body.body);
+      mass_factors_[static_cast<std::size_t>(body.mass_factor)] = {
+          L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}, L43 == 0.0 && L53 == 0.0 && L54 == 0.0};
     }
   }
 
@@ -150,30 +151,35 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
-    e_ = e;
+    if (e_.size() != e.size() || e_ != e) {
+      e_ = e;
+      compliant_ = compliant();
+    }
     at_ = &at;
-    if (!schedule_->fronts.empty()) diagonal_.assign(e.data(), e.data() + e.size());
     data_ = {schedule_->steps.data(),
              static_cast<std::ptrdiff_t>(schedule_->steps.size()),
              schedule_->fronts.data(),
              static_cast<std::ptrdiff_t>(schedule_->fronts.size()),
              schedule_->segments.data(),
+             schedule_->bodies.data(),
+             schedule_->vectors.data(),
+             schedule_->runs.data(),
+             schedule_->rows.data(),
              schedule_->mixed.data(),
              schedule_->hubs.data(),
              schedule_->couplings.data(),
-             schedule_->D_rows.data(),
              schedule_->unknowns.data(),
              system_->mass_blocks().data(),
              mass_factors_.data(),
              at.D.data(),
              e_.data(),
+             compliant_,
              factors_.data(),
              accumulators_.data(),
              panels_.data(),
              updates_.data(),
              scratch_.data(),
              pivots_.data(),
-             diagonal_.data(),
              schedule_->hubs.empty() ? singular_pivot : small_pivot};
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};
@@ -183,16 +189,22 @@ class BlockSolver final : public SaddleSolver {
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
   }
 
+  /// Whether rows that are not dropped have a compliance.
+  bool compliant() const {
+    const auto nonzero = [&](int row) { return e_[row] != 0.0; };
+    return (e_.array() != 0.0).count() > std::count_if(dropped_.begin(), dropped_.end(), nonzero);
+  }
+
   const System* system_ = nullptr;
   const Evaluation* at_ = nullptr;
   const Kernels* kernels_;
   std::unique_ptr<Schedule> schedule_;
   std::vector<Schedule::Postponed> postponed_;
   std::size_t postponements_ = 0;
-  AlignedDoubles factors_, accumulators_, panels_, updates_, scratch_, pivots_, diagonal_;
+  AlignedDoubles factors_, accumulators_, panels_, updates_, scratch_, pivots_;
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
-  bool refined_ = false;
+  bool refined_ = false, compliant_ = false;
   VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
 };

@@ -26,31 +26,57 @@ struct TreeStep {
 
 /// Doubles of factor storage of a step: 6 + rows vectors.
 constexpr std::ptrdiff_t step_storage(int rows) { return (6 + rows) * lanes; }
+/// Doubles of the factors of a body of the core with branches: L, and D^-1 L^-1 a.
+constexpr std::ptrdiff_t own_factor_size = 7 * lanes;
 /// Doubles of an accumulator: 6 columns of [M; a].
 constexpr std::ptrdiff_t accumulator_size = 6 * lanes;
 
-/// A dense front of the core: `size` unknowns of which the first `width` are eliminated and the others kept.
+/// A dense front of the core, of joints and hubs: `size` unknowns of which the first `width` are eliminated and the
+/// others kept.
 ///
 /// Rows have positions: those eliminated from 0 on, those kept from `top` on, both parts filled up to vectors. The
-/// panel holds the eliminated columns and the right-hand side, each over all positions; the update holds the kept
-/// columns over the kept positions, and is added to the parent.
+/// panel holds the eliminated columns, the right-hand side, and diag(D M^-1 D^T + E), each over all positions; the
+/// update holds the kept columns over the kept positions, and is added to the parent.
 struct Front {
   int width, size;
   int top, kept;           ///< positions of the two parts
   int parent;              ///< front that takes the update, or -1
-  int body;                ///< the body, or -1 for a front of joints
-  int slot;                ///< accumulator of the body, or -1
-  int mass_factor;         ///< of a body without branches, else -1
-  int mixed;               ///< place in `mixed` of a front of joints that has to do with hubs, or -1
+  int first_body, bodies;  ///< that are eliminated into this front
+  int mixed;               ///< place in `mixed` of a front that has to do with hubs, or -1
+  bool childless;          ///< no other front clears it
   bool begins_parent;      ///< the first child: the parent is cleared before its update is added
   std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in lambda, or ~ the index in x
   std::ptrdiff_t panel, update;
-  std::ptrdiff_t D_row;         ///< of a body: place in `D_rows`
   int first_segment, segments;  ///< runs of kept rows that stand together in the parent
 
   int stride() const { return top + kept; }
-  /// A body without branches needs no factors for the way back: D and M are at hand.
-  bool keeps_panel() const { return mass_factor < 0; }
+};
+
+/// A body of the core that is no hub: its part of D M^-1 D^T is added to the front of its first joint, where all its
+/// rows have a place.
+///
+/// `vectors` of the front's positions hold its rows; the rows stand in these, one after the other, in the same lanes.
+struct CoreBody {
+  int body;
+  int slot;         ///< accumulator, or -1 for a body without branches
+  int mass_factor;  ///< of a body without branches, else -1
+  int first_vector, vectors;
+  int first_run, runs;         ///< of its rows, in `runs`: where they stand in the vectors, and in the front
+  int first_row, rows;         ///< in `rows`
+  std::ptrdiff_t own_factors;  ///< of a body with branches: place of L and of D^-1 L^-1 a
+};
+
+/// Eight positions of a front from `position` on, and where the rows of D stand that belong there, or a row of
+/// zeros.
+struct RowVector {
+  int position;
+  std::ptrdiff_t D[lanes];
+};
+
+/// A row of D of a body, and its multiplier.
+struct BodyRow {
+  std::ptrdiff_t D;
+  int row;
 };
 
 /// Kept rows `begin` .. `begin + length` of a front have positions `parent_begin` .. in its parent, all eliminated
@@ -75,13 +101,13 @@ struct Coupling {
 /// Hubs that a front eliminates, and couplings between hubs and joints of which it eliminates one.
 struct MixedFront {
   int first_hub, hubs, first_coupling, couplings;
-  bool childless;  ///< nothing else clears it
 };
 
 /// M = L D L^T of a body without branches: constant, and all of L but three numbers is that of a unit matrix.
 struct MassFactor {
   double L43, L53, L54;
   double inverse[6];  ///< of the pivots
+  bool diagonal;
 };
 
 /// Everything that the sweeps read, and the factors that they write.
@@ -91,22 +117,25 @@ struct Data {
   const Front* fronts;
   std::ptrdiff_t front_count;
   const Segment* segments;
+  const CoreBody* bodies;
+  const RowVector* vectors;
+  const Segment* runs;
+  const BodyRow* rows;
   const MixedFront* mixed;
   const Hub* hubs;
   const Coupling* couplings;
-  const std::ptrdiff_t* D_rows;  ///< for each kept row of a body's front, where its row of D is
   const int* unknowns;
   const MassBlock* mass;
-  const MassFactor* mass_factors;  ///< of the fronts that name one
+  const MassFactor* mass_factors;  ///< of the bodies that name one
   const double* D;
   const double* e;  ///< compliance of each row
+  bool compliant;   ///< e is not zero in all rows of the core
   double* factors;
   double* accumulators;
   double* panels;
   double* updates;
-  double* scratch;   ///< 8 columns of the highest front
+  double* scratch;   ///< 12 columns of the highest front
   double* pivots;    ///< of the widest front
-  double* diagonal;  ///< diag(D M^-1 D^T + E) of the rows in the core
   double breakdown;  ///< relative pivot from which no elimination should go on
 };
 

@@ -218,7 +218,6 @@ class CoreBuilder {
     choose_order();
     place_bodies();
     append_fronts();
-    share_panel();
     connect();
     out_.update_size = updates_.total();
   }
@@ -334,63 +333,98 @@ class CoreBuilder {
 
   void append_fronts() {
     const std::size_t count = order_.elimination.supernodes.size();
-    front_of_.assign(count, none);
+    place_.resize(order_.elimination.order.size());
     for (std::size_t s = 0; s < count; ++s) {
-      for (const int body : bodies_of_[s]) append_body(body, static_cast<int>(s));
       append_joints(static_cast<int>(s));
+      Front& front = out_.fronts.back();
+      front.first_body = static_cast<int>(out_.bodies.size());
+      front.bodies = static_cast<int>(bodies_of_[s].size());
+      for (const int body : bodies_of_[s]) append_body(body, front);
     }
   }
 
-  void append_body(int body, int supernode) {
-    Front front{};
-    front.width = 6;
-    front.body = body;
-    front.slot = tree_.slot(body);
-    front.mass_factor = front.slot == none ? out_.mass_factor_count++ : none;
-    front.mixed = none;
-    front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
-    front.D_row = static_cast<std::ptrdiff_t>(out_.D_rows.size());
-    append_unknowns_of_body(body);
-    std::vector<std::pair<int, int>> blocks;  // (position of the joint, block)
+  /// Into a front whose joints have their `place_`.
+  void append_body(int body, const Front& front) {
+    CoreBody out{};
+    out.body = body;
+    out.slot = tree_.slot(body);
+    out.mass_factor = out.slot == none ? out_.mass_factor_count++ : none;
+    if (out.slot != none) {
+      out.own_factors = out_.factor_size;
+      out_.factor_size += own_factor_size;
+    }
+    out.first_vector = static_cast<int>(out_.vectors.size());
+    out.first_run = static_cast<int>(out_.runs.size());
+    out.first_row = static_cast<int>(out_.rows.size());
+    std::vector<std::pair<int, int>> blocks;  // (place of the joint, block)
     for (const int index : system_.body_blocks(body)) {
       const int core = core_index_[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].joint)];
-      if (core != none) blocks.emplace_back(position_of(core), index);
+      if (core != none) blocks.emplace_back(place_[static_cast<std::size_t>(position_of(core))], index);
     }
     std::sort(blocks.begin(), blocks.end());
-    int row = 6;
-    std::vector<int> positions;
-    for (const auto& [position, index] : blocks) {
+    for (const auto& [place, index] : blocks) {
       const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
+      int position = place;
       for (int k = 0; k < block.rows; ++k) {
         if (is_dropped(block.row + k)) continue;
-        out_.D_rows.push_back(block.offset + 6 * k);
-        out_.unknowns.push_back(block.row + k);
-        row += 1;
+        append_row(out, front, position++, block.offset + 6 * k);
+        out_.rows.push_back({block.offset + 6 * k, block.row + k});
       }
-      positions.push_back(position);
     }
-    finish(front, row, supernode, std::move(positions));
+    out.vectors = static_cast<int>(out_.vectors.size()) - out.first_vector;
+    out.runs = static_cast<int>(out_.runs.size()) - out.first_run;
+    out.rows = static_cast<int>(out_.rows.size()) - out.first_row;
+    out_.flops += 72.0 + 36.0 * (out.rows + 1.0) + 6.0 * (out.rows + 1.0) * (out.rows + 1.0);
+    out_.nonzeros += 21 + 6 * out.rows;
+    out_.bodies.push_back(out);
+  }
+
+  /// Rows come in the order of their positions.
+  void append_row(const CoreBody& body, const Front& front, int position, std::ptrdiff_t D) {
+    const int base = position / lanes * lanes;
+    const bool first = static_cast<int>(out_.vectors.size()) == body.first_vector;
+    if (first || out_.vectors.back().position != base) {
+      out_.vectors.push_back({base, {}});
+      std::fill_n(out_.vectors.back().D, lanes, system_.row_of_zeros());
+    }
+    out_.vectors.back().D[position - base] = D;
+    if (static_cast<int>(out_.runs.size()) > body.first_run && position != front.top) {
+      Segment& run = out_.runs.back();
+      if (run.parent_begin + run.length == position) {
+        run.length += 1;
+        return;
+      }
+    }
+    const int vector = static_cast<int>(out_.vectors.size()) - 1 - body.first_vector;
+    out_.runs.push_back({vector * lanes + position - base, position, 1});
   }
 
   void append_joints(int s) {
     const Supernode& supernode = order_.elimination.supernodes[static_cast<std::size_t>(s)];
     Front front{};
-    front.body = none;
-    front.slot = none;
-    front.mass_factor = none;
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
-    int size = 0;
-    for (int k = supernode.first; k < supernode.last; ++k) size += append_unknowns(node_at(k));
-    front.width = size;
-    for (const int k : supernode.below) size += append_unknowns(node_at(k));
-    front.mixed = append_mixed(supernode, front.width);
-    front_of_[static_cast<std::size_t>(s)] = static_cast<int>(out_.fronts.size());
-    finish(front, size, supernode.parent, supernode.below);
+    for (int k = supernode.first; k < supernode.last; ++k) front.width += append_unknowns(k, 0, front.width);
+    front.top = static_cast<int>(padded(front.width));
+    for (const int k : supernode.below) front.size += append_unknowns(k, front.top, front.size);
+    front.kept = static_cast<int>(padded(front.size));
+    front.size += front.width;
+    front.mixed = append_mixed(supernode);
+    front.panel = out_.panel_size;
+    out_.panel_size += (front.width + 2) * static_cast<std::ptrdiff_t>(front.stride());
+    out_.highest_front = std::max(out_.highest_front, front.stride());
+    out_.widest_front = std::max(out_.widest_front, front.width);
+    const double w = front.width, r = front.size + 1.0 - w;
+    out_.flops += w * w * w / 3.0 + w * w * r + w * r * r;
+    out_.nonzeros += front.width * (front.width + 1) / 2 + front.width * (front.size - front.width);
+    out_.fronts.push_back(front);
   }
 
-  int append_unknowns(int node) {
+  /// Those of the node that is eliminated at `k`, whose rows stand at `place` and after: how many they are.
+  int append_unknowns(int k, int part, int place) {
+    place_[static_cast<std::size_t>(k)] = part + place;
+    const int node = node_at(k);
     if (is_hub(node)) {
-      append_unknowns_of_body(hub_body(node));
+      for (int row = 0; row < 6; ++row) out_.unknowns.push_back(~(6 * hub_body(node) + row));
     } else {
       const int joint = joints_[static_cast<std::size_t>(node)];
       for (int row = first_row(joint); row < first_row(joint + 1); ++row)
@@ -399,34 +433,24 @@ class CoreBuilder {
     return rows_of(node);
   }
 
-  void append_unknowns_of_body(int body) {
-    for (int k = 0; k < 6; ++k) out_.unknowns.push_back(~(6 * body + k));
-  }
-
   /// What a front has to do with hubs: place in `mixed`, or none.
-  int append_mixed(const Supernode& supernode, int width) {
+  int append_mixed(const Supernode& supernode) {
     if (order_.hubs.empty()) return none;
-    MixedFront mixed{static_cast<int>(out_.hubs.size()), 0, static_cast<int>(out_.couplings.size()), 0, false};
-    std::map<int, int> row_of;  // of each node in the front
-    int row = 0;
-    const int padding = static_cast<int>(padded(width)) - width;
-    const auto place = [&](int position) {
-      const int node = node_at(position);
-      row_of[node] = row < width ? row : row + padding;
-      row += rows_of(node);
-    };
+    MixedFront mixed{static_cast<int>(out_.hubs.size()), 0, static_cast<int>(out_.couplings.size()), 0};
+    std::vector<int> positions = supernode.below;
+    for (int k = supernode.first; k < supernode.last; ++k) positions.push_back(k);
+    std::map<int, int> place_of;  // of each node in the front
+    for (const int k : positions) place_of[node_at(k)] = place_[static_cast<std::size_t>(k)];
     const auto eliminates = [&](int node) { return position_of(node) < supernode.last; };
-    for (int k = supernode.first; k < supernode.last; ++k) place(k);
-    for (const int k : supernode.below) place(k);
-    for (const auto& [node, place_of_node] : row_of)
+    for (const auto& [node, place] : place_of)
       if (is_hub(node)) {
-        if (eliminates(node)) out_.hubs.push_back({hub_body(node), tree_.slot(hub_body(node)), place_of_node});
+        if (eliminates(node)) out_.hubs.push_back({hub_body(node), tree_.slot(hub_body(node)), place});
       } else {
         for (const int index : system_.joint_blocks(joints_[static_cast<std::size_t>(node)])) {
           const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
-          const auto hub = row_of.find(order_.hub_node[static_cast<std::size_t>(block.body)]);
-          if (hub != row_of.end() && (eliminates(node) || eliminates(hub->first)))
-            append_couplings(block, place_of_node, hub->second);
+          const auto hub = place_of.find(order_.hub_node[static_cast<std::size_t>(block.body)]);
+          if (hub != place_of.end() && (eliminates(node) || eliminates(hub->first)))
+            append_couplings(block, place, hub->second);
         }
       }
     mixed.hubs = static_cast<int>(out_.hubs.size()) - mixed.first_hub;
@@ -451,49 +475,22 @@ class CoreBuilder {
     }
   }
 
-  void finish(Front& front, int size, int parent_supernode, std::vector<int> below) {
-    front.size = size;
-    front.top = static_cast<int>(padded(front.width));
-    front.kept = static_cast<int>(padded(size - front.width));
-    const std::ptrdiff_t panel_size = (front.width + 1) * static_cast<std::ptrdiff_t>(front.stride());
-    if (front.keeps_panel()) {
-      front.panel = out_.panel_size;
-      out_.panel_size += panel_size;
-    } else {
-      shared_panel_ = std::max(shared_panel_, panel_size);
-    }
-    out_.highest_front = std::max(out_.highest_front, front.stride());
-    out_.widest_front = std::max(out_.widest_front, front.width);
-    parent_supernode_.push_back(parent_supernode);
-    below_.push_back(std::move(below));
-    const double w = front.width, r = size + 1.0 - w;
-    out_.flops += w * w * w / 3.0 + w * w * r + w * r * r;
-    out_.nonzeros += front.width * (front.width + 1) / 2 + front.width * (size - front.width);
-    out_.fronts.push_back(front);
-  }
-
-  /// The panels that are not kept are one, before all others.
-  void share_panel() {
-    for (Front& front : out_.fronts) front.panel = front.keeps_panel() ? front.panel + shared_panel_ : 0;
-    out_.panel_size += shared_panel_;
-  }
-
   /// Parents, runs of rows in them, and the places of the updates over their lifetimes.
   void connect() {
     std::vector<char> begun(out_.fronts.size(), 0);
     for (std::size_t f = 0; f < out_.fronts.size(); ++f) {
       Front& front = out_.fronts[f];
-      if (!begun[f]) front.update = updates_.take(update_size(front));
-      if (!begun[f] && front.mixed != none) out_.mixed[static_cast<std::size_t>(front.mixed)].childless = true;
-      const int s = parent_supernode_[f];
-      front.parent = s == none ? none : front_of_[static_cast<std::size_t>(s)];
+      front.childless = !begun[f];
+      if (front.childless) front.update = updates_.take(update_size(front));
+      const Supernode& supernode = order_.elimination.supernodes[f];
+      front.parent = supernode.parent;
       front.first_segment = static_cast<int>(out_.segments.size());
       if (front.parent != none) {
-        Front& parent = out_.fronts[static_cast<std::size_t>(front.parent)];
-        front.begins_parent = !begun[static_cast<std::size_t>(front.parent)];
-        if (front.begins_parent) parent.update = updates_.take(update_size(parent));
-        begun[static_cast<std::size_t>(front.parent)] = 1;
-        append_segments(below_[f], order_.elimination.supernodes[static_cast<std::size_t>(s)], parent);
+        const auto p = static_cast<std::size_t>(front.parent);
+        front.begins_parent = !begun[p];
+        if (front.begins_parent) out_.fronts[p].update = updates_.take(update_size(out_.fronts[p]));
+        begun[p] = 1;
+        append_segments(supernode.below, order_.elimination.supernodes[p], out_.fronts[p]);
       }
       front.segments = static_cast<int>(out_.segments.size()) - front.first_segment;
       updates_.give_back(front.update);
@@ -536,10 +533,10 @@ class CoreBuilder {
   const std::vector<int>& rows_of_joint_;
   const std::vector<Schedule::Postponed>& postponed_;
   Schedule& out_;
-  std::vector<int> joints_, core_index_, position_, front_of_, parent_supernode_;
-  std::vector<std::vector<int>> bodies_of_, below_;
+  std::vector<int> joints_, core_index_, position_;
+  std::vector<int> place_;  ///< of each elimination in the front at hand: of its first row
+  std::vector<std::vector<int>> bodies_of_;
   Order order_;
-  std::ptrdiff_t shared_panel_ = 0;
   Places updates_;
 };
 
@@ -562,7 +559,7 @@ int Schedule::next_hub(int row) const {
   bool found = false;
   for (const Front& front : fronts) {
     const auto own = unknowns.begin() + front.unknown;
-    found = found || (front.body < 0 && std::find(own, own + front.width, row) != own + front.width);
+    found = found || std::find(own, own + front.width, row) != own + front.width;
     if (!found) continue;
     for (int f = static_cast<int>(&front - fronts.data()); f >= 0; f = fronts[static_cast<std::size_t>(f)].parent) {
       const Front& above = fronts[static_cast<std::size_t>(f)];

@@ -29,11 +29,13 @@ struct Schedule {
 
   std::vector<TreeStep> steps;
   std::vector<Front> fronts;
-  std::vector<Segment> segments;
+  std::vector<Segment> segments, runs;
+  std::vector<CoreBody> bodies;
+  std::vector<RowVector> vectors;
+  std::vector<BodyRow> rows;
   std::vector<MixedFront> mixed;
   std::vector<Hub> hubs;
   std::vector<Coupling> couplings;
-  std::vector<std::ptrdiff_t> D_rows;
   std::vector<int> unknowns;
   std::ptrdiff_t factor_size = 0;  ///< doubles of tree factors
   std::ptrdiff_t accumulator_count = 0;

@@ -1,0 +1,160 @@
+#pragma once
+
+#include "linkwork/linear/block/common_kernels.hpp"
+
+/// Open branches, leaf to root and back.
+//
+// A body b held by one joint with rows D_b, D_p (p: the parent). With M_b = L D L^T, W = D_b L^-T and
+// S = E + W D^-1 W^T = K D' K^T, V = K^-1 D_p, z = K^-1 (b - D_b M_b^-1 a_b):
+//   M_p += V^T D'^-1 V,  a_p += V^T D'^-1 z
+// and on the way back, with G = M_b^-1 D_b^T, T = S^-1 D_p (the only numbers that are kept):
+//   lambda = S^-1 K z - T x_p,   x_b = M_b^-1 a_b + G lambda
+// Right-hand sides ride along: a in the lane behind the rows of D, z in the lane behind the columns of D_p.
+namespace linkwork::block {
+namespace {
+
+constexpr int steps_ahead = 8;  // that are prefetched
+constexpr double right_hand_side_lane[lanes] = {0, 0, 0, 0, 0, 0, 1, 0};
+
+LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
+  prefetch<false>(data.D + step.D_body, 6 * step.rows);
+  prefetch<false>(data.D + step.D_parent, 6 * step.rows);
+  prefetch<true>(data.factors + step.storage, step_storage(step.rows));
+  __builtin_prefetch(&data.mass[step.body]);
+}
+
+template <int rows>
+LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
+                                 SmallestPivot& smallest) {
+  constexpr int n = rows > 0 ? rows : 1;  // arrays of length zero are not C++
+  const Vector in_right_hand_side = unit(right_hand_side);
+  Vector M[6], W[6];
+  load_columns<rows>(data.D + step.D_body, W);
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+    if (step.slot >= 0) M[c] = load(data.accumulators + step.slot * accumulator_size + c * lanes);
+    else M[c] = mass_column(data.mass[step.body], c, a[6 * step.body + c]);
+    W[c] += M[c] * in_right_hand_side;
+  }
+  Vector L[6], G[6];
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+    const Vector pivot = lane(M[k], k), inverse = inverse_of_lane(M[k], k);
+    L[k] = M[k] * inverse;
+    G[k] = W[k] * inverse;
+    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) {
+      // the next pivot waits for this column: one operation less behind the division
+      if (c == k + 1) M[c] -= (M[k] * lane(M[k], c)) * inverse;
+      else M[c] -= M[k] * lane(L[k], c);
+      W[c] -= W[k] * lane(L[k], c);
+    }
+    if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, rows > 0 ? step.row : -1};
+  }
+  double* factors = data.factors + step.storage;
+  Vector S[n], V[n], T[n];
+  if constexpr (rows > 0) {
+    LINKWORK_UNROLL for (int c = 0; c < rows; ++c) {
+      S[c] = unit(c) * splat(data.e[step.row + c]);
+      LINKWORK_UNROLL for (int k = 0; k < 6; ++k) S[c] += W[k] * lane(G[k], c);
+      V[c] = unit(right_hand_side) * (splat(b[step.row + c]) - S[c]);
+      if (step.parent >= 0) V[c] += load_first<6>(data.D + step.D_parent + 6 * c);
+    }
+    double diagonal[n];
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) diagonal[k] = S[k][k];
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
+      const Vector pivot = lane(S[k], k), inverse = inverse_of_lane(S[k], k);
+      note(smallest, pivot[0], diagonal[k], step.row + k, data);
+      const Vector K = S[k] * inverse;
+      T[k] = V[k] * inverse;
+      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) {
+        if (c == k + 1) S[c] -= (S[k] * lane(S[k], c)) * inverse;
+        else S[c] -= S[k] * lane(K, c);
+        V[c] -= V[k] * lane(K, c);
+      }
+      S[k] = K;
+    }
+    if (step.parent >= 0) {
+      double* accumulator = data.accumulators + step.parent_slot * accumulator_size;
+      LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+        Vector sum;
+        if (step.parent_begins) sum = mass_column(data.mass[step.parent], c, a[6 * step.parent + c]);
+        else sum = load(accumulator + c * lanes);
+        LINKWORK_UNROLL for (int k = 0; k < rows; ++k) sum += V[k] * lane(T[k], c);
+        store(accumulator + c * lanes, sum);
+      }
+    }
+    LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) {
+      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) T[k] -= T[c] * lane(S[k], c);
+      store(factors + (6 + k) * lanes, T[k]);
+    }
+  }
+  LINKWORK_UNROLL for (int k = 5; k >= 0; --k) {
+    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) G[k] -= G[c] * lane(L[k], c);
+    store(factors + k * lanes, G[k]);
+  }
+}
+
+template <int rows>
+LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, double* x, double* lambda) {
+  const Vector one = unit(right_hand_side);
+  const double* factors = data.factors + step.storage;
+  Vector products[6], l = splat(0.0);
+  if constexpr (rows > 0) {
+    const Vector x_parent =
+        load(step.parent >= 0 ? data.accumulators + step.parent_slot * accumulator_size : right_hand_side_lane);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) products[k] = load(factors + (6 + k) * lanes) * x_parent;
+    l = sums<rows>(products);
+    store_first<rows>(lambda + step.row, l);
+  }
+  l += one;
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) products[k] = load(factors + k * lanes) * l;
+  const Vector x_body = sums<6>(products);
+  store_first<6>(x + 6 * step.body, x_body);
+  if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
+}
+
+#define LINKWORK_BY_ROWS(FUNCTION, ...) \
+  switch (step.rows) {                  \
+    case 0:                             \
+      FUNCTION<0>(__VA_ARGS__);         \
+      break;                            \
+    case 1:                             \
+      FUNCTION<1>(__VA_ARGS__);         \
+      break;                            \
+    case 2:                             \
+      FUNCTION<2>(__VA_ARGS__);         \
+      break;                            \
+    case 3:                             \
+      FUNCTION<3>(__VA_ARGS__);         \
+      break;                            \
+    case 4:                             \
+      FUNCTION<4>(__VA_ARGS__);         \
+      break;                            \
+    case 5:                             \
+      FUNCTION<5>(__VA_ARGS__);         \
+      break;                            \
+    default:                            \
+      FUNCTION<6>(__VA_ARGS__);         \
+  }
+
+void factor_branches(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
+  for (std::ptrdiff_t s = 0; s < data.step_count; ++s) {
+    const TreeStep& step = data.steps[s];
+    if (s + steps_ahead < data.step_count) prefetch_step(data.steps[s + steps_ahead], data);
+    LINKWORK_BY_ROWS(factor_step, step, data, a, b, smallest)
+  }
+}
+
+void backward_branches(const Data& data, double* x, double* lambda) {
+  for (std::ptrdiff_t s = data.step_count; s-- > 0;) {
+    const TreeStep& step = data.steps[s];
+    if (s >= steps_ahead) {
+      const TreeStep& ahead = data.steps[s - steps_ahead];
+      prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
+    }
+    LINKWORK_BY_ROWS(backward_step, step, data, x, lambda)
+  }
+}
+
+#undef LINKWORK_BY_ROWS
+
+}  // namespace
+}  // namespace linkwork::block
