@@ -42,7 +42,7 @@ double body_forces(int count, const MassBlock* mass, const double* gravity, cons
       force[k] = weight[k];
       force[3 + k] = torque[k];
     }
-    scatter<6>(force, out, used);
+    scatter<6>(force, out);  // the last body more than once, with the same numbers
     const Pack potential = weight.dot(position);
     for (int l = 0; l < used; ++l) partial[(first + l) % sums] -= potential.v[l];
   }

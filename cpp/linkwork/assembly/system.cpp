@@ -334,35 +334,39 @@ VectorXd System::row_mobility(const Evaluation& at) const {
 // its first coordinate, be it the ground, as the first body may have to do with other coordinates, too.
 void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
+  using Vec6 = Eigen::Matrix<double, velocity_size, 1>;
   for (int joint = 0; joint < joint_count(); ++joint) {
     const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
-    const bool grounded = element.j == ground && !model_.special_joint(joint);
-    const ConstraintBlock block = block_of_body(joint, grounded ? element.i : element.j);
+    const bool grounded = element.j == ground;
+    const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
     const double* D = at.D.data() + block.offset;
-    Vec3<double> F = Vec3<double>::Zero(), n = Vec3<double>::Zero();
-    for (int row = 0; row < block.rows; ++row, D += velocity_size) {
-      F += lambda[block.row + row] * Eigen::Map<const Vec3<double>>(D);
-      n += lambda[block.row + row] * Eigen::Map<const Vec3<double>>(D + 3);
-    }
-    const BodyState<double> body = pose(block.body, q);
-    const Vec3<double> arm = grounded ? Vec3<double>(element.at.s_j - body.r) : Vec3<double>(body.A * element.at.s_j);
-    const Vec3<double> T = body.A * n - arm.cross(F);
+    Vec6 sum = Vec6::Zero();
+    for (int row = 0; row < block.rows; ++row, D += velocity_size)
+      sum += lambda[block.row + row] * Eigen::Map<const Vec6>(D);
+    const Vec3<double> F = sum.head<3>();
+    const Mat3<double> A = rotation_matrix<double>(q.segment<4>(position_size * block.body + 3));
+    const Vec3<double> arm = grounded ? Vec3<double>(element.at.s_j - q.segment<3>(position_size * block.body))
+                                      : Vec3<double>(A * element.at.s_j);
+    const Vec3<double> T = A * sum.tail<3>() - arm.cross(F);
     force.col(joint) = grounded ? Vec3<double>(-F) : F;
     torque.col(joint) = grounded ? Vec3<double>(-T) : T;
   }
+  for (const CompiledSpecialJoint& it : special_joints_)
+    if (model_.joints()[static_cast<std::size_t>(it.joint)].j == ground) {
+      const std::vector<int>& bodies = it.special->bodies();
+      const auto place = std::find(bodies.begin(), bodies.end(), ground) - bodies.begin();
+      const Block D(at.D.data() + it.D + velocity_size * it.rows * place, it.rows, velocity_size);
+      const Vec6 sum = D.transpose() * lambda.segment(it.row, it.rows);
+      const Vec3<double> F = sum.head<3>();
+      force.col(it.joint) = F;
+      torque.col(it.joint) = sum.tail<3>() - model_.joints()[static_cast<std::size_t>(it.joint)].at.s_j.cross(F);
+    }
 }
 
-ConstraintBlock System::block_of_body(int joint, int body) const {
-  if (body == ground) {
-    const auto it = std::find_if(special_joints_.begin(), special_joints_.end(),
-                                 [&](const CompiledSpecialJoint& special) { return special.joint == joint; });
-    const std::vector<int>& bodies = it->special->bodies();
-    const std::ptrdiff_t place = std::find(bodies.begin(), bodies.end(), ground) - bodies.begin();
-    return {joint, ground, it->row, it->rows, it->D + velocity_size * it->rows * place};
-  }
+const ConstraintBlock& System::block_of_body(int joint, int body) const {
   const BlockRange range = joint_blocks(joint);
-  const auto found = std::find_if(range.begin(), range.end(),
-                                  [&](int index) { return blocks_[static_cast<std::size_t>(index)].body == body; });
+  const int* found = range.begin();
+  while (blocks_[static_cast<std::size_t>(*found)].body != body) ++found;
   return blocks_[static_cast<std::size_t>(*found)];
 }
 

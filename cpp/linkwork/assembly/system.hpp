@@ -123,7 +123,7 @@ class System {
   void evaluate_signals(double t, Evaluation& out) const;
   BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
   BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
-  ConstraintBlock block_of_body(int joint, int body) const;  ///< of a special joint: the ground's, too
+  const ConstraintBlock& block_of_body(int joint, int body) const;
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               Evaluation& out) const;

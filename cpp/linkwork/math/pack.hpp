@@ -48,9 +48,9 @@ LINKWORK_INLINE void gather(const double* const* from, Pack* out) {
   LINKWORK_UNROLL for (int k = 0; k < count; ++k) out[k].v = numbers[k];
 }
 
-/// The way back of gather, for the first `used` places.
+/// The way back of gather.
 template <int count>
-LINKWORK_INLINE void scatter(const Pack* in, double* const* to, int used) {
+LINKWORK_INLINE void scatter(const Pack* in, double* const* to) {
   constexpr int step = count < width ? count : width;
   LINKWORK_UNROLL for (int c = 0; c < count; c += width) {
     const int first = c + step > count ? count - step : c;
@@ -58,7 +58,6 @@ LINKWORK_INLINE void scatter(const Pack* in, double* const* to, int used) {
     LINKWORK_UNROLL for (int k = 0; k < width; ++k) square[k] = k < step ? in[first + k].v : Native{};
     transpose(square);
     LINKWORK_UNROLL for (int l = 0; l < width; ++l) {
-      if (l >= used) break;
       if constexpr (count < width) store_some<step>(to[l] + first, square[l]);
       else store_native(to[l] + first, square[l]);
     }

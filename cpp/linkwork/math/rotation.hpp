@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "linkwork/math/inline.hpp"
 #include "linkwork/math/types.hpp"
 
 /// Rotations by Euler parameters p = (e0, e1, e2, e3) = (e0, e), scalar first; A(p) turns body axes to inertial.
@@ -20,7 +21,7 @@ Mat3<Real> skew(const Vec3<Real>& a) {
 /// Division by |p|^2 makes A a rotation for every p /= 0: the stages of a Runge-Kutta step leave the unit sphere
 /// by O(h^2), and A_dot = A omega~ holds there as well.
 template <class Real>
-Mat3<Real> rotation_matrix(const Vec4<Real>& p) {
+LINKWORK_INLINE Mat3<Real> rotation_matrix(const Vec4<Real>& p) {
   const Real scale = Real(2) / p.squaredNorm();
   const Real x = p[1] * scale, y = p[2] * scale, z = p[3] * scale;
   const Real wx = p[0] * x, wy = p[0] * y, wz = p[0] * z;

@@ -4,12 +4,13 @@
 #include <immintrin.h>
 #endif
 
+#include "linkwork/math/inline.hpp"
+
 /// Vectors of doubles for files that are compiled once per instruction set (LINKWORK_ISA = v2, v3, v4, the levels of
 /// x86-64; v2 stands for any other processor). Everything here is inlined or lives in a namespace of its own for each
 /// instruction set, so that nothing compiled for a wider one is ever linked where it must not run.
 namespace linkwork::simd::LINKWORK_ISA {
 
-#define LINKWORK_INLINE inline __attribute__((always_inline))
 /// Before a loop over lanes or columns: only where all indices are known do numbers stay in registers.
 #define LINKWORK_UNROLL _Pragma("GCC unroll 8")
 

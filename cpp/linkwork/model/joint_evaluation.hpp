@@ -50,10 +50,10 @@ LINKWORK_INLINE Signal<Pack> load_parameter(const Parameter* parameters, int str
 template <int rows>
 LINKWORK_INLINE void multiply(const Pack* D_i, const Pack* D_j, const Pack* v_i, const Pack* v_j, const Pack* Phi_t,
                               Pack* Phi_dot) {
-  for (int r = 0; r < rows; ++r) {
+  LINKWORK_UNROLL for (int r = 0; r < rows; ++r) {
     Pack sum = Phi_t[r];
-    for (int c = 0; c < 6; ++c) sum += D_i[6 * r + c] * v_i[c];
-    for (int c = 0; c < 6; ++c) sum += D_j[6 * r + c] * v_j[c];
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) sum += D_i[6 * r + c] * v_i[c];
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) sum += D_j[6 * r + c] * v_j[c];
     Phi_dot[r] = sum;
   }
 }
@@ -92,12 +92,13 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
     multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
 
     const int used = joints.count - first < width ? joints.count - first : width;
+    double nowhere[12 * rows];  // for the lanes that are not used
     double* place[width];
-    for (int l = 0; l < used; ++l) place[l] = out.D + joints.D[first + l];
-    scatter<12 * rows>(D, place, used);
+    for (int l = 0; l < width; ++l) place[l] = l < used ? out.D + joints.D[first + l] : nowhere;
+    scatter<12 * rows>(D, place);
     const auto scatter_rows = [&](const Pack* in, double* to) {
-      for (int l = 0; l < used; ++l) place[l] = to + joints.row[first + l];
-      scatter<rows>(in, place, used);
+      for (int l = 0; l < width; ++l) place[l] = l < used ? to + joints.row[first + l] : nowhere;
+      scatter<rows>(in, place);
     };
     scatter_rows(Phi, out.Phi);
     scatter_rows(Phi_dot, out.Phi_dot);

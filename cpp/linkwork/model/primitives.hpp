@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "linkwork/math/inline.hpp"
 #include "linkwork/model/body_state.hpp"
 #include "linkwork/model/rows.hpp"
 
@@ -10,9 +11,17 @@
 /// v = (r_dot inertial, omega body-fixed). References: Nikravesh (1988), chapter 7; Flores (2015), chapter 7.
 namespace linkwork {
 
+// Wide registers are for many joints, where calls cost more than code. Of few joints the code itself is what costs: it
+// must find room in the cache beside that of other kinds.
+#if defined(__AVX__)
+#define LINKWORK_PRIMITIVE LINKWORK_INLINE
+#else
+#define LINKWORK_PRIMITIVE inline
+#endif
+
 /// omega x (omega x s): the centripetal acceleration of a body-fixed vector, in body axes.
 template <class Real>
-Vec3<Real> centripetal(const Vec3<Real>& omega, const Vec3<Real>& s) {
+LINKWORK_PRIMITIVE Vec3<Real> centripetal(const Vec3<Real>& omega, const Vec3<Real>& s) {
   return omega.cross(omega.cross(s));
 }
 
@@ -20,8 +29,8 @@ Vec3<Real> centripetal(const Vec3<Real>& omega, const Vec3<Real>& s) {
 // D_i = [I, -A_i s_i~],   D_j = -[I, -A_j s_j~]
 // gamma = A_j w_j x (w_j x s_j) - A_i w_i x (w_i x s_i)
 template <class Real>
-void coincident(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i, const Vec3<Real>& s_j,
-                Rows<Real, 3> out) {
+LINKWORK_PRIMITIVE void coincident(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i,
+                                   const Vec3<Real>& s_j, Rows<Real, 3> out) {
   const Vec3<Real> Phi = i.r + i.A * s_i - j.r - j.A * s_j;
   const Vec3<Real> gamma = j.A * centripetal(j.omega, s_j) - i.A * centripetal(i.omega, s_i);
   for (int k = 0; k < 3; ++k) {
@@ -40,8 +49,8 @@ void coincident(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<R
 // D_i = [0, (a_i x A_i^T b)^T],   D_j = [0, (b_j x A_j^T a)^T]
 // gamma = -(A_i w_i x (w_i x a_i)) . b - a . (A_j w_j x (w_j x b_j)) - 2 a_dot . b_dot
 template <class Real>
-void perpendicular(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i, const Vec3<Real>& b_j,
-                   Rows<Real, 1> out) {
+LINKWORK_PRIMITIVE void perpendicular(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
+                                      const Vec3<Real>& b_j, Rows<Real, 1> out) {
   const Vec3<Real> a = i.A * a_i, b = j.A * b_j;
   const Vec3<Real> b_in_i = i.A.transpose() * b, a_in_j = j.A.transpose() * a;
   const Vec3<Real> a_dot = i.A * i.omega.cross(a_i), b_dot = j.A * j.omega.cross(b_j);
@@ -57,8 +66,8 @@ void perpendicular(const BodyState<Real>& i, const BodyState<Real>& j, const Vec
 // D_i = [-a^T, (a_i x A_i^T d - s_i x a_i)^T],   D_j = [a^T, (s_j x A_j^T a)^T]
 // gamma = -(A_i w_i x (w_i x a_i)) . d - 2 a_dot . d_dot - a . (A_j w_j x (w_j x s_j) - A_i w_i x (w_i x s_i))
 template <class Real>
-void in_plane(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i, const Vec3<Real>& s_i,
-              const Vec3<Real>& s_j, Rows<Real, 1> out) {
+LINKWORK_PRIMITIVE void in_plane(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
+                                 const Vec3<Real>& s_i, const Vec3<Real>& s_j, Rows<Real, 1> out) {
   const Vec3<Real> a = i.A * a_i;
   const Vec3<Real> d = j.r + j.A * s_j - i.r - i.A * s_i;
   const Vec3<Real> d_in_i = i.A.transpose() * d, a_in_j = j.A.transpose() * a;
@@ -77,8 +86,8 @@ void in_plane(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Rea
 // D_i = [-u^T, -(s_i x A_i^T u)^T],   D_j = [u^T, (s_j x A_j^T u)^T],   Phi_t = -l_dot
 // gamma = l_ddot - (d_dot . d_dot - (u . d_dot)^2) / |d| - u . (A_j w_j x (w_j x s_j) - A_i w_i x (w_i x s_i))
 template <class Real>
-void separation(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i, const Vec3<Real>& s_j,
-                const Signal<Real>& length, Rows<Real, 1> out) {
+LINKWORK_PRIMITIVE void separation(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i,
+                                   const Vec3<Real>& s_j, const Signal<Real>& length, Rows<Real, 1> out) {
   using std::sqrt;
   const Vec3<Real> d = j.r + j.A * s_j - i.r - i.A * s_i;
   const Vec3<Real> d_dot = j.r_dot + j.A * j.omega.cross(s_j) - i.r_dot - i.A * i.omega.cross(s_i);
@@ -96,8 +105,8 @@ void separation(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<R
 
 // a = A_i a_i stays parallel to z of j: perpendicular to its x and y (2 equations).
 template <class Real>
-void parallel(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i, const Vec3<Real>& x_j,
-              const Vec3<Real>& y_j, Rows<Real, 2> out) {
+LINKWORK_PRIMITIVE void parallel(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
+                                 const Vec3<Real>& x_j, const Vec3<Real>& y_j, Rows<Real, 2> out) {
   perpendicular<Real>(i, j, a_i, x_j, out.template slice<0, 1>());
   perpendicular<Real>(i, j, a_i, y_j, out.template slice<1, 1>());
 }
@@ -141,8 +150,8 @@ void combine(const Real (&factors)[N], const Equation<Real> (&equations)[N], Row
 // exact in every pose, whatever c^2 + s^2 is. Phi_dot = (c s_dot - s c_dot) / (c^2 + s^2) gamma = (c gamma_s - s
 // gamma_c) / (c^2 + s^2) + 2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2)
 template <class Real>
-void angle_of(const BodyState<Real>& i, const BodyState<Real>& j, const Equation<Real>& s, const Equation<Real>& c,
-              Rows<Real, 1> out) {
+LINKWORK_PRIMITIVE void angle_of(const BodyState<Real>& i, const BodyState<Real>& j, const Equation<Real>& s,
+                                 const Equation<Real>& c, Rows<Real, 1> out) {
   using std::atan2;
   const Real scale = Real(1) / (c.Phi * c.Phi + s.Phi * s.Phi), by_s = scale * c.Phi, by_c = -scale * s.Phi;
   const Real s_dot = s.rate(i, j), c_dot = c.rate(i, j), rate = by_s * s_dot + by_c * c_dot;
@@ -153,8 +162,8 @@ void angle_of(const BodyState<Real>& i, const BodyState<Real>& j, const Equation
 
 // Phi = the angle of x_j against x_i about z_i [rad], in (-pi, pi].
 template <class Real>
-void angle(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i, const Vec3<Real>& y_i,
-           const Vec3<Real>& x_j, Rows<Real, 1> out) {
+LINKWORK_PRIMITIVE void angle(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i,
+                              const Vec3<Real>& y_i, const Vec3<Real>& x_j, Rows<Real, 1> out) {
   Equation<Real> s, c;
   perpendicular<Real>(i, j, y_i, x_j, s.rows());
   perpendicular<Real>(i, j, x_i, x_j, c.rows());
@@ -163,8 +172,9 @@ void angle(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>&
 
 // Phi = the angle about z_i of the direction from the point of i to the point of j [rad], in (-pi, pi].
 template <class Real>
-void bearing(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i, const Vec3<Real>& y_i,
-             const Vec3<Real>& s_i, const Vec3<Real>& s_j, Rows<Real, 1> out) {
+LINKWORK_PRIMITIVE void bearing(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i,
+                                const Vec3<Real>& y_i, const Vec3<Real>& s_i, const Vec3<Real>& s_j,
+                                Rows<Real, 1> out) {
   Equation<Real> s, c;
   in_plane<Real>(i, j, y_i, s_i, s_j, s.rows());
   in_plane<Real>(i, j, x_i, s_i, s_j, c.rows());
@@ -173,7 +183,7 @@ void bearing(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real
 
 /// x modulo the period, nearest to zero: the violation of a constraint on an angle, which is known up to full turns.
 template <class Real>
-Real wrapped(const Real& x, const Real& period) {
+LINKWORK_PRIMITIVE Real wrapped(const Real& x, const Real& period) {
   using std::rint;
   return x - period * rint(x / period);
 }
@@ -184,9 +194,9 @@ Real wrapped(const Real& x, const Real& period) {
 // D_i = -[a^T, (rho_i x A_i^T a)^T],   D_j = [a^T, (rho_j x A_j^T a)^T],   Phi = Phi_t = 0
 // gamma = -a_dot . (u_j - u_i) - a . (c_j - c_i),   u = r_dot + A w x rho,   c = A (w x (w x rho) + w x rho_dot)
 template <class Real>
-void no_slip(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a, const Vec3<Real>& a_dot,
-             const Vec3<Real>& rho_i, const Vec3<Real>& rho_i_dot, const Vec3<Real>& rho_j, const Vec3<Real>& rho_j_dot,
-             Rows<Real, 1> out) {
+LINKWORK_PRIMITIVE void no_slip(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a,
+                                const Vec3<Real>& a_dot, const Vec3<Real>& rho_i, const Vec3<Real>& rho_i_dot,
+                                const Vec3<Real>& rho_j, const Vec3<Real>& rho_j_dot, Rows<Real, 1> out) {
   const Vec3<Real> a_in_i = i.A.transpose() * a, a_in_j = j.A.transpose() * a;
   const Vec3<Real> u_i = i.r_dot + i.A * i.omega.cross(rho_i), u_j = j.r_dot + j.A * j.omega.cross(rho_j);
   set_row<Real>(out.D_i, 0, -a, -rho_i.cross(a_in_i));
