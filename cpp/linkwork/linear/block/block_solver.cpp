@@ -14,6 +14,7 @@ constexpr double singular_pivot = 1e-15;
 constexpr double small_pivot = 1e-8;  // beyond it a joint waits for a hub, if there is one
 constexpr double far_apart = 1e6, refined_enough = 1e-13;
 constexpr int most_refinements = 5;
+constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
 constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {
@@ -180,6 +181,7 @@ class BlockSolver final : public SaddleSolver {
              updates_.data(),
              scratch_.data(),
              pivots_.data(),
+             factors_.size() + panels_.size() > cached,
              schedule_->hubs.empty() ? singular_pivot : small_pivot};
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};

@@ -299,16 +299,15 @@ LINKWORK_INLINE void note_pivots(const Front& front, const Data& data, int k0, i
   }
 }
 
-/// LDL^T of `depth` columns from k0 on and of the right-hand side. The panel is left with unit L, 1/d on its diagonal,
-/// and D^-1 L^-1 of the right-hand side; the scratch memory with L D.
+/// LDL^T of `depth` columns from k0 on and of the right-hand side. The panel is left with unit L, below 1/d on its
+/// diagonal, and D^-1 L^-1 of the right-hand side; the scratch memory with L D.
 template <int depth>
 void eliminate(const Front& front, const Data& data, int k0, const double* b, SmallestPivot& smallest) {
   const std::ptrdiff_t stride = front.stride();
   double *panel = data.panels + front.panel + k0 * stride, *right = right_hand_side_of(front, data);
   const int* unknown = data.unknowns + front.unknown + k0;
-  Vector T[depth], inverse[depth], z[depth];
+  Vector T[depth], y = load(right + k0) + given<depth>(unknown, b), solved = splat(0.0), pivots = splat(0.0);
   LINKWORK_UNROLL for (int c = 0; c < depth; ++c) T[c] = load(panel + c * stride + k0);
-  Vector y = load(right + k0) + given<depth>(unknown, b), solved = splat(0.0), pivots = splat(0.0);
   Vector diagonal = load(diagonal_of(front, data) + k0);
   if (data.compliant) {
     const Vector e = given<depth>(unknown, data.e);
@@ -316,19 +315,16 @@ void eliminate(const Front& front, const Data& data, int k0, const double* b, Sm
     diagonal += e;
   }
   LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
-    const Vector pivot = lane(T[k], k);
-    inverse[k] = inverse_of_lane(T[k], k);
+    const Vector pivot = lane(T[k], k), inverse = inverse_of_lane(T[k], k), L = T[k] * inverse;
+    const Vector z = lane(y, k) * inverse;
     pivots = with_lane(pivots, pivot, k);
-    const Vector L = T[k] * inverse[k];
-    z[k] = lane(y, k) * inverse[k];
+    solved = with_lane(solved, z, k);
     LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c) {
-      if (c == k + 1) T[c] -= (T[k] * lane(T[k], c)) * inverse[k];
+      if (c == k + 1) T[c] -= (T[k] * lane(T[k], c)) * inverse;
       else T[c] -= T[k] * lane(L, c);
     }
-    y -= T[k] * z[k];
-    solved += unit(k) * z[k];
-    T[k] = L;
-    store(panel + k * stride + k0, L * lanes_after(k) + unit(k) * inverse[k]);
+    y -= T[k] * z;
+    store(panel + k * stride + k0, with_lane(L, inverse, k));
   }
   store(data.pivots + k0, pivots);
   store(right + k0, solved);
@@ -337,10 +333,11 @@ void eliminate(const Front& front, const Data& data, int k0, const double* b, Sm
     Vector B[depth], r = load(right + p);
     LINKWORK_UNROLL for (int c = 0; c < depth; ++c) B[c] = load(panel + c * stride + p);
     LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
-      LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c) B[c] -= B[k] * lane(T[k], c);
-      r -= B[k] * z[k];
+      const double* L = panel + k * stride + k0;  // factors from memory: the registers are full
+      LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c) B[c] -= B[k] * splat(L[c]);
+      r -= B[k] * splat(right[k0 + k]);
       store(data.scratch + k * stride + p, B[k]);
-      store(panel + k * stride + p, B[k] * inverse[k]);
+      store(panel + k * stride + p, B[k] * splat(L[k]));
     }
     store(right + p, r);
   }
@@ -443,7 +440,7 @@ void extend_add(const Front& front, const Data& data) {
 void factor_core(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
     const Front& front = data.fronts[f];
-    if (f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
+    if (data.large && f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
     if (front.childless) clear(front, data);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
       factor_body(data.bodies[body], front, data, a, smallest);
@@ -485,7 +482,7 @@ void forward_core(const Data& data, const double* a, const double* b) {
   };
   for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
     const Front& front = data.fronts[f];
-    if (f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
+    if (data.large && f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
     if (front.childless) clear_right(front);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
       forward_body(data.bodies[body], front, data, a);
@@ -548,7 +545,7 @@ void backward_joints(const Front& front, const Data& data, double* x, double* la
 void backward_core(const Data& data, const double* a, double* x, double* lambda) {
   for (std::ptrdiff_t f = data.front_count; f-- > 0;) {
     const Front& front = data.fronts[f];
-    if (f >= fronts_ahead) prefetch_front(data.fronts[f - fronts_ahead], data);
+    if (data.large && f >= fronts_ahead) prefetch_front(data.fronts[f - fronts_ahead], data);
     backward_joints(front, data, x, lambda);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
       backward_body(data.bodies[body], data, a, x, lambda);

@@ -136,6 +136,7 @@ struct Data {
   double* updates;
   double* scratch;   ///< 12 columns of the highest front
   double* pivots;    ///< of the widest front
+  bool large;        ///< more than a core's own cache holds: worth to be prefetched
   double breakdown;  ///< relative pivot from which no elimination should go on
 };
 

@@ -138,7 +138,7 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
 void factor_branches(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
   for (std::ptrdiff_t s = 0; s < data.step_count; ++s) {
     const TreeStep& step = data.steps[s];
-    if (s + steps_ahead < data.step_count) prefetch_step(data.steps[s + steps_ahead], data);
+    if (data.large && s + steps_ahead < data.step_count) prefetch_step(data.steps[s + steps_ahead], data);
     LINKWORK_BY_ROWS(factor_step, step, data, a, b, smallest)
   }
 }
@@ -146,7 +146,7 @@ void factor_branches(const Data& data, const double* a, const double* b, Smalles
 void backward_branches(const Data& data, double* x, double* lambda) {
   for (std::ptrdiff_t s = data.step_count; s-- > 0;) {
     const TreeStep& step = data.steps[s];
-    if (s >= steps_ahead) {
+    if (data.large && s >= steps_ahead) {
       const TreeStep& ahead = data.steps[s - steps_ahead];
       prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
     }
