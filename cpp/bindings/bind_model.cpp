@@ -9,7 +9,11 @@
 namespace linkwork::python {
 namespace {
 
-using Names = std::variant<std::string, std::vector<std::string>>;
+using GivenNames = std::variant<std::string, std::vector<std::string>>;  // a prefix, or one for each
+
+Names read_names(const GivenNames& given) {
+  return std::visit([](const auto& names) { return Names(names); }, given);
+}
 using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 /// Refuses an array whose shape is not (count, ...).
@@ -24,8 +28,8 @@ void check_shape(const Array& array, std::vector<py::ssize_t> shape, const char*
   throw ModelError("shape", std::string(name) + " has shape (" + given + "), not (" + wanted + ")");
 }
 
-int add_bodies(Model& model, const Names& names, const Doubles& mass, const Doubles& inertia, const Doubles& position,
-               const Doubles& orientation, const Doubles& velocity, const Doubles& omega) {
+int add_bodies(Model& model, const GivenNames& names, const Doubles& mass, const Doubles& inertia,
+               const Doubles& position, const Doubles& orientation, const Doubles& velocity, const Doubles& omega) {
   const py::ssize_t count = mass.size();
   check_shape(mass, {count}, "mass");
   check_shape(inertia, {count, 3, 3}, "inertia");
@@ -41,12 +45,7 @@ int add_bodies(Model& model, const Names& names, const Doubles& mass, const Doub
                                            Eigen::Map<const Vec4<double>>(orientation.data() + 4 * k),
                                            Eigen::Map<const Vec3<double>>(velocity.data() + 3 * k),
                                            Eigen::Map<const Vec3<double>>(omega.data() + 3 * k)};
-  if (const auto* prefix = std::get_if<std::string>(&names)) return model.add_bodies(*prefix, bodies);
-  const auto& list = std::get<std::vector<std::string>>(names);
-  const int first = static_cast<int>(model.bodies().size());
-  if (list.size() != bodies.size()) throw ModelError("names", "as many names as bodies are needed");
-  for (std::size_t k = 0; k < bodies.size(); ++k) model.add_body(list[k], bodies[k]);
-  return first;
+  return model.add_bodies(read_names(names), bodies);
 }
 
 struct Elements {
@@ -75,25 +74,6 @@ Elements read_elements(const Integers& bodies, const Doubles& origin, const Doub
       out.parameters.push_back({parameters.data()[k * width + p], signals.data()[k * width + p]});
   }
   return out;
-}
-
-/// Adds one by one where names are given, in bulk where there is a prefix. `single` and `bulk` are members of Model.
-template <class Single, class Bulk>
-int add_elements(Model& model, const std::string& kind, const Names& names, const Elements& list, int first,
-                 Single single, Bulk bulk) {
-  if (const auto* prefix = std::get_if<std::string>(&names))
-    return (model.*bulk)(kind, *prefix, list.elements, list.parameters);
-  const auto& each = std::get<std::vector<std::string>>(names);
-  const std::size_t count = list.elements.size();
-  if (each.size() != count) throw ModelError("names", kind + ": as many names as elements are needed");
-  const std::size_t width = count ? list.parameters.size() / count : 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Element& element = list.elements[k];
-    const auto begin = list.parameters.begin() + static_cast<std::ptrdiff_t>(k * width);
-    (model.*single)(kind, each[k], element.i, element.j, element.at,
-                    std::vector<Parameter>(begin, begin + static_cast<std::ptrdiff_t>(width)));
-  }
-  return first;
 }
 
 int add_coupler(Model& model, const std::string& name, const std::vector<CoupledCoordinate>& coordinates, double offset,
@@ -306,10 +286,10 @@ void bind_model(py::module_& module) {
            "Adds bodies under a prefix (str) or names (list); returns the first index.")
       .def(
           "add_joints",
-          [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
-             const Doubles& frame, const Doubles& parameters, const Integers& signals) {
-            return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
-                                static_cast<int>(model.joints().size()), &Model::add_joint, &Model::add_joints);
+          [](Model& model, const std::string& kind, const GivenNames& names, const Integers& bodies,
+             const Doubles& origin, const Doubles& frame, const Doubles& parameters, const Integers& signals) {
+            const Elements list = read_elements(bodies, origin, frame, parameters, signals);
+            return model.add_joints(kind, read_names(names), list.elements, list.parameters);
           },
           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
           py::arg("parameters"), py::arg("signals"), "Adds joints; returns the first index.")
@@ -320,10 +300,10 @@ void bind_model(py::module_& module) {
            "Adds a point of b on a spline of a, ascending coefficients (k, 4, 3); returns its index.")
       .def(
           "add_forces",
-          [](Model& model, const std::string& kind, const Names& names, const Integers& bodies, const Doubles& origin,
-             const Doubles& frame, const Doubles& parameters, const Integers& signals) {
-            return add_elements(model, kind, names, read_elements(bodies, origin, frame, parameters, signals),
-                                static_cast<int>(model.forces().size()), &Model::add_force, &Model::add_forces);
+          [](Model& model, const std::string& kind, const GivenNames& names, const Integers& bodies,
+             const Doubles& origin, const Doubles& frame, const Doubles& parameters, const Integers& signals) {
+            const Elements list = read_elements(bodies, origin, frame, parameters, signals);
+            return model.add_forces(kind, read_names(names), list.elements, list.parameters);
           },
           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
           py::arg("parameters"), py::arg("signals"), "Adds force elements; returns the first index.")

@@ -121,7 +121,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
 
     def bodies(
         self,
-        name_prefix: str,
+        name: str | Sequence[str],
         *,
         mass: ArrayLike,
         inertia: ArrayLike,
@@ -131,15 +131,16 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         omega: ArrayLike = (0.0, 0.0, 0.0),
         shape: ShapesLike = (),
     ) -> Range[Body]:
-        """Add k bodies at once, named prefix[0], prefix[1], ...; linear in time and memory.
+        """Add k bodies at once, named name[0], name[1], ..., or by k names; linear in time and memory.
 
-        As `body`, with `position` (k, 3), and each other quantity the same for all or with a leading k;
-        `shape` is the same for all.
+        All are added, or none. As `body`, with `position` (k, 3), and each other quantity the same for all or
+        with a leading k; `shape` is the same for all.
         `inertia`: (3,) or (k, 3) principal moments, or (k, 3, 3); one tensor for all is (1, 3, 3).
         """
-        who = f"bodies '{name_prefix}'"
+        who = f"bodies '{name}'" if isinstance(name, str) else "bodies"
         r = _numbers(position, [(None, 3)], who, "position")
         k = len(r)
+        names: str | list[str] = name if isinstance(name, str) else _names_of_all(who, name, k)
         m = _numbers(mass, [(), (k,)], who, "mass")
         J = _numbers(inertia, [(3,), (k, 3), (1, 3, 3), (k, 3, 3)], who, "inertia")
         J = J if J.ndim == 3 else J[..., None] * np.eye(3)
@@ -148,9 +149,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         state |= {"orientation": _numbers(orientation, [(4,), (k, 4)], who, "orientation"), "position": r}
         full = {what: np.broadcast_to(x, (k, x.shape[-1])) for what, x in state.items()}
         shapes, first = self._shapes.checked(shape), self.body_count
-        bodies = self._bodies.add(
-            name_prefix, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full
-        )
+        bodies = self._bodies.add(names, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full)
         self._shapes.set(range(first, first + k), shapes)
         return bodies
 
@@ -169,11 +168,13 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         a: BodiesLike,
         b: BodiesLike,
         *,
-        name: str | None = None,
+        name: str | Sequence[str] | None = None,
         frames: Frames = "space",
         **arguments: Any,
     ) -> Range[Joint]:
-        """Add k joints of one kind at once, named name[0], name[1], ...; linear in time and memory.
+        """Add k joints of one kind at once, named name[0], name[1], ..., or by k names.
+
+        Linear in time and memory; all are added, or none.
 
         a, b       bodies; one of them may be single
         arguments  those of the kind's own method, each the same for all or with a leading k; pairs stay
@@ -473,7 +474,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         a: BodiesLike,
         b: BodiesLike,
         *,
-        name: str | None = None,
+        name: str | Sequence[str] | None = None,
         frames: Frames = "space",
         **arguments: Any,
     ) -> Range[Force]:
@@ -595,17 +596,19 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         a: BodiesLike,
         b: BodiesLike,
         frames: Frames,
-        name: str | None,
+        name: str | Sequence[str] | None,
         group: bool,
         arguments: Mapping[str, Any],
     ) -> None:
         """Add one element or a group; `arguments` are those of the placement and the parameters."""
         info = kind_info(role, kind)
         _choose("frames", frames, ("space", "body"))
-        name = self._named(name, kind, self._counts[kind])
+        given = name if group and name is not None and not isinstance(name, str) else None
+        name = kind if given is not None else self._named(name, kind, self._counts[kind])
         pairs = self._bodies.pairs if group else self._bodies.pair
         bodies = pairs(a, b, Subject(kind, name, False, 1))
-        subject = Subject(kind, name, group, len(bodies))
+        each = [] if given is None else _names_of_all(kind, given, len(bodies))
+        subject = Subject(kind, name, group, len(bodies), each)
         first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
         self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
 
@@ -627,7 +630,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
     def _force(self, index: int, kind: str) -> Force:
         return Force(self._core.force_name(index), index, kind)
 
-    def _named(self, name: str | None, kind: str, count: int) -> str:
+    def _named(self, name: object, kind: str, count: int) -> str:
         """The name given, or `revolute 3`: the first number that is not taken."""
         if name is not None:
             if not isinstance(name, str) or not name.isprintable():
@@ -639,6 +642,17 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         ):
             count += 1
         return f"{kind} {count + 1}"
+
+
+def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:
+    """ModelError: not as many names as there are elements, or one is no printable text."""
+    each = list(names)
+    if len(each) != count:
+        raise ModelError(f"{who}: {len(each)} names for {count}", code="names")
+    for name in each:
+        if not isinstance(name, str) or not name.isprintable():
+            raise ModelError(f"{who}: name {name!r} is not printable text", code="name")
+    return each
 
 
 def check_model(model: object) -> None:

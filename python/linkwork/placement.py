@@ -7,7 +7,7 @@ the compiled kinds of joints and forces name theirs. Everything works on k eleme
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, NoReturn
 
@@ -35,13 +35,18 @@ class Subject:
     name: str
     group: bool
     count: int
+    each: Sequence[str] = ()  # names of their own for the members of a group
 
     def member(self, k: int) -> str:
+        if self.each:
+            return self.each[k]
         return f"{self.name}[{k}]" if self.group else self.name
 
     @property
     def names(self) -> str | list[str]:
         """As the compiled model takes them: a prefix for a group, else a name for each element."""
+        if self.each:
+            return list(self.each)
         return self.name if self.group else [self.name]
 
     def who(self, k: int) -> str:

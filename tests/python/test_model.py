@@ -401,3 +401,51 @@ def test_model_with_a_python_function_is_not_copied_without_it() -> None:
     model.user_force(lambda t, q, v: 0 * v, name="mine")
     with pytest.raises(lw.ModelError, match="'mine' is a function"):
         pickle.dumps(model)
+
+
+def _named(model: lw.Model) -> tuple[list[str], list[str], list[str]]:
+    core = model.compiled()
+    return (
+        [core.body_name(k) for k in range(model.body_count)],
+        [core.joint_name(k) for k in range(model.joint_count)],
+        [core.force_name(k) for k in range(model.force_count)],
+    )
+
+
+def test_bodies_joints_and_forces_in_bulk_take_names_of_their_own() -> None:
+    model = lw.Model()
+    at = np.array([[0.0, 0, 0], [1, 0, 0]])
+    bodies = model.bodies(["crank", "rod"], mass=1.0, inertia=(1, 1, 1), position=at)
+    ends = (["ground", "crank"], ["crank", "rod"])
+    model.joints("revolute", *ends, at=at, axis=(0, 1, 0), name=("pin", "knee"))
+    model.forces("bushing", "ground", bodies, at=at, name=["left", "right"])
+    assert _named(model) == (["crank", "rod"], ["pin", "knee"], ["left", "right"])
+    assert [body.name for body in bodies] == ["crank", "rod"]
+    assert model.find("rod").index == 1
+
+
+@pytest.mark.parametrize(
+    ("names", "message"),
+    [
+        (["c", "d", "crank"], "body 'crank' exists already"),
+        (["c", "d", "c"], "body 'c' exists already"),
+        (["c", "ground", "d"], "body 'ground': the name belongs to the ground"),
+        (["c", "", "d"], "the name is empty"),
+        (["c", "d"], "2 names for 3"),
+        (["c", 7, "d"], "name 7 is not printable text"),
+    ],
+)
+def test_where_one_of_many_names_is_refused_nothing_is_added(names: list[str], message: str) -> None:
+    model = lw.Model()
+    model.body("crank", mass=1.0, inertia=(1, 1, 1))
+    with pytest.raises(lw.ModelError, match=message):
+        model.bodies(names, mass=1.0, inertia=(1, 1, 1), position=np.zeros((3, 3)))
+    assert _named(model) == (["crank"], [], [])
+    model.bodies(["c", "d", "e"], mass=1.0, inertia=(1, 1, 1), position=np.zeros((3, 3)))
+    with pytest.raises(lw.ModelError, match="joint 'a' exists already"):
+        model.joints("spherical", "ground", ["c", "d", "e"], at=(0, 0, 0), name=["a", "b", "a"])
+    with pytest.raises(lw.ModelError, match="revolute 'b': axis .* has no direction"):
+        model.joints(
+            "revolute", "ground", ["c", "d"], at=(0, 0, 0), axis=[(0, 0, 1), (0, 0, 0)], name=["a", "b"]
+        )
+    assert _named(model)[1] == []

@@ -90,20 +90,16 @@ Model::Model(const Vec3<double>& gravity) : gravity_(gravity) {
   if (!gravity.allFinite()) throw ModelError("not_finite", "gravity " + text(gravity) + " is not finite");
 }
 
-int Model::add_body(const std::string& name, const Body& body) {
-  check_body(body, name);
-  if (name == "ground")
-    throw ModelError("duplicate_name", "body 'ground': the name belongs to the ground; choose another");
-  body_names_.own().add(name);
-  std::vector<Body>& list = bodies_.own();
-  list.push_back(body);
-  list.back().orientation.normalize();
-  return static_cast<int>(list.size()) - 1;
-}
+int Model::add_body(const std::string& name, const Body& body) { return add_bodies(std::vector{name}, {body}); }
 
-int Model::add_bodies(const std::string& prefix, const std::vector<Body>& bodies) {
-  for (std::size_t k = 0; k < bodies.size(); ++k) check_body(bodies[k], prefix + "[" + std::to_string(k) + "]");
-  body_names_.own().add_group(prefix, static_cast<int>(bodies.size()));
+int Model::add_bodies(const Names& names, const std::vector<Body>& bodies) {
+  if (!names.are(bodies.size())) throw ModelError("names", "as many names as bodies are needed");
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    check_body(bodies[k], names[k]);
+    if (!names.group() && names[k] == "ground")
+      throw ModelError("duplicate_name", "body 'ground': the name belongs to the ground; choose another");
+  }
+  body_names_.own().add(names, static_cast<int>(bodies.size()));
   std::vector<Body>& list = bodies_.own();
   const int first = static_cast<int>(list.size());
   list.insert(list.end(), bodies.begin(), bodies.end());
@@ -160,23 +156,22 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
   }
 }
 
-int Model::add_elements(Role role, int index, const KindInfo& info, const std::string& name, bool group,
+int Model::add_elements(Role role, int index, const KindInfo& info, const Names& names,
                         const std::vector<Element>& elements, const std::vector<Parameter>& parameters) {
   const bool joint = role == Role::joint;
   const std::size_t count = info.parameters.size();
   if (parameters.size() != count * elements.size())
-    throw ModelError("parameters", info.name + " '" + name + "': takes " + std::to_string(count) + " parameters, not " +
+    throw ModelError("parameters", info.name + " '" + names.text() + "': takes " + std::to_string(count) +
+                                       " parameters, not " +
                                        std::to_string(parameters.size() / std::max<std::size_t>(1, elements.size())));
+  if (!names.are(elements.size())) throw ModelError("names", info.name + ": as many names as elements are needed");
   for (std::size_t k = 0; k < elements.size(); ++k)
-    check_element(role, info, group ? name + "[" + std::to_string(k) + "]" : name, elements[k],
-                  parameters.data() + k * count);
+    check_element(role, info, names[k], elements[k], parameters.data() + k * count);
   if (static_cast<double>(row_count()) + static_cast<double>(info.rows) * static_cast<double>(elements.size()) >
       std::numeric_limits<int>::max())
     throw ModelError("too_large", "the model would have more constraint rows than 2^31 - 1");
 
-  NameTable& names = joint ? joint_names_.own() : force_names_.own();
-  if (group) names.add_group(name, static_cast<int>(elements.size()));
-  else names.add(name);
+  (joint ? joint_names_ : force_names_).own().add(names, static_cast<int>(elements.size()));
   std::vector<Element>& list = joint ? joints_.own() : forces_.own();
   std::vector<Parameter>& all_parameters = joint ? joint_parameters_.own() : force_parameters_.own();
   std::vector<int>& rows = joint_rows_.own();
@@ -194,25 +189,25 @@ int Model::add_elements(Role role, int index, const KindInfo& info, const std::s
 int Model::add_joint(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
                      const std::vector<Parameter>& parameters) {
   const int index = joint_kind_index(kind);
-  return add_elements(Role::joint, index, joint_info(index), name, false, {Element{0, i, j, at, 0}}, parameters);
+  return add_elements(Role::joint, index, joint_info(index), std::vector{name}, {Element{0, i, j, at, 0}}, parameters);
 }
 
 int Model::add_force(const std::string& kind, const std::string& name, int i, int j, const Attachment<double>& at,
                      const std::vector<Parameter>& parameters) {
   const int index = force_kind_index(kind);
-  return add_elements(Role::force, index, force_info(index), name, false, {Element{0, i, j, at, 0}}, parameters);
+  return add_elements(Role::force, index, force_info(index), std::vector{name}, {Element{0, i, j, at, 0}}, parameters);
 }
 
-int Model::add_joints(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+int Model::add_joints(const std::string& kind, const Names& names, const std::vector<Element>& elements,
                       const std::vector<Parameter>& parameters) {
   const int index = joint_kind_index(kind);
-  return add_elements(Role::joint, index, joint_info(index), prefix, true, elements, parameters);
+  return add_elements(Role::joint, index, joint_info(index), names, elements, parameters);
 }
 
-int Model::add_forces(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+int Model::add_forces(const std::string& kind, const Names& names, const std::vector<Element>& elements,
                       const std::vector<Parameter>& parameters) {
   const int index = force_kind_index(kind);
-  return add_elements(Role::force, index, force_info(index), prefix, true, elements, parameters);
+  return add_elements(Role::force, index, force_info(index), names, elements, parameters);
 }
 
 int Model::add_special_joint(const std::string& kind, const std::string& name, int i, int j,
@@ -220,7 +215,7 @@ int Model::add_special_joint(const std::string& kind, const std::string& name, i
                              const std::vector<Parameter>& parameters) {
   const int index = special_joint_kind_index(kind);
   const int added =
-      add_elements(Role::joint, index, joint_info(index), name, false, {Element{0, i, j, at, 0}}, parameters);
+      add_elements(Role::joint, index, joint_info(index), std::vector{name}, {Element{0, i, j, at, 0}}, parameters);
   special_joints_.emplace_back(added, std::move(joint));
   return added;
 }

@@ -62,10 +62,10 @@ class Model {
   void add_user_force(const std::string& name, std::shared_ptr<const UserForce> force);
 
   /// Many at once under one prefix; linear in time and memory. `parameters` holds the kind's number for each element.
-  int add_bodies(const std::string& prefix, const std::vector<Body>& bodies);
-  int add_joints(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+  int add_bodies(const Names& names, const std::vector<Body>& bodies);
+  int add_joints(const std::string& kind, const Names& names, const std::vector<Element>& elements,
                  const std::vector<Parameter>& parameters);
-  int add_forces(const std::string& kind, const std::string& prefix, const std::vector<Element>& elements,
+  int add_forces(const std::string& kind, const Names& names, const std::vector<Element>& elements,
                  const std::vector<Parameter>& parameters);
 
   const Vec3<double>& gravity() const { return gravity_; }
@@ -101,8 +101,8 @@ class Model {
 
  private:
   enum class Role { joint, force };
-  int add_elements(Role role, int index, const KindInfo& info, const std::string& name, bool group,
-                   const std::vector<Element>& elements, const std::vector<Parameter>& parameters);
+  int add_elements(Role role, int index, const KindInfo& info, const Names& names, const std::vector<Element>& elements,
+                   const std::vector<Parameter>& parameters);
   void check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
                      const Parameter* parameters) const;
 

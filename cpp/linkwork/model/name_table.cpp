@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <unordered_set>
 
 #include "linkwork/math/error.hpp"
 
@@ -44,6 +45,16 @@ void NameTable::add_group(const std::string& prefix, int count) {
   index_.emplace(prefix, static_cast<int>(groups_.size()));
   groups_.push_back({prefix, size_, count, false});
   size_ += count;
+}
+
+void NameTable::add(const Names& names, int count) {
+  if (names.group()) return add_group(names.prefix(), count);
+  std::unordered_set<std::string> seen;
+  for (const std::string& name : names.each()) {
+    check_free(name);
+    if (!seen.insert(name).second) throw_taken(name);
+  }
+  for (const std::string& name : names.each()) add(name);
 }
 
 std::string NameTable::name(int index) const {

@@ -6,6 +6,27 @@
 
 namespace linkwork {
 
+/// What things that are added at once are called: a prefix for a group, or a name for each.
+class Names {
+ public:
+  Names(std::string prefix) : prefix_(std::move(prefix)) {}
+  Names(const char* prefix) : prefix_(prefix) {}
+  Names(std::vector<std::string> each) : each_(std::move(each)), group_(false) {}
+
+  bool group() const { return group_; }
+  const std::string& prefix() const { return prefix_; }
+  const std::vector<std::string>& each() const { return each_; }
+  std::string operator[](std::size_t k) const { return group_ ? prefix_ + "[" + std::to_string(k) + "]" : each_[k]; }
+  /// Of all of them, for messages.
+  std::string text() const { return group_ || each_.empty() ? prefix_ : each_.front(); }
+  bool are(std::size_t count) const { return group_ || each_.size() == count; }
+
+ private:
+  std::string prefix_;
+  std::vector<std::string> each_;
+  bool group_ = true;
+};
+
 /// Names of bodies, joints or forces: given one by one, or as a prefix for a group ("link" -> "link[0]", "link[1]",
 /// ...) so that a million names take no memory.
 class NameTable {
@@ -15,6 +36,8 @@ class NameTable {
   /// Throws a ModelError where the name is taken or empty.
   void add(const std::string& name);
   void add_group(const std::string& prefix, int count);
+  /// All of them, or none where one is refused.
+  void add(const Names& names, int count);
 
   int size() const { return size_; }
   std::string name(int index) const;

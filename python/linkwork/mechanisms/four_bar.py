@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
 from linkwork import Model
 from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import thin_rod
@@ -20,23 +23,33 @@ def four_bar(n: int = 1) -> Model:
     """
     at_least(1, n, "four_bar: n")
     model = Model(gravity=(0, -9.81, 0), name="four_bar")
-    inertia, upright = thin_rod(mass=1.0, length=1.0), from_axes(x=(0, 1, 0), y=(-1, 0, 0))
+    upright = from_axes(x=(0, 1, 0), y=(-1, 0, 0))
     turn, drift = (0, 0, -1), (1, 0, 0)  # rad/s and m/s that give the tops 1 m/s
-    posts = [
-        model.body(f"post {i}", mass=1.0, inertia=inertia, position=(i, 0.5, 0), orientation=upright,
-                   velocity=(0.5, 0, 0), omega=turn)
-        for i in range(n + 1)
-    ]  # fmt: skip
-    beams = [
-        model.body(f"beam {i}", mass=1.0, inertia=inertia, position=(i + 0.5, 1, 0), velocity=drift)
-        for i in range(n)
-    ]
-    for i, post in enumerate(posts):
-        model.revolute(model.ground, post, at=(i, 0, 0), axis=(0, 0, 1), name=f"pin {i}")
-    for i, beam in enumerate(beams):
-        model.revolute(posts[i], beam, at=(i, 1, 0), axis=(0, 0, 1), name=f"left {i}")
-        model.revolute(posts[i + 1], beam, at=(i + 1, 1, 0), axis=(0, 0, 1), name=f"right {i}")
+    inertia = thin_rod(mass=1.0, length=1.0)
+    posts = model.bodies(
+        [f"post {i}" for i in range(n + 1)],
+        mass=1.0,
+        inertia=inertia,
+        position=_row(n + 1, 0.0, 0.5),
+        orientation=upright,
+        velocity=(0.5, 0, 0),
+        omega=turn,
+    ).indices
+    names = [f"beam {i}" for i in range(n)]
+    at = _row(n, 0.5, 1.0)
+    beams = model.bodies(names, mass=1.0, inertia=inertia, position=at, velocity=drift).indices
+    names = [f"pin {i}" for i in range(n + 1)]
+    model.joints("revolute", model.ground, posts, at=_row(n + 1, 0.0, 0.0), axis=(0, 0, 1), name=names)
+    names = [f"{side} {i}" for i in range(n) for side in ("left", "right")]
+    ends = np.stack([np.arange(n), np.arange(1, n + 1)], axis=1).ravel()  # of the beams: number of the post
+    at = _row(n + 1, 0.0, 1.0)[ends]
+    model.joints("revolute", posts[ends], np.repeat(beams, 2), at=at, axis=(0, 0, 1), name=names)
     return model
+
+
+def _row(count: int, x: float, y: float) -> NDArray[np.float64]:
+    """Points (count, 3) at x, x + 1, ..."""
+    return np.stack([x + np.arange(count), np.full(count, y), np.zeros(count)], axis=1)
 
 
 FOUR_BAR = Mechanism(four_bar, size=Size("n", lambda n: 2 * n + 1), t_end=10.0, step=1e-3)

@@ -17,20 +17,6 @@ from linkwork.model_file import schema
 from linkwork.placement import PLACEMENTS, Attachment, Place, Subject
 
 
-@dataclass(frozen=True)
-class _Named(Subject):
-    """Elements that each have a name of their own."""
-
-    each: Sequence[str] = ()
-
-    def member(self, k: int) -> str:
-        return self.each[k]
-
-    @property
-    def names(self) -> str | list[str]:
-        return list(self.each)
-
-
 class Placed:
     """An element of a file, with what its functions are."""
 
@@ -136,7 +122,7 @@ def _add(model: Model, elements: Sequence[Placed], info: _core.KindInfo, how: Ca
     index = model.compiled().find_body
     bodies = np.array([[index(record.a), index(record.b)] for record in records], np.int32)  # type: ignore[attr-defined]
     names = [model._named(record.name, record.kind, model._counts[record.kind]) for record in records]
-    subject = _Named(info.name, names[0], True, len(names), names)
+    subject = Subject(info.name, names[0], True, len(names), names)
     poses = model._bodies.poses
     parameters = {name: _column(elements, name) for name in info.parameters}
     where = how(records, Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), True))
