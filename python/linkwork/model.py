@@ -140,7 +140,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         who = f"bodies '{name}'" if isinstance(name, str) else "bodies"
         r = _numbers(position, [(None, 3)], who, "position")
         k = len(r)
-        names: str | list[str] = name if isinstance(name, str) else _names_of_all(who, name, k)
+        names = self._named(name, "bodies", 0) if isinstance(name, str) else _names_of_all(who, name, k)
         m = _numbers(mass, [(), (k,)], who, "mass")
         J = _numbers(inertia, [(3,), (k, 3), (1, 3, 3), (k, 3, 3)], who, "inertia")
         J = J if J.ndim == 3 else J[..., None] * np.eye(3)
@@ -645,7 +645,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
 
 
 def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:
-    """ModelError: not as many names as there are elements, or one is no printable text."""
+    """ModelError: no sequence of as many names as there are elements, or one is no printable text."""
+    if not isinstance(names, Sequence | np.ndarray):
+        raise ModelError(f"{who}: name {names!r} is neither a text nor a sequence of names", code="name")
     each = list(names)
     if len(each) != count:
         raise ModelError(f"{who}: {len(each)} names for {count}", code="names")

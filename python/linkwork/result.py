@@ -101,7 +101,8 @@ class Result:
     """k frames of n bodies, J joints and m constraint rows. SI units; inertial axes unless said otherwise.
 
     A fresh result holds its frames in memory; a loaded one leaves them in the file until they are asked for.
-    `manifest` says what was run (versions, options, hash of the model), `statistics` what it took.
+    `manifest` says what was run (versions, options, hash of the model), `statistics` what it took
+    (times of mechanisms below 20 bodies are estimated from a part of the evaluations).
     """
 
     def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,

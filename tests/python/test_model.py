@@ -433,6 +433,9 @@ def test_bodies_joints_and_forces_in_bulk_take_names_of_their_own() -> None:
         (["c", "", "d"], "the name is empty"),
         (["c", "d"], "2 names for 3"),
         (["c", 7, "d"], "name 7 is not printable text"),
+        ("c\n", r"bodies: name 'c\\n' is not printable text"),
+        (7, "bodies: name 7 is neither a text nor a sequence of names"),
+        ({"c"}, "bodies: name {'c'} is neither a text nor a sequence of names"),
     ],
 )
 def test_where_one_of_many_names_is_refused_nothing_is_added(names: list[str], message: str) -> None:

@@ -118,7 +118,7 @@ class BlockSolver final : public SaddleSolver {
     accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
     panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
     updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
-    scratch_.assign(static_cast<std::size_t>(12 * schedule_->highest_front), 0.0);
+    scratch_.assign(static_cast<std::size_t>(scratch_columns * schedule_->highest_front), 0.0);
     pivots_.assign(static_cast<std::size_t>(schedule_->widest_front) + slack, 0.0);
     factorize_masses();
   }

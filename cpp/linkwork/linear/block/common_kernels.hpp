@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "linkwork/linear/block/kernels.hpp"
 #include "linkwork/math/simd.hpp"
 
@@ -9,6 +11,15 @@ namespace linkwork::block {
 namespace {
 
 using namespace simd::LINKWORK_ISA;
+
+/// Calls f with the count, 1 to `most`, as a constant.
+template <int most, class Function>
+LINKWORK_INLINE void with_count(int count, const Function& f) {
+  if constexpr (most > 1) {
+    if (count < most) return with_count<most - 1>(count, f);
+  }
+  f(std::integral_constant<int, most>());
+}
 
 /// 1 / (lane k of v) in all lanes: sooner there than a number that would have to be spread out.
 LINKWORK_INLINE Vector inverse_of_lane(const Vector& v, int k) {

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <type_traits>
-
 #include "linkwork/linear/block/common_kernels.hpp"
 
-/// The core: closed loops. Bodies add their part of D M^-1 D^T and D M^-1 a to the front of their first joint; joints
-/// are eliminated in supernodes, 8 columns at a time.
+/// The core: closed loops. Bodies add their part of D M^-1 D^T and of -D M^-1 a to the front of their first joint;
+/// joints are eliminated in supernodes, 8 columns at a time.
 ///
 /// A hub, a body with many joints, is eliminated among the joints, for it would couple all of them: then the matrix is
 /// [S D; D^T -M] with S of the other bodies, quasi-definite, and pivots of hubs are negative.
@@ -41,15 +39,6 @@ LINKWORK_INLINE double* column_of(const Front& front, const Data& data, int posi
 /// From a column at a position to the next.
 LINKWORK_INLINE std::ptrdiff_t column_stride(const Front& front, int position) {
   return position < front.top ? front.stride() : front.kept;
-}
-
-/// Calls f with the count, 1 to `most`, as a constant.
-template <int most, class Function>
-LINKWORK_INLINE void with_count(int count, const Function& f) {
-  if constexpr (most > 1) {
-    if (count < most) return with_count<most - 1>(count, f);
-  }
-  f(std::integral_constant<int, most>());
 }
 
 LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - k0 < lanes ? front.width - k0 : lanes; }
@@ -129,8 +118,8 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
   double *U = data.scratch, *scaled = U + 6 * stride;  // L^-1 D^T, with and without D^-1
   double *right = right_hand_side_of(front, data), *diagonal = diagonal_of(front, data);
   const double* own = data.factors + body.own_factors;
-  const MassFactor& factor = data.mass_factors[branches ? 0 : body.mass_factor];
-  const Vector y = branches ? load(own + 6 * lanes) : solve_lower(factor, load_first<6>(a + 6 * body.body));
+  const MassFactor* factor = branches ? nullptr : data.mass_factors + body.mass_factor;
+  const Vector y = branches ? load(own + 6 * lanes) : solve_lower(*factor, load_first<6>(a + 6 * body.body));
   for (int v = 0; v < body.vectors; ++v) LINKWORK_UNROLL for (int first = 0; first < lanes; first += width) {
       Native B[6], r{}, d{};
       gather_D(vectors[v].D + first, data, B);
@@ -138,13 +127,13 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
         LINKWORK_UNROLL for (int k = 0; k < 6; ++k) LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) B[c] -=
             B[k] * splat_native(own[k * lanes + c]);
       } else {
-        B[4] -= B[3] * splat_native(factor.L43);
-        B[5] -= B[3] * splat_native(factor.L53) + B[4] * splat_native(factor.L54);
+        B[4] -= B[3] * splat_native(factor->L43);
+        B[5] -= B[3] * splat_native(factor->L53) + B[4] * splat_native(factor->L54);
       }
       LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
         r -= B[k] * lane(y, k).part[0];
         if constexpr (right_hand_side_only) continue;
-        const Native L = B[k] * splat_native(branches ? own[k * (lanes + 1)] : factor.inverse[k]);
+        const Native L = B[k] * splat_native(branches ? own[k * (lanes + 1)] : factor->inverse[k]);
         d += B[k] * L;
         store_native(U + k * stride + v * lanes + first, B[k]);
         store_native(scaled + k * stride + v * lanes + first, L);

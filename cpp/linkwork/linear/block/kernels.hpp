@@ -28,6 +28,8 @@ struct TreeStep {
 constexpr std::ptrdiff_t step_storage(int rows) { return (6 + rows) * lanes; }
 /// Doubles of the factors of a body of the core with branches: L, and D^-1 L^-1 a.
 constexpr std::ptrdiff_t own_factor_size = 7 * lanes;
+/// Of a body, L^-1 D^T with and without D^-1; of a front, 8.
+constexpr int scratch_columns = 12;
 /// Doubles of an accumulator: 6 columns of [M; a].
 constexpr std::ptrdiff_t accumulator_size = 6 * lanes;
 
@@ -129,12 +131,12 @@ struct Data {
   const MassFactor* mass_factors;  ///< of the bodies that name one
   const double* D;
   const double* e;  ///< compliance of each row
-  bool compliant;   ///< e is not zero in all rows of the core
+  bool compliant;   ///< e is not zero in all rows that are not dropped
   double* factors;
   double* accumulators;
   double* panels;
   double* updates;
-  double* scratch;   ///< 12 columns of the highest front
+  double* scratch;   ///< `scratch_columns` of the highest front
   double* pivots;    ///< of the widest front
   bool large;        ///< more than a core's own cache holds: worth to be prefetched
   double breakdown;  ///< relative pivot from which no elimination should go on

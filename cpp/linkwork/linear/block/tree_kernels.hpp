@@ -111,35 +111,18 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
   if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
 }
 
-#define LINKWORK_BY_ROWS(FUNCTION, ...) \
-  switch (step.rows) {                  \
-    case 0:                             \
-      FUNCTION<0>(__VA_ARGS__);         \
-      break;                            \
-    case 1:                             \
-      FUNCTION<1>(__VA_ARGS__);         \
-      break;                            \
-    case 2:                             \
-      FUNCTION<2>(__VA_ARGS__);         \
-      break;                            \
-    case 3:                             \
-      FUNCTION<3>(__VA_ARGS__);         \
-      break;                            \
-    case 4:                             \
-      FUNCTION<4>(__VA_ARGS__);         \
-      break;                            \
-    case 5:                             \
-      FUNCTION<5>(__VA_ARGS__);         \
-      break;                            \
-    default:                            \
-      FUNCTION<6>(__VA_ARGS__);         \
-  }
+/// Calls f with the number of rows of a joint, 0 to 6, as a constant.
+template <class Function>
+LINKWORK_INLINE void with_rows(int rows, const Function& f) {
+  if (rows == 0) f(std::integral_constant<int, 0>());
+  else with_count<6>(rows, f);
+}
 
 void factor_branches(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
   for (std::ptrdiff_t s = 0; s < data.step_count; ++s) {
     const TreeStep& step = data.steps[s];
     if (data.large && s + steps_ahead < data.step_count) prefetch_step(data.steps[s + steps_ahead], data);
-    LINKWORK_BY_ROWS(factor_step, step, data, a, b, smallest)
+    with_rows(step.rows, [&](auto rows) { factor_step<rows>(step, data, a, b, smallest); });
   }
 }
 
@@ -150,11 +133,9 @@ void backward_branches(const Data& data, double* x, double* lambda) {
       const TreeStep& ahead = data.steps[s - steps_ahead];
       prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
     }
-    LINKWORK_BY_ROWS(backward_step, step, data, x, lambda)
+    with_rows(step.rows, [&](auto rows) { backward_step<rows>(step, data, x, lambda); });
   }
 }
-
-#undef LINKWORK_BY_ROWS
 
 }  // namespace
 }  // namespace linkwork::block
