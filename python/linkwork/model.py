@@ -140,7 +140,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         who = f"bodies '{name}'" if isinstance(name, str) else "bodies"
         r = _numbers(position, [(None, 3)], who, "position")
         k = len(r)
-        names = self._named(name, "bodies", 0) if isinstance(name, str) else _names_of_all(who, name, k)
+        alike = isinstance(name, str)
+        names: str | list[str] = self._named(name, "bodies", 0) if alike else _names_of_all(who, name, k)
         m = _numbers(mass, [(), (k,)], who, "mass")
         J = _numbers(inertia, [(3,), (k, 3), (1, 3, 3), (k, 3, 3)], who, "inertia")
         J = J if J.ndim == 3 else J[..., None] * np.eye(3)
