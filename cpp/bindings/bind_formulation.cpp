@@ -1,6 +1,6 @@
 #include "bindings.hpp"
+#include "linkwork/constraints/initial_conditions.hpp"
 #include "linkwork/formulation/dynamics.hpp"
-#include "linkwork/formulation/initial_conditions.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/instruction_set.hpp"

@@ -2,7 +2,7 @@
 
 #include <Eigen/SVD>
 
-#include "linkwork/formulation/rank.hpp"
+#include "linkwork/constraints/rank.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
 #include "support.hpp"
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "linkwork/formulation/dropped_rows.hpp"
+#include "linkwork/constraints/dropped_rows.hpp"
+#include "linkwork/constraints/minimum_norm.hpp"
+#include "linkwork/constraints/rank.hpp"
 #include "linkwork/formulation/formulation.hpp"
-#include "linkwork/formulation/minimum_norm.hpp"
-#include "linkwork/formulation/rank.hpp"
 #include "linkwork/formulation/rank_tolerant.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
 #include "linkwork/formulation/stabilization.hpp"

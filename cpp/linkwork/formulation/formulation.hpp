@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwork/constraints/constrained_solver.hpp"
 #include "linkwork/formulation/options.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 
@@ -28,13 +29,12 @@ struct ConstraintRows {
 };
 
 /// How v_dot and lambda follow from M v_dot - D^T lambda = a, D v_dot = b at one evaluation.
-class Formulation {
+class Formulation : public ConstrainedSolver {
  public:
-  virtual ~Formulation() = default;
   virtual void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) = 0;
   virtual void factorize(const Evaluation& at) = 0;
   /// After factorize, for any number of right-hand sides.
-  virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) = 0;
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override = 0;
 
   virtual void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b,
                                    MutableVector v_dot, MutableVector lambda) {

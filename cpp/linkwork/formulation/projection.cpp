@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwork/formulation/displacement.hpp"
+#include "linkwork/constraints/displacement.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {

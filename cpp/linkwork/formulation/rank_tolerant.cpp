@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "linkwork/formulation/row_selection.hpp"
+#include "linkwork/constraints/row_selection.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {

@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "linkwork/formulation/dropped_rows.hpp"
+#include "linkwork/constraints/dropped_rows.hpp"
+#include "linkwork/constraints/metric_solver.hpp"
 #include "linkwork/formulation/formulation.hpp"
-#include "linkwork/formulation/metric_solver.hpp"
 
 namespace linkwork {
 

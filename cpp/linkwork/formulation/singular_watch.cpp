@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwork/formulation/constraint_kernel.hpp"
-#include "linkwork/formulation/row_selection.hpp"
+#include "linkwork/constraints/constraint_kernel.hpp"
+#include "linkwork/constraints/row_selection.hpp"
 
 namespace linkwork {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "linkwork/formulation/dropped_rows.hpp"
-#include "linkwork/formulation/loop_core.hpp"
-#include "linkwork/formulation/metric_solver.hpp"
+#include "linkwork/constraints/dropped_rows.hpp"
+#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/metric_solver.hpp"
 
 namespace linkwork {
 

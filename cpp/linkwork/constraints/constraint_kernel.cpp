@@ -1,4 +1,4 @@
-#include "linkwork/formulation/constraint_kernel.hpp"
+#include "linkwork/constraints/constraint_kernel.hpp"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "linkwork/formulation/minimum_norm.hpp"
+#include "linkwork/constraints/minimum_norm.hpp"
 
 namespace linkwork {
 namespace {
@@ -24,7 +24,7 @@ MinimumNorm::MinimumNorm(const System& system, const VectorXd& mobility, const D
 }
 
 /// lambda_ = w^1/2 N w_d^-1/2 omega.
-void MinimumNorm::multiply_N(const DroppedRows& dropped, Formulation& solver, const ConstVector& omega) {
+void MinimumNorm::multiply_N(const DroppedRows& dropped, ConstrainedSolver& solver, const ConstVector& omega) {
   work_ = scale_.cwiseProduct(omega);
   a_.setZero();
   b_.setZero();
@@ -35,7 +35,7 @@ void MinimumNorm::multiply_N(const DroppedRows& dropped, Formulation& solver, co
 }
 
 /// work_ = w_d^-1/2 N^T w^1/2 u.
-void MinimumNorm::multiply_N_transposed(const DroppedRows& dropped, Formulation& solver, const ConstVector& u) {
+void MinimumNorm::multiply_N_transposed(const DroppedRows& dropped, ConstrainedSolver& solver, const ConstVector& u) {
   a_.setZero();
   b_ = root_.cwiseProduct(u);
   dropped.gather(b_, u_d_);
@@ -45,7 +45,7 @@ void MinimumNorm::multiply_N_transposed(const DroppedRows& dropped, Formulation&
   work_ = scale_.cwiseProduct(u_d_ - work_);
 }
 
-void MinimumNorm::distribute(const DroppedRows& dropped, Formulation& solver, MutableVector lambda) {
+void MinimumNorm::distribute(const DroppedRows& dropped, ConstrainedSolver& solver, MutableVector lambda) {
   lambda.array() *= root_.array();
   multiply_N_transposed(dropped, solver, lambda);
   omega_.setZero();

@@ -1,4 +1,4 @@
-#include "linkwork/formulation/consistent_pose.hpp"
+#include "linkwork/constraints/consistent_pose.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
-#include "linkwork/formulation/rank.hpp"
+#include "linkwork/constraints/rank.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <memory>
 
-#include "linkwork/formulation/consistent_pose.hpp"
-#include "linkwork/formulation/constraint_kernel.hpp"
-#include "linkwork/formulation/loop_core.hpp"
-#include "linkwork/formulation/row_selection.hpp"
+#include "linkwork/constraints/consistent_pose.hpp"
+#include "linkwork/constraints/constraint_kernel.hpp"
+#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/row_selection.hpp"
 #include "linkwork/linear/column_rank.hpp"
 
 namespace linkwork {

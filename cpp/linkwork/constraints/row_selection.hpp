@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "linkwork/formulation/consistent_pose.hpp"
-#include "linkwork/formulation/loop_core.hpp"
-#include "linkwork/formulation/metric_solver.hpp"
+#include "linkwork/constraints/consistent_pose.hpp"
+#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/metric_solver.hpp"
 
 namespace linkwork {
 

@@ -1,4 +1,4 @@
-#include "linkwork/formulation/dropped_rows.hpp"
+#include "linkwork/constraints/dropped_rows.hpp"
 
 #include <algorithm>
 

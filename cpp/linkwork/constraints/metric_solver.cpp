@@ -1,4 +1,4 @@
-#include "linkwork/formulation/metric_solver.hpp"
+#include "linkwork/constraints/metric_solver.hpp"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,10 +1,10 @@
-#include "linkwork/formulation/row_selection.hpp"
+#include "linkwork/constraints/row_selection.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <numeric>
 
-#include "linkwork/formulation/constraint_kernel.hpp"
+#include "linkwork/constraints/constraint_kernel.hpp"
 #include "linkwork/linear/column_rank.hpp"
 
 namespace linkwork {

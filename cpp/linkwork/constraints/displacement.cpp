@@ -1,4 +1,4 @@
-#include "linkwork/formulation/displacement.hpp"
+#include "linkwork/constraints/displacement.hpp"
 
 #include <algorithm>
 

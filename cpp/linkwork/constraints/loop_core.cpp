@@ -1,4 +1,4 @@
-#include "linkwork/formulation/loop_core.hpp"
+#include "linkwork/constraints/loop_core.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,10 +1,10 @@
-#include "linkwork/formulation/initial_conditions.hpp"
+#include "linkwork/constraints/initial_conditions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "linkwork/formulation/displacement.hpp"
+#include "linkwork/constraints/displacement.hpp"
 #include "linkwork/math/rotation.hpp"
 
 namespace linkwork {

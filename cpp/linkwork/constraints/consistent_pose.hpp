@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "linkwork/formulation/loop_core.hpp"
-#include "linkwork/formulation/metric_solver.hpp"
+#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/metric_solver.hpp"
 
 namespace linkwork {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "linkwork/formulation/dropped_rows.hpp"
-#include "linkwork/formulation/formulation.hpp"
+#include "linkwork/constraints/constrained_solver.hpp"
+#include "linkwork/constraints/dropped_rows.hpp"
 
 namespace linkwork {
 
@@ -16,11 +16,11 @@ class MinimumNorm {
   MinimumNorm(const System& system, const VectorXd& mobility, const DroppedRows& dropped);
 
   /// Replaces `lambda`, a solution with zeros for the dropped rows, at the state that `solver` has factorized.
-  void distribute(const DroppedRows& dropped, Formulation& solver, MutableVector lambda);
+  void distribute(const DroppedRows& dropped, ConstrainedSolver& solver, MutableVector lambda);
 
  private:
-  void multiply_N(const DroppedRows& dropped, Formulation& solver, const ConstVector& omega);
-  void multiply_N_transposed(const DroppedRows& dropped, Formulation& solver, const ConstVector& u);
+  void multiply_N(const DroppedRows& dropped, ConstrainedSolver& solver, const ConstVector& omega);
+  void multiply_N_transposed(const DroppedRows& dropped, ConstrainedSolver& solver, const ConstVector& u);
 
   VectorXd root_;                        ///< w^1/2 of all rows
   VectorXd scale_;                       ///< w^-1/2 of the dropped ones

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "linkwork/formulation/metric_solver.hpp"
+#include "linkwork/constraints/metric_solver.hpp"
 
 namespace linkwork {
 
