@@ -75,7 +75,8 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
   for (const int row : redundant)
     if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
-  return near_rows(core, pose.D, rows, near).empty() ? rows : std::vector<int>();
+  const bool regular = rows.size() == redundant.size() && near_rows(core, pose.D, rows, near).empty();
+  return regular ? rows : std::vector<int>();
 }
 
 }  // namespace
