@@ -241,19 +241,33 @@ bool Dynamics::inspect(double pivot) {
   return false;
 }
 
+/// Takes the choice where it is one, and better than the present one.
+bool Dynamics::choose_rows(PoseExamination& found, double pivot) {
+  if (found.better_choice.empty()) return false;
+  const std::vector<int> before = dropped_.rows();
+  change_redundant_rows(std::move(found.better_choice));
+  if (root_of_pivot() < well_chosen * watch_.root_of_level()) {
+    change_redundant_rows(before);
+    return false;
+  }
+  watch_.change_rows(t_, pivot, std::move(found.joints));
+  return true;
+}
+
+bool Dynamics::improve_rows() {
+  if (dropped_.empty()) return false;
+  factorize();
+  const double pivot = formulation_->saddle().smallest_pivot();
+  PoseExamination found = examine_here(pivot);
+  if (!choose_rows(found, pivot)) return false;
+  watch_.forget_trend();
+  return true;
+}
+
 bool Dynamics::cross(const VectorXd& y, double pivot) {
   PoseExamination found =
       examine_pose(system_, t_, y.head(system_.q_size()), dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
-  if (found.rows.empty()) return false;
-  if (!found.better_choice.empty()) {
-    const std::vector<int> before = dropped_.rows();
-    change_redundant_rows(found.better_choice);
-    if (root_of_pivot() > well_chosen * watch_.root_of_level()) {
-      watch_.change_rows(t_, pivot, std::move(found.joints));
-      return false;
-    }
-    change_redundant_rows(before);
-  }
+  if (found.rows.empty() || choose_rows(found, pivot)) return false;
   watch_.cross(t_, pivot, std::move(found.joints));
   return true;
 }

@@ -20,6 +20,7 @@ constexpr double near = 0.3;             // of the usual root of the smallest pi
 constexpr double near_at_start = 0.02;   // the same before there is a usual one
 constexpr double steps_before = 15.0;    // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;          // least distance of nodes from the pose, relative to the leap
+constexpr double straight = 0.1;         // part of the gap between nodes by which a curve may correct a line
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double at_pose = 0.1;          // root of the pivot in the pose, part of the least at the nodes around it
@@ -149,6 +150,7 @@ double Crossing::best_length(double pose, double grid, double least, double most
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   const auto trend = dynamics_.watch().trend();
+  if (dynamics_.improve_rows()) return false;
   declined_ = trend ? trend->last.root : 0.0;
   Leap best;
   double badness = INFINITY;
@@ -303,6 +305,10 @@ double Crossing::place_of_pose() const {
     side = before;
     signed_root = x;
   }
+  if (side == 0 && root_[0] > root_[stages - 1]) {  // all ahead instead of all behind
+    side = stages;
+    signed_root = -root_;
+  }
   const int i = std::clamp(side - 1, 0, stages - 2);
   const double rate = slope(signed_root, i);
   if (!(rate > 0.0)) return NAN;
@@ -316,7 +322,7 @@ double Crossing::place_of_pose() const {
       if (j != k) weight *= signed_root[j] / (signed_root[j] - signed_root[k]);
     refined += weight * gauss_.c[k];
   }
-  return refined > gauss_.c[i] && refined < gauss_.c[i + 1] ? refined : place;
+  return std::abs(refined - place) < straight * (gauss_.c[i + 1] - gauss_.c[i]) ? refined : place;
 }
 
 /// Lists the pose where there was one.
