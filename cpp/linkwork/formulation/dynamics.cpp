@@ -14,12 +14,12 @@ constexpr int dense_rows = 32;       // up to this size a dense factorization is
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
-constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
+constexpr int timed_evaluations = 17;   // the first ones, then one in so many: not always the same stage of a step
 constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
-constexpr double well_chosen = 0.1;    // root of the smallest pivot, relative to the usual one
+constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
 constexpr int most_refinements = 20;
-constexpr double broken = -1.0;        // for a pivot of a factorization that broke down
-constexpr double diverged = 1e50;      // velocities of which nothing else is to blame for what follows
+constexpr double broken = -1.0;    // for a pivot of a factorization that broke down
+constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {

@@ -62,8 +62,8 @@ class Dynamics {
   /// At a pose that was stepped over, the state of the last evaluation: whether it is singular. It is listed then; and
   /// where it only seemed to be because the wrong redundant rows are left out, others are from here on.
   bool cross(const VectorXd& y, double pivot);
-  /// Where pivots are small: whether other redundant rows serve better at the present state; they are left out from here
-  /// on.
+  /// Where pivots are small: whether other redundant rows serve better at the present state; they are left out from
+  /// here on.
   bool improve_rows();
   void forget_trend() { watch_.forget_trend(); }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.

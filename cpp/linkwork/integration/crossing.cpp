@@ -13,14 +13,14 @@ namespace linkwork {
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
-constexpr double reach = 0.2;            // of a leap [rad]: what the fastest body of the loops turns
-constexpr double fastest = 0.8;          // the same for any body
-constexpr double least_part = 0.1;       // of that, for leaps over a motion that varies more
-constexpr double near = 0.3;             // of the usual root of the smallest pivot: farther, nothing is due
-constexpr double near_at_start = 0.02;   // the same before there is a usual one
-constexpr double steps_before = 15.0;    // so many steps before the pose a usual step is no longer taken
-constexpr double margin = 0.06;          // least distance of nodes from the pose, relative to the leap
-constexpr double straight = 0.1;         // part of the gap between nodes by which a curve may correct a line
+constexpr double reach = 0.2;           // of a leap [rad]: what the fastest body of the loops turns
+constexpr double fastest = 0.8;         // the same for any body
+constexpr double least_part = 0.1;      // of that, for leaps over a motion that varies more
+constexpr double near = 0.3;            // of the usual root of the smallest pivot: farther, nothing is due
+constexpr double near_at_start = 0.02;  // the same before there is a usual one
+constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
+constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
+constexpr double straight = 0.1;        // part of the gap between nodes by which a curve may correct a line
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double at_pose = 0.1;          // root of the pivot in the pose, part of the least at the nodes around it
@@ -163,7 +163,12 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
     for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
       leap_.h = best_length(pose, grid, least, most);
       const Quality quality = attempt();
-      if (std::getenv("LWDBG")) std::fprintf(stderr, "t %.6f L %.4e pose %.4e conv %d corr %.1e res %.1e en %.1e roots %.2e %.2e %.2e %.2e %.2e %.2e place %.3f\n", t, leap_.h, pose, quality.converged, quality.correction, quality.resolution, quality.energy, root_[0],root_[1],root_[2],root_[3],root_[4],root_[5], place_of_pose());
+      if (std::getenv("LWDBG"))
+        std::fprintf(stderr,
+                     "t %.6f L %.4e pose %.4e conv %d corr %.1e res %.1e en %.1e roots %.2e %.2e %.2e %.2e %.2e %.2e "
+                     "place %.3f\n",
+                     t, leap_.h, pose, quality.converged, quality.correction, quality.resolution, quality.energy,
+                     root_[0], root_[1], root_[2], root_[3], root_[4], root_[5], place_of_pose());
       double place = pose / leap_.h;
       if (quality.converged) {
         place = place_of_pose();
@@ -283,12 +288,12 @@ void Crossing::finish(Quality& quality) {
   const VectorXd rest = leap_.k * gauss_.last_coefficient();
   quality.correction = correction_;
   quality.resolution = leap_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
-  quality.energy = std::abs(energy(y_new) - energy_before_) /
-                   std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
+  quality.energy =
+      std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
 }
 
-/// Where the roots of the pivots, with the sign of the side, pass through zero, relative to the leap: the signs are those
-/// with which they bend least. It may be outside; NaN where they do not come to zero nearby.
+/// Where the roots of the pivots, with the sign of the side, pass through zero, relative to the leap: the signs are
+/// those with which they bend least. It may be outside; NaN where they do not come to zero nearby.
 double Crossing::place_of_pose() const {
   using Weights = GaussCollocation::Weights;
   const auto slope = [&](const Weights& x, int i) { return (x[i + 1] - x[i]) / (gauss_.c[i + 1] - gauss_.c[i]); };

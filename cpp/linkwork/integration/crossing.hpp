@@ -26,9 +26,9 @@ struct Leap {
 /// accelerations wrong by delta / sigma, sigma the smallest singular value, and the stages of explicit steps violate
 /// them by about h^2. On the branch itself the motion is smooth. So the pose is foreseen from the smallest pivot, which
 /// falls like the square of the time to it, and taken in one leap by Gauss collocation whose nodes stand on the
-/// constraints, Phi = 0 and D v + Phi_t = 0, and around the pose: none nearer than about an eighth of the leap. The leap
-/// has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the errors that
-/// roundoff makes grow with 1 / sigma^2.
+/// constraints, Phi = 0 and D v + Phi_t = 0, and around the pose: none nearer than about an eighth of the leap. The
+/// leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the errors
+/// that roundoff makes grow with 1 / sigma^2.
 class Crossing final : public Interpolant {
  public:
   explicit Crossing(Dynamics& dynamics);
@@ -38,8 +38,8 @@ class Crossing final : public Interpolant {
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() { fresh_ = true; }
 
-  /// Tries to leap from (t, y) over the pose that is due, to t + k `grid`, k whole, or anywhere where that is 0, but not
-  /// beyond t + `most`. Leaves `dynamics` evaluated somewhere else.
+  /// Tries to leap from (t, y) over the pose that is due, to t + k `grid`, k whole, or anywhere where that is 0, but
+  /// not beyond t + `most`. Leaves `dynamics` evaluated somewhere else.
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
 
   const Leap& last() const { return leap_; }
@@ -85,8 +85,8 @@ class Crossing final : public Interpolant {
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool fresh_ = true;           ///< no step was looked at yet
-  double declined_ = 0.0;       ///< root of the pivot at which there was nothing to leap over
+  bool fresh_ = true;      ///< no step was looked at yet
+  double declined_ = 0.0;  ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
   double correction_ = 0.0;

@@ -97,8 +97,7 @@ const std::vector<EventWatch::Found>& EventWatch::scan(const Interpolant& step, 
   return found_;
 }
 
-void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from,
-                            double to) {
+void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to) {
   for (std::size_t k = 0; k < events_.size(); ++k) {
     const auto at = [&](double theta) {
       step.interpolate(system, theta, state_);

@@ -62,7 +62,7 @@ class EventWatch {
   void start(double t, const VectorXd& y);
   /// The same after an event that has changed the state at t from `before` to y.
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened);
-  /// The events of the step from t to t + h in order of time, none after the first that ends the step. 
+  /// The events of the step from t to t + h in order of time, none after the first that ends the step.
   const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h);
 
  private:
