@@ -20,6 +20,7 @@ constexpr double near = 0.3;            // of the usual root of the smallest piv
 constexpr double near_at_start = 0.02;  // the same before there is a usual one
 constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
+constexpr double stepped_over = 0.9;     // of the usual root: a step passed a pose only if its least is below
 constexpr double straight = 0.1;        // part of the gap between nodes by which a curve may correct a line
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
@@ -330,20 +331,82 @@ double Crossing::place_of_pose() const {
   return std::abs(refined - place) < straight * (gauss_.c[i + 1] - gauss_.c[i]) ? refined : place;
 }
 
+/// The root of the smallest pivot, 0 where the matrix has no factorization.
+double Crossing::root_at(double t, const VectorXd& y) {
+  const Unwatched unwatched(dynamics_);
+  try {
+    dynamics_.evaluate(t, y);
+    dynamics_.factorize();
+  } catch (const SingularSystemError&) {
+    return 0.0;
+  }
+  return dynamics_.root_of_pivot();
+}
+
 /// Lists the pose where there was one.
 void Crossing::report() {
   const double place = place_of_pose();
   if (!(place >= 0.0 && place <= 1.0)) return;
   interpolate(dynamics_.system(), place, y_);
-  const Unwatched unwatched(dynamics_);
-  double root = 0.0;
-  try {
-    dynamics_.evaluate(leap_.t + place * leap_.h, y_);
-    dynamics_.factorize();
-    root = dynamics_.root_of_pivot();
-  } catch (const SingularSystemError&) {
+  const double root = root_at(leap_.t + place * leap_.h, y_);
+  if (root > at_pose * root_.minCoeff()) return;
+  if (leap_.t + place * leap_.h > last_listed_) dynamics_.cross(y_, root * root);
+  last_listed_ = leap_.end();
+}
+
+// The least of the pivots of this step and the one before it has neighbors on both sides: between it and one of them the
+// roots change their sign, where there is a pose.
+bool Crossing::look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new) {
+  if (!prepared_) return false;
+  const bool follows = before_.t_new == t && before_.t < t;
+  const auto samples = dynamics_.watch().samples(follows ? before_.t : t, t_new);
+  const auto least = std::min_element(samples.begin(), samples.end(),
+                                      [](const auto& a, const auto& b) { return a.root < b.root; });
+  bool evaluated = false;
+  if (samples.size() > 2 && least != samples.begin() && least + 1 != samples.end() &&
+      least->root < stepped_over * dynamics_.watch().root_of_level()) {
+    const auto a = *(least - 1), b = *least, c = *(least + 1);
+    const Piece piece{t, t_new, y, y_new};
+    const auto search = [&](const auto& left, const auto& right) {
+      return find_between(left.t < t && follows ? before_ : piece, left, right);
+    };
+    evaluated = true;
+    if (a.root < c.root ? !search(a, b) : !search(b, c)) a.root < c.root ? search(b, c) : search(a, b);
   }
-  if (root <= at_pose * root_.minCoeff()) dynamics_.cross(y_, root * root);
+  before_ = {t, t_new, y, y_new};
+  return evaluated;
+}
+
+// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
+void Crossing::interpolate(const Piece& piece, double t, VectorXd& y) const {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  const double h = piece.t_new - piece.t, s = (t - piece.t) / h;
+  VectorXd rates(nq), rates_new(nq);
+  system.position_rates(piece.y.head(nq), piece.y.segment(nq, nv), rates);
+  system.position_rates(piece.y_new.head(nq), piece.y_new.segment(nq, nv), rates_new);
+  y = piece.y;
+  y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * piece.y.head(nq) + s * s * (3 - 2 * s) * piece.y_new.head(nq) +
+               h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
+  system.normalize(y.head(nq));
+}
+
+/// By the secant method; true where a pose was listed.
+bool Crossing::find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b) {
+  const double smallest = std::min(a.root, b.root);
+  for (int k = 0; k < 5; ++k) {
+    const double pose = a.t + (b.t - a.t) * a.root / (a.root + b.root);
+    if (pose <= last_listed_ || pose < piece.t || pose > piece.t_new) return false;
+    interpolate(piece, pose, y_);
+    const double root = root_at(pose, y_);
+    if (root <= at_pose * smallest) {
+      last_listed_ = b.t;
+      return dynamics_.cross(y_, root * root);
+    }
+    if (root > 0.7 * smallest) return false;
+    (a.root / (pose - a.t) > b.root / (b.t - pose) ? a : b) = {pose, root};
+  }
+  return false;
 }
 
 void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {

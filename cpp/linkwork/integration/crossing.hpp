@@ -42,6 +42,10 @@ class Crossing final : public Interpolant {
   /// not beyond t + `most`. Leaves `dynamics` evaluated somewhere else.
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
 
+  /// After a usual step from (t, y) to (t_new, y_new): lists a pose that it stepped over. True where `dynamics` was
+  /// evaluated somewhere else.
+  bool look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new);
+
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.h; }
   /// The state in the last leap, with unit Euler parameters.
@@ -52,6 +56,11 @@ class Crossing final : public Interpolant {
  private:
   static constexpr int stages = GaussCollocation::stages;
 
+  /// A usual step.
+  struct Piece {
+    double t = 0.0, t_new = 0.0;
+    VectorXd y, y_new;
+  };
   struct Quality {
     bool converged = false;
     double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
@@ -76,6 +85,9 @@ class Crossing final : public Interpolant {
   double best_length(double pose, double grid, double least, double most) const;
   double place_of_pose() const;
   void report();
+  double root_at(double t, const VectorXd& y);
+  void interpolate(const Piece& piece, double t, VectorXd& y) const;
+  bool find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b);
   double rate(const Eigen::Matrix<double, 6, 1>& v) const;
   double size(const ConstVector& velocities) const;
 
@@ -89,6 +101,8 @@ class Crossing final : public Interpolant {
   double declined_ = 0.0;  ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
+  Piece before_;                 ///< the last usual step
+  double last_listed_ = -INFINITY;  ///< no pose before is listed any more
   double correction_ = 0.0;
   double energy_before_ = 0.0;
   VectorXd y_, v_dot_, rates_, rates_before_;
