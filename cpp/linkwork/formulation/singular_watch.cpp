@@ -95,6 +95,8 @@ PoseExamination examine_pose(const System& given, double t, const VectorXd& q, c
   out.rows = near_rows(core, pose.D, redundant, near);
   if (out.rows.empty()) return out;
   out.joints = involved_joints(solver, core, pose.at, redundant, out.rows);
+  out.singular = dependent_rows(pose.D, near).size() + kept_places(core, redundant).size() >
+                 static_cast<std::size_t>(core.row_count());
   out.better_choice = choose_here(solver, core, pose, redundant, near);
   return out;
 }
