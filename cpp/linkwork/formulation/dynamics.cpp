@@ -245,8 +245,11 @@ bool Dynamics::inspect(double pivot) {
 bool Dynamics::choose_rows(PoseExamination& found, double pivot) {
   if (found.better_choice.empty()) return false;
   const std::vector<int> before = dropped_.rows();
-  change_redundant_rows(std::move(found.better_choice));
-  if (root_of_pivot() < well_chosen * watch_.root_of_level()) {
+  try {
+    change_redundant_rows(std::move(found.better_choice));
+  } catch (const SingularSystemError&) {
+  }
+  if (!(root_of_pivot() >= well_chosen * watch_.root_of_level())) {
     change_redundant_rows(before);
     return false;
   }

@@ -18,6 +18,7 @@ constexpr double fastest = 0.8;         // the same for any body
 constexpr double least_part = 0.1;      // of that, for leaps over a motion that varies more
 constexpr double near = 0.3;            // of the usual root of the smallest pivot: farther, nothing is due
 constexpr double near_at_start = 0.02;  // the same before there is a usual one
+constexpr double in_pose = 1e-3;        // at the start: nearer, and only a leap leads out of it
 constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
 constexpr double stepped_over = 0.9;    // of the usual root: a step passed a pose only if its least is below
@@ -107,17 +108,19 @@ double Crossing::foreseen(double t) const {
 /// Whether the first pivot is so small that the run may begin in a singular pose.
 bool Crossing::starts_near() {
   const Unwatched unwatched(dynamics_);
+  start_root_ = 0.0;
   try {
     dynamics_.factorize();
+    start_root_ = dynamics_.root_of_pivot();
   } catch (const SingularSystemError&) {
-    return true;
   }
-  return dynamics_.root_of_pivot() < near_at_start;
+  return start_root_ < near_at_start;
 }
 
 bool Crossing::due(double t, double h, const VectorXd& y) {
   if (!prepared_) return false;
-  if (std::exchange(fresh_, false) && starts_near()) return true;
+  starting_ = std::exchange(fresh_, false) && starts_near();
+  if (starting_) return true;
   const double tau = foreseen(t);
   if (!(tau >= -h && tau < INFINITY)) return false;
   const double root = dynamics_.watch().trend()->last.root;
@@ -152,17 +155,18 @@ double Crossing::best_length(double pose, double grid, double least, double most
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   const auto trend = dynamics_.watch().trend();
-  if (dynamics_.improve_rows()) return false;
+  if (!starting_ && dynamics_.improve_rows()) return false;
   declined_ = trend ? trend->last.root : 0.0;
   Leap best;
   double badness = INFINITY;
-  GaussCollocation::Weights root;
-  if (!trend) begin_in_pose(t, y);
+  bool any_converged = false;
+  GaussCollocation::Weights root = GaussCollocation::Weights::Zero();
+  if (starting_) begin_in_pose(t, y);
   {
     const Unwatched unwatched(dynamics_);
-    if (trend) begin(t, y);
+    if (!starting_) begin(t, y);
     const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-    double pose = trend ? foreseen(t) : 0.0, least = std::max({usual, 2.0 * pose, h});
+    double pose = starting_ ? 0.0 : foreseen(t), least = std::max({usual, 2.0 * pose, h});
     for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
       leap_.h = best_length(pose, grid, least, most);
       const Quality quality = attempt();
@@ -178,7 +182,8 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
         if (!(place > -0.5 && place < 1.5)) break;
         pose = place * leap_.h;
       }
-      if (!trend && quality.converged && quality.jump > no_branch) throw_no_branch(t);
+      any_converged = any_converged || quality.converged;
+      if (starting_ && quality.converged && quality.jump > no_branch) throw_no_branch(t);
       const bool beyond = place > 1.0 && leap_.h < most, clear = nearest_node(place) >= margin && !beyond;
       if ((quality.good() && clear) ||
           (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
@@ -191,6 +196,9 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
       else if (!quality.good()) least = std::max(0.6 * least, least_part * usual);
     }
   }
+  if (badness == INFINITY && starting_ && !any_converged && start_root_ < in_pose &&
+      size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0)
+    throw_no_branch(t);
   if (badness == INFINITY) return false;
   declined_ = 0.0;
   leap_ = std::move(best);

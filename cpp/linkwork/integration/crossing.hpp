@@ -101,8 +101,10 @@ class Crossing final : public Interpolant {
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool fresh_ = true;      ///< no step was looked at yet
-  double declined_ = 0.0;  ///< root of the pivot at which there was nothing to leap over
+  bool starting_ = false;    ///< the leap begins near the pose, not before it
+  bool fresh_ = true;        ///< no step was looked at yet
+  double start_root_ = 1.0;  ///< of the first pivot
+  double declined_ = 0.0;    ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
   Piece before_;                    ///< the last usual step
