@@ -33,6 +33,13 @@ class Entry:
     by_name: bool = False
 
 
+#: What stands in no list.
+UNKNOWN = Entry("noted", "element", "is not represented: it is not known here")
+
+#: What is in an element again that is in it once.
+AGAIN = Entry("noted", "element", "is there again: the first is taken")
+
+
 @dataclass(frozen=True)
 class Noted:
     """Not in the model, or in another way, which is said once a file."""
@@ -70,8 +77,10 @@ class Met:
 class Coverage:
     """The three lists of a format.
 
-    same    elements that mean the same in another place: their key there
-    inside  elements whose children are those of another one
+    same     elements that mean the same in another place: their key there
+    inside   elements whose children are those of another one
+    several  represented elements of which another element may have several; of others the first is taken, and
+             the rest noted; None: all of them
     """
 
     def __init__(
@@ -81,7 +90,9 @@ class Coverage:
         refused: Sequence[Refused] = (),
         same: Mapping[str, str] | None = None,
         inside: Mapping[str, str] | None = None,
+        several: str | None = None,
     ) -> None:
+        self._several = None if several is None else several.split()
         self._same, self._inside = same or {}, inside or {}
         self.entries: dict[str, Entry] = {}
         self.twice: list[str] = []  #: what stands in two lists, or twice in one
@@ -118,29 +129,44 @@ class Coverage:
         for attribute in node.attributes:
             if not attribute.startswith("xmlns"):
                 yield Met(node, attribute, f"{key}@{attribute}", self[f"{key}@{attribute}"])
+        seen: set[str] = set()
         for child in node.children:
-            yield from self.survey(child, self.key(key, child.tag))
+            inner = self.key(key, child.tag)
+            if inner in seen and self._is_single(inner):
+                yield Met(child, "", inner, AGAIN)
+                continue
+            seen.add(inner)
+            yield from self.survey(child, inner)
+
+    def _is_single(self, key: str) -> bool:
+        entry = self[key]
+        represented = entry is not None and entry.kind == "represented"
+        return represented and self._several is not None and key not in self._several
 
 
 def report(
     met: Iterable[Met], note: Callable[[str, str, str], None], refuse: Callable[[Node, str, str], None]
 ) -> None:
-    """Notes, one for each topic and for each name that is in no list, and refusals."""
+    """Notes and refusals: of the topic "element", and of what is in no list, one for each name, else one for each
+    topic."""
     topics: dict[tuple[str, str], Counter[str]] = {}
-    unknown: dict[str, list[int]] = {}
+    names: dict[tuple[str, str], list[int]] = {}
     for one in met:
-        if one.entry is None:
-            unknown.setdefault(one.label, []).append(one.node.line)
-        elif one.entry.kind == "refused" and not one.entry.by_name:
-            refuse(one.node, _who(one), one.entry.text)
-        elif one.entry.kind == "noted" and not one.entry.by_name:
-            topics.setdefault((one.entry.topic, one.entry.text), Counter())[one.label] += 1
+        entry = one.entry or UNKNOWN
+        if entry.by_name or entry.kind == "represented":
+            continue
+        if entry.kind == "refused":
+            refuse(one.node, _who(one), entry.text)
+        elif entry.topic == "element":
+            names.setdefault((one.label, entry.text), []).append(one.node.line)
+        else:
+            topics.setdefault((entry.topic, entry.text), Counter())[one.label] += 1
     for (topic, text), labels in topics.items():
         listed = ", ".join(f"{label} ({n})" if n > 1 else label for label, n in labels.items())
         note(topic, "model", f"{listed}: {text}")
-    for label, lines in unknown.items():
-        more = f" and {len(lines) - 1} others" if len(lines) > 1 else ""
-        note("element", label, f"in line {lines[0]}{more} is not represented")
+    for (label, text), lines in names.items():
+        more = f" and {len(lines) - 1} other places" if len(lines) > 1 else ""
+        note("element", label, f"in line {lines[0]}{more} {text}")
 
 
 def _who(met: Met) -> str:

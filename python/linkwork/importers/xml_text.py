@@ -43,6 +43,11 @@ class Node:
         return node.text.strip() if node is not None else None
 
 
+def is_true(text: str | None) -> bool:
+    """Of a bool in SDF."""
+    return text is not None and text.strip().lower() in ("1", "true")
+
+
 class Reader:
     """One XML file and the faults in it."""
 
