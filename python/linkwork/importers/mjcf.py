@@ -78,8 +78,8 @@ def _report(reader: Reader, description: Description) -> None:
         file = f"<{node.tag}> '{node.attributes.get('file', '')}'"
         description.note("unread", file, f"{reason}: what it has that is not represented is not listed")
 
-    for root in roots(reader, unread):
-        report(MJCF.survey(root), description.note, reader.add)
+    found = (met for root in roots(reader, unread) for met in MJCF.survey(root))
+    report(found, description.note, reader.add)
 
 
 def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
@@ -150,6 +150,8 @@ class _MujocoModel:
         inertial = from_quaternion(model.body_ipos[body], model.body_iquat[body])
         inertia = inertial.A @ np.diag(model.body_inertia[body]) @ inertial.A.T
         mass, weightless = float(model.body_mass[body]), float(model.body_gravcomp[body])
+        if is_disabled(model, "spring") and is_disabled(model, "damper"):
+            weightless = 0.0  # no passive force acts in MuJoCo then, this one neither
         return LinkDescription(name, mass, inertial.r, inertia, self._pose(body), weightless)
 
     def _pose(self, body: int) -> Frame:
