@@ -1,8 +1,8 @@
-"""The elements and attributes of formats as they are published: what MuJoCo prints of MJCF, the description files of SDF
-(Debian has them in the package sdformat-sdf), and lists of SDF and URDF in the folder robots.
+"""The elements and attributes of formats as they are published: what MuJoCo prints of MJCF, the description
+files of SDF (Debian has them in the package sdformat-sdf), and lists of SDF and URDF in the folder robots.
 
-A list has a line for each element, indented below the one that it is in, with its attributes. `+ FILE` stands for the
-element that another description file is about.
+A list has a line for each element, indented below the one that it is in, with its attributes. `+ FILE`
+stands for the element that another description file is about.
 """
 
 from __future__ import annotations

@@ -20,7 +20,9 @@ class State:
     """A random state of MuJoCo's model, first of its scalar joints, then of all."""
 
     def __init__(self, path: Path, rng: np.random.Generator, spread: float) -> None:
+        mujoco.set_mju_user_warning(lambda _: None)  # else it writes warnings to a file
         self.model = mujoco.MjModel.from_xml_path(str(path))
+        mujoco.set_mju_user_warning(None)
         for flag in LEFT_OUT:
             self.model.opt.disableflags |= int(getattr(mujoco.mjtDisableBit, f"mjDSBL_{flag}"))
         self.data = mujoco.MjData(self.model)
@@ -75,7 +77,9 @@ class State:
         out, flags = np.zeros(6), self.model.opt.disableflags
         mujoco.mj_objectAcceleration(self.model, self.data, mujoco.mjtObj.mjOBJ_BODY, body, out, 0)
         weightless = flags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
-        return out[3:] + (0.0 if weightless else self.model.opt.gravity), out[:3]  # theirs is against free fall
+        return out[3:] + (0.0 if weightless else self.model.opt.gravity), out[
+            :3
+        ]  # theirs is against free fall
 
     def body_of(self, name: str) -> int:
         """-1: it is no body of MuJoCo. A rotor of a free joint is with the joint's body."""
@@ -109,10 +113,16 @@ def largest_difference(path: Path, rng: np.random.Generator, spread: float = 1.0
         R, (velocity, omega) = data.xmat[body].reshape(3, 3), state.rates(body)
         q[k, :3], q[k, 3:] = data.xipos[body] + R @ arms[k], lw.rotation.from_matrix(R)
         v[k, :3], v[k, 3:] = velocity + np.cross(omega, R @ arms[k]), R.T @ omega
-    v_dot = lw.System(model.with_initial_state(q.ravel(), v.ravel())).accelerations(0.0, q.ravel(), v.ravel())[0]
+    v_dot = lw.System(model.with_initial_state(q.ravel(), v.ravel())).accelerations(
+        0.0, q.ravel(), v.ravel()
+    )[0]
     worst, scale = 0.0, 1.0
     for k, body in bodies.items():
-        R, (_, omega), (a, alpha) = data.xmat[body].reshape(3, 3), state.rates(body), state.accelerations(body)
+        R, (_, omega), (a, alpha) = (
+            data.xmat[body].reshape(3, 3),
+            state.rates(body),
+            state.accelerations(body),
+        )
         arm = R @ arms[k]
         theirs = np.concatenate([a + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm)), alpha])
         ours = v_dot.reshape(-1, 6)[k]

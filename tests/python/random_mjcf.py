@@ -1,4 +1,4 @@
-"""Random MJCF files: what reaches the model of MuJoCo from elements and attributes of many kinds, which ours must have."""
+"""Random MJCF files: elements and attributes of many kinds that reach MuJoCo's model, and must reach ours."""
 
 from __future__ import annotations
 
@@ -28,7 +28,16 @@ class RandomFile:
                 compiler += f' {attribute}="{value}"'
         flags = "".join(
             f' {flag}="disable"'
-            for flag in ("gravity", "spring", "damper", "constraint", "equality", "limit", "contact", "eulerdamp")
+            for flag in (
+                "gravity",
+                "spring",
+                "damper",
+                "constraint",
+                "equality",
+                "limit",
+                "contact",
+                "eulerdamp",
+            )
             if self._maybe(0.15)
         )
         return (
@@ -68,11 +77,16 @@ class RandomFile:
 
     def _defaults(self) -> str:
         joint = self._some(self._dynamics(), 0.2)
-        return (f'<default><joint{joint}/><default class="stiff"><joint stiffness="{self._positive()}" '
-                f'damping="{self._positive()}"/><geom density="{self._positive(1, 900)}"/></default></default>')  # fmt: skip
+        stiff = f'<joint stiffness="{self._positive()}" damping="{self._positive()}"/>'
+        geom = f'<geom density="{self._positive(1, 900)}"/>'
+        return f'<default><joint{joint}/><default class="stiff">{stiff}{geom}</default></default>'
 
     def _dynamics(self) -> list[tuple[str, str]]:
-        return [("damping", self._positive()), ("armature", self._positive(1, 0.1)), ("stiffness", self._positive())]
+        return [
+            ("damping", self._positive()),
+            ("armature", self._positive(1, 0.1)),
+            ("stiffness", self._positive()),
+        ]
 
     def _body(self, depth: int) -> str:
         self._count += 1
@@ -82,7 +96,9 @@ class RandomFile:
         inner = joints + self._inertia()
         children = int(self._rng.integers(0, 3)) if depth < 3 else 0
         inner += "".join(self._body(depth + 1) for _ in range(children))
-        body = f'<body name="{name}" pos="{self._numbers(3)}" {self._orientation()}{attributes}>{inner}</body>'
+        body = (
+            f'<body name="{name}" pos="{self._numbers(3)}" {self._orientation()}{attributes}>{inner}</body>'
+        )
         if self._maybe(0.2) and depth:
             return f'<frame pos="{self._numbers(3)}" {self._orientation()}>{body}</frame>'
         return body
@@ -98,8 +114,8 @@ class RandomFile:
             f'{self._numbers(3, 0.005)}"/>',
             "",
         )  # fmt: skip
-        mass = self._one(f'mass="{self._positive()}"', f'density="{self._positive(1, 500)}"',
-                         f'mass="{self._positive()}" shellinertia="true"' if "box" in shape else "")  # fmt: skip
+        shell = f'mass="{self._positive()}" shellinertia="true"' if "box" in shape else ""
+        mass = self._one(f'mass="{self._positive()}"', f'density="{self._positive(1, 500)}"', shell)
         return given + shape.format(mass)
 
     def _joints(self, name: str, depth: int) -> str:
@@ -109,13 +125,20 @@ class RandomFile:
             return ""
         if kind in ("free", "ball"):
             dynamics = self._some(self._dynamics()) if kind == "free" else self._some(self._dynamics()[::2])
-            place = f'{point} armature="0"' if kind == "ball" else ""  # that of a ball is noted, not represented
+            place = (
+                f'{point} armature="0"' if kind == "ball" else ""
+            )  # that of a ball is noted, not represented
             return f'<joint name="{name}" type="{kind}"{dynamics} {place}/>'
         if kind in ("hinge", "slide"):
-            return self._scalar(name, kind, f'{point} axis="{self._numbers(3)}"', self._some(self._dynamics()))
+            return self._scalar(
+                name, kind, f'{point} axis="{self._numbers(3)}"', self._some(self._dynamics())
+            )
         x, y, z = np.linalg.qr(self._rng.normal(size=(3, 3)))[0].T
-        axes = {"planar": ((x, "slide"), (y, "slide"), (z, "hinge")), "cylindrical": ((x, "slide"), (x, "hinge")),
-                "universal": ((x, "hinge"), (y, "hinge"))}[kind]  # fmt: skip
+        axes = {
+            "planar": ((x, "slide"), (y, "slide"), (z, "hinge")),
+            "cylindrical": ((x, "slide"), (x, "hinge")),
+            "universal": ((x, "hinge"), (y, "hinge")),
+        }[kind]
         joints = [
             self._scalar(f"{name}_{k}", type_, f'{point} axis="{" ".join(map(repr, axis.tolist()))}"',
                          ' damping="0" armature="0" stiffness="0"')

@@ -1,4 +1,4 @@
-"""Each element and attribute of a format is represented, noted or refused: the importers' lists against the formats."""
+"""Each element and attribute of a format is represented, noted or refused: the lists against the formats."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ FORMATS: dict[str, tuple[Coverage, Callable[[], Elements]]] = {
     "urdf": (URDF, lambda: expanded(read("urdf_elements.txt"), "urdf")),
 }
 
-#: What the lists have beyond the descriptions: MuJoCo does not print what it resolves before its schema applies; SDF
-#: from 1.10 on; a mimic's reference as in SDF, what ROS has beyond URDF.
+#: What the lists have beyond the descriptions: MuJoCo does not print what it resolves before its schema
+#: applies; SDF from 1.10 on; a mimic's reference as in SDF, what ROS has beyond URDF.
 BEYOND = {
     "mjcf": {"body/replicate"},
     "sdf": {"joint/screw_thread_pitch", "joint/axis/mimic", "link/inertial/density", "link/inertial@auto",
-            "link/inertial/auto_inertia_params/**", "link/inertial/fluid_added_mass/**", "joint/axis2/mimic/**",
-            "link/plugin/**", "plugin/**"},
+            "link/inertial/auto_inertia_params/**", "link/inertial/fluid_added_mass/**",
+            "joint/axis2/mimic/**", "link/plugin/**", "plugin/**"},
     "urdf": {"joint/mimic@reference", "link/sensor/**", "link/contact/**", "link/collision_checking/**"},
 }  # fmt: skip
 
@@ -55,7 +55,11 @@ def test_a_new_element_or_attribute_would_be_found(name: str) -> None:
     root = next(path for path in there if len(path) == 1)
     there[(*root, "ladder")] = {"rungs"}
     there[root] = there[root] | {"mood"}
-    assert {key for key in keys(coverage, there) if coverage[key] is None} == {"ladder", "ladder@rungs", "@mood"}
+    assert {key for key in keys(coverage, there) if coverage[key] is None} == {
+        "ladder",
+        "ladder@rungs",
+        "@mood",
+    }
 
 
 # --- what is met in files -----------------------------------------------------------------------------------
@@ -70,8 +74,8 @@ MJCF_FILE = f"""<mujoco>
 <custom><numeric name="n" data="1 2"/></custom>
 <asset><texture name="t" type="2d" builtin="flat" width="8" height="8"/></asset>
 <worldbody>
- <body name="a" user="3" sleep="init"><joint name="j" range="-1 1" limited="true" frictionloss="0.2" margin="0.1"
-   stiffness="3" springyield="0.4"/>{INERTIAL}<geom name="g" size="0.1" rgba="1 0 0 1"/></body>
+ <body name="a" user="3" sleep="init"><joint name="j" range="-1 1" limited="true" frictionloss="0.2"
+   margin="0.1" stiffness="3" springyield="0.4"/>{INERTIAL}<geom name="g" size="0.1" rgba="1 0 0 1"/></body>
  <body name="b" mocap="true" pos="3 0 0"><geom size="0.1"/></body>
  <site name="s" size="0.1"/>
 </worldbody>
@@ -89,17 +93,20 @@ SDF_FILE = f"""<sdf version="1.9"><world name="w"><physics name="p" type="ode"/>
 <link name="a"><kinematic>true</kinematic><velocity_decay/><visual name="v"/><collision name="c"/>
 <inertial><mass>2</mass><mass>3</mass><fluid_added_mass/></inertial><sensor name="s" type="imu"/></link>
 <link name="b"/>
-<joint name="j" type="universal"><parent>a</parent><child>b</child><physics/><sensor name="t" type="force_torque"/>
-<axis><xyz>1 0 0</xyz>{TORQUED}</axis><axis2><xyz>0 1 0</xyz>{TORQUED}</axis2></joint>
-<joint name="k" type="revolute"><parent>world</parent><child>a</child><axis><xyz>1 0 0</xyz><initial_position>1
-</initial_position>{TORQUED}</axis><axis2><xyz>0 1 0</xyz>{TORQUED}</axis2></joint>
+<joint name="j" type="universal"><parent>a</parent><child>b</child><physics/>
+<sensor name="t" type="force_torque"/><axis><xyz>1 0 0</xyz>{TORQUED}</axis>
+<axis2><xyz>0 1 0</xyz>{TORQUED}</axis2></joint>
+<joint name="k" type="revolute"><parent>world</parent><child>a</child><axis><xyz>1 0 0</xyz>
+<initial_position>1</initial_position>{TORQUED}</axis><axis2><xyz>0 1 0</xyz>{TORQUED}</axis2></joint>
 </model></world><light name="l" type="point"/></sdf>"""
 
-URDF_FILE = """<robot name="r" version="1.0"><material name="red"/><gazebo reference="a"/><transmission name="t"/>
-<link name="a"><visual/><collision/><contact/></link><link name="b"><inertial><mass value="1"/>
-<inertia ixx="1" iyy="1" izz="1"/></inertial><inertial><mass value="5"/></inertial></link>
-<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/><limit effort="3" velocity="2"/>
-<calibration rising="0"/><safety_controller k_velocity="1"/></joint></robot>"""
+URDF_FILE = """<robot name="r" version="1.0"><material name="red"/><gazebo reference="a"/>
+<transmission name="t"/><link name="a"><visual/><collision/><contact/></link>
+<link name="b"><inertial><mass value="1"/><inertia ixx="1"
+iyy="1" izz="1"/></inertial><inertial><mass value="5"/></inertial></link>
+<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+<limit effort="3" velocity="2"/><calibration rising="0"/><safety_controller k_velocity="1"/>
+</joint></robot>"""
 
 FILES = {"model.xml": (lw.import_mjcf, MJCF_FILE, MJCF), "model.sdf": (lw.import_sdf, SDF_FILE, SDF),
          "model.urdf": (lw.import_urdf, URDF_FILE, URDF)}  # fmt: skip
@@ -120,7 +127,8 @@ def test_what_is_noted_is_named(tmp_path: Path) -> None:
     path = tmp_path / "model.xml"
     path.write_text(MJCF_FILE)
     said = "\n".join(map(str, lw.import_mjcf(path).notes))
-    for words in ("<option> timestep", "<flag> multiccd", "<body> user", "<body> mocap", "<joint> springyield",
+    for words in ("<option> timestep", "<flag> multiccd", "<body> user", "<body> mocap",
+                  "<joint> springyield",
                   "<geom> rgba", "<keyframe>", "<sensor>", "<custom>", "<option> magnetic", "<lengthrange>",
                   "body 'a': and what it carries start asleep", "actuator 'm'", "limits -1 to 1",
                   "contact of 1 pairs"):  # fmt: skip
@@ -141,7 +149,9 @@ UNKNOWN = [
 
 
 @pytest.mark.parametrize(("name", "part", "by", "labels"), UNKNOWN)
-def test_what_no_list_has_is_noted_by_name(name: str, part: str, by: str, labels: set[str], tmp_path: Path) -> None:
+def test_what_no_list_has_is_noted_by_name(
+    name: str, part: str, by: str, labels: set[str], tmp_path: Path
+) -> None:
     """MuJoCo itself refuses what it does not know."""
     read_file, text, _ = FILES[name]
     path = tmp_path / name
@@ -157,15 +167,20 @@ def test_what_included_and_attached_files_have_is_noted(tmp_path: Path) -> None:
     arm = f'<mujoco><worldbody><body name="arm"><camera name="eye"/>{INERTIAL}</body></worldbody></mujoco>'
     (tmp_path / "arm.xml").write_text(arm)
     path = tmp_path / "model.xml"
-    path.write_text('<mujoco><include file="parts/more.xml"/>\n<asset><model name="arm" file="arm.xml"/></asset>'
-                    f'<worldbody><body name="a"><joint/>{INERTIAL}<attach model="arm" body="arm" prefix="x"/></body>'
+    attach = '<attach model="arm" body="arm" prefix="x"/>'
+    path.write_text('<mujoco><include file="parts/more.xml"/>\n<asset><model name="arm" file="arm.xml"/>'
+                    f'</asset><worldbody><body name="a"><joint/>{INERTIAL}{attach}</body>'
                     "</worldbody></mujoco>")  # fmt: skip
     notes = {note.topic: note.message for note in lw.import_mjcf(path).notes}
     assert notes["appearance"].startswith("<light>, <camera>:")
 
 
 REFUSED = [
-    ("<mass>2</mass>", "<mass>2</mass><pose relative_to='b'>1 0 0 0 0 0</pose>", "it is in the frame of the link"),
+    (
+        "<mass>2</mass>",
+        "<mass>2</mass><pose relative_to='b'>1 0 0 0 0 0</pose>",
+        "it is in the frame of the link",
+    ),
     ("<inertial>", "<inertial auto='true'>", "auto inertia is not taken"),
     ("<wind/>", "<population name='p'/>", "population.*write its models out"),
 ]

@@ -308,7 +308,7 @@ class _Builder:
         force = -link.weightless * link.mass * np.asarray(self._model.compiled().gravity)
         if force.any():
             at = self._side(name, Frame(r=link.center)).at
-            self._model.force(self._bodies[group.main], force=force, at=at, name=f"{name} lift")
+            self._model.force(self._bodies[group.main], force=force.tolist(), at=at, name=f"{name} lift")
 
     def add_joint(self, joint: JointDescription) -> None:
         a, b = self._side(joint.parent, joint.in_parent), self._side(joint.child, joint.in_child)

@@ -8,8 +8,8 @@ The lists of a format are a module of their own (mjcf_coverage, sdf_coverage, ur
     link > gravity pose     elements in it
     visual/**               the element and all that is in it
 
-Elements are named by what they are in, without the root. What stands in none of the lists is noted by name when it
-is met in a file.
+Elements are named by what they are in, without the root. What stands in none of the lists is noted by name
+when it is met in a file.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 from linkwork.importers.xml_text import Node
 
-__all__ = ["Coverage", "Entry", "Met", "Noted", "Refused"]
+__all__ = ["Coverage", "Entry", "Met", "Noted", "Refused", "report"]
 
 
 @dataclass(frozen=True)
@@ -147,8 +147,7 @@ class Coverage:
 def report(
     met: Iterable[Met], note: Callable[[str, str, str], None], refuse: Callable[[Node, str, str], None]
 ) -> None:
-    """Notes and refusals: of the topic "element", and of what is in no list, one for each name, else one for each
-    topic."""
+    """Notes and refusals: one for each topic; of "element", and of what is in no list, one for each name."""
     topics: dict[tuple[str, str], Counter[str]] = {}
     names: dict[tuple[str, str], list[int]] = {}
     for one in met:

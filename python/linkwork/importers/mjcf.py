@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from linkwork.errors import Fault, LinkworkError, ModelFileError
 from linkwork.importers.building import Options, build
+from linkwork.importers.coverage import report
 from linkwork.importers.description import (
     WORLD,
     Coupling,
@@ -21,7 +22,6 @@ from linkwork.importers.description import (
     LinkDescription,
     Motion,
 )
-from linkwork.importers.coverage import report
 from linkwork.importers.frames import Frame, from_quaternion
 from linkwork.importers.mjcf_coverage import MJCF
 from linkwork.importers.mjcf_dynamics import JointDynamics, is_disabled
@@ -46,10 +46,10 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
 
     Not represented, and listed in the notes: limits, contact, actuators (but for their damping and armature),
-    joint equalities that are not linear, and what else linkwork.importers.mjcf_coverage lists. Needs the package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses,
-    tendons, deformable bodies, plugins that act on bodies, joints that cannot be combined, moving bodies without
-    inertia. ModelError: wrong coordinates.
-    LinkworkError: no mujoco package.
+    joint equalities that are not linear, and what else linkwork.importers.mjcf_coverage lists. Needs the
+    package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, deformable
+    bodies, plugins that act on bodies, joints that cannot be combined, moving bodies without inertia.
+    ModelError: wrong coordinates. LinkworkError: no mujoco package.
     """
     reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
     model, warnings = _compiled(path)
@@ -161,7 +161,7 @@ class _MujocoModel:
     # --- joints of the tree ---
 
     def _joints_of(self, body: int, out: Description) -> Iterator[JointDescription]:
-        """What carries a body: a fixed joint, or one joint for all that the file has. Nothing carries a free one."""
+        """What carries a body: a fixed joint, or one for all in the file; nothing carries a free one."""
         model, name = self._model, self._body_name(body)
         parent, pose = self._body_name(int(model.body_parentid[body])), self._pose(body)
         joints = range(model.body_jntadr[body], model.body_jntadr[body] + max(model.body_jntnum[body], 0))
@@ -198,9 +198,9 @@ class _MujocoModel:
         self._note_limits(joints, labels, out)
         yield joint
 
-    # The six coordinates of a free joint are those of the velocity of the body's origin, inertial, and of its
-    # angular velocity, in body axes; each has the same armature a, T = a |v|^2 / 2 + a |omega|^2 / 2: that of a
-    # mass a in the origin with the inertia a about all axes, which gravity does not pull.
+    # The rates of a free joint are the velocity v of the body's origin, inertial, and its angular velocity
+    # omega, in body axes. Each has the same armature a, T = a |v|^2 / 2 + a |omega|^2 / 2: that of a mass a
+    # in the origin with the inertia a about all axes, which gravity does not pull.
     def _free(self, k: int, name: str, pose: Frame, out: Description) -> Iterator[JointDescription]:
         """What acts on a free body; a joint that carries nothing."""
         label = self._name("joint", k)
@@ -210,8 +210,10 @@ class _MujocoModel:
         armature, joint.armature = joint.armature, 0.0
         if armature:
             rotor = f"{label} rotor"
-            self._links[rotor] = LinkDescription(rotor, armature, inertia=armature * np.eye(3), weightless=1.0)
-            text = f"its armature {armature:g} is the mass and inertia of the weightless body '{rotor}', fixed to it"
+            self._links[rotor] = LinkDescription(
+                rotor, armature, inertia=armature * np.eye(3), weightless=1.0
+            )
+            text = f"armature {armature:g} is that of the weightless body '{rotor}', fixed to its body"
             out.note("armature", f"joint '{label}'", text)
             yield JointDescription(f"{rotor} fixed", "fixed", name, rotor, Frame())
         if joint.damping or joint.stiffness or joint.friction:

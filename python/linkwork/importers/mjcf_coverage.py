@@ -20,8 +20,8 @@ REPRESENTED = """
     default/equality: active
 
     asset
-    asset/mesh: builtin class content_type face file inertia maxhullvert name normal params refpos refquat scale
-    asset/mesh @ smoothnormal texcoord vertex
+    asset/mesh: builtin class content_type face file inertia maxhullvert name normal params
+    asset/mesh @ refpos refquat scale smoothnormal texcoord vertex
     asset/mesh/plugin/**
     asset/model: content_type file name
 
@@ -132,12 +132,14 @@ NOTED = (
         option @ actuatorgroupdisable
         option/flag @ actuation
         body/joint @ actuatorfrclimited actuatorfrcrange
-        actuator/general @ actdim actearly actlimited actrange area bias biasprm biastype body cogging controller
-        actuator/general @ cranklength cranksite ctrllimited ctrlrange dampratio delay diameter dynprm dyntype
-        actuator/general @ ffrange force forcelimited forcerange fpmax fvmax gain gainprm gaintype group imax
+        actuator/general @ actdim actearly actlimited actrange area bias biasprm biastype
+        actuator/general @ body cogging controller cranklength cranksite ctrllimited ctrlrange dampratio delay
+        actuator/general @ diameter dynprm dyntype ffrange force forcelimited forcerange
+        actuator/general @ fpmax fvmax gain gainprm gaintype group imax
         actuator/general @ inductance inheritrange input instance interp ki kp kv lengthrange lmax lmin lugre
-        actuator/general @ motorconst nominal nsample plugin posrange range refsite resistance saturation scale
-        actuator/general @ site slewmax slidersite tausmooth tendon thermal timeconst user velrange vmax
+        actuator/general @ motorconst nominal nsample plugin posrange range refsite resistance
+        actuator/general @ saturation scale site slewmax slidersite tausmooth
+        actuator/general @ tendon thermal timeconst user velrange vmax
         actuator/general/config/**
         """,
         by_name=True,

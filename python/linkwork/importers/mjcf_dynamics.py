@@ -1,4 +1,4 @@
-"""What acts at the joints of a compiled MuJoCo model: springs, dampers, friction, rotors, and flags that disable them."""
+"""What acts at the joints of a compiled MuJoCo model: springs, dampers, friction, rotors."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ class JointDynamics:
         if is_disabled(model, "spring"):
             self.stiffness[:], self.bent_springs[:] = 0.0, False
         if is_disabled(model, "damper"):
-            self.damping[:], self.bent[:], self.lost_actuators = 0.0, False, []
+            self.damping[:], self.bent[:] = 0.0, False
         if is_disabled(model, "frictionloss", "constraint"):
             self.friction[:] = 0.0
 
-    # An actuator at a hinge or slide moves by gear times the joint's coordinate: damping and inertia of its own
+    # An actuator at a hinge or slide moves by gear times the joint's coordinate: its own damping and inertia
     # count gear^2 times.
     def _add_actuator(self, k: int) -> bool:
         """False: it has damping or inertia that cannot be at the joint."""

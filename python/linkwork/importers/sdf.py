@@ -156,11 +156,15 @@ class _SdfFile(RobotFile):
             self.note("inertial", who, "is missing: 1 kg and 1 kg m2, the defaults of SDF")
             return link
         if is_true(inertial.attributes.get("auto")):
-            reader.add(inertial, who, "auto inertia is not taken: it follows from shapes; give mass and inertia")
+            reader.add(
+                inertial, who, "auto inertia is not taken: it follows from shapes; give mass and inertia"
+            )
         pose = inertial.one("pose")
         for what in ("relative_to", "frame") if pose is not None else ():
             if pose is not None and pose.attributes.get(what):
-                reader.add(pose, f"{who} inertial pose", f"{what} is not taken: it is in the frame of the link")
+                reader.add(
+                    pose, f"{who} inertial pose", f"{what} is not taken: it is in the frame of the link"
+                )
         link.mass = reader.number(inertial, inertial.word("mass"), f"{who} mass", 1.0)
         inertia = inertial.one("inertia") or inertial
         set_inertia(link, reader, scope.own(inertial, who), inertia, inertia.word, INERTIA)

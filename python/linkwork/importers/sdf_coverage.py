@@ -39,13 +39,15 @@ NOTED = (
     Noted("physics", "", "joint/physics/**", by_name=True),
     Noted("sensor", "", "joint/sensor/**", by_name=True),
     Noted("limits", "",
-          "joint/axis/limit\njoint/axis/limit > lower upper effort velocity stiffness dissipation", by_name=True),
+          "joint/axis/limit\njoint/axis/limit > lower upper effort velocity stiffness dissipation",
+          by_name=True),
     Noted("axis2", "", "joint/axis2/dynamics/**\njoint/axis2/limit/**\njoint/axis2/mimic/**", by_name=True),
     Noted("element", "is not represented: joints start where the poses put them",
           "joint/axis/initial_position\njoint/axis2/initial_position"),
-    Noted("element", "is not represented: the link moves as forces make it", "link > kinematic must_be_base_link"),
+    Noted("element", "is not represented: the link moves as forces make it",
+          "link > kinematic must_be_base_link"),
     Noted("element", "is not represented: there is no resistance of the medium",
-          "link/velocity_decay/**\nlink > enable_wind\nmodel > enable_wind\nworld/wind/**\nworld/atmosphere/**"),
+          "link/velocity_decay/**\nlink > enable_wind\nmodel > enable_wind\nworld > wind/** atmosphere/**"),
     Noted("element", "is not represented: there is no contact", "link > self_collide\nmodel > self_collide"),
     Noted("element", "is not represented: the state of a run is not taken", "world/state/**"),
     Noted("element", "is not represented: the choice of method is that of the run",
@@ -87,7 +89,9 @@ NOTED = (
 
 REFUSED = (
     Refused("is not taken: write its models out", "world/population/**"),
-    Refused("", "include @ merge\nlink/inertial @ auto\nlink/inertial/pose @ frame relative_to", by_name=True),
+    Refused(
+        "", "include @ merge\nlink/inertial @ auto\nlink/inertial/pose @ frame relative_to", by_name=True
+    ),
 )
 
 SDF = Coverage(

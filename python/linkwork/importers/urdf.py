@@ -164,7 +164,9 @@ class _Robot(RobotFile):
             return
         lower, upper = (self._reader.number(limit, limit.attributes.get(end), f"{who} limit {end}", 0.0)
                         for end in ("lower", "upper"))  # fmt: skip
-        found = [f"{what} {text}" for what, text in limit.attributes.items() if what not in ("lower", "upper")]
+        found = [
+            f"{what} {text}" for what, text in limit.attributes.items() if what not in ("lower", "upper")
+        ]
         if type_ in ("revolute", "prismatic") and (lower or upper):
             found.insert(0, f"{lower:g} to {upper:g} {'rad' if type_ == 'revolute' else 'm'}")
         if found:

@@ -23,17 +23,19 @@ REPRESENTED = """
 NOTED = (
     Noted("visual", "", "link/visual/**", by_name=True),
     Noted("collision", "", "link/collision/**", by_name=True),
-    Noted("limits", "", "joint/limit: lower upper effort velocity acceleration deceleration jerk", by_name=True),
+    Noted(
+        "limits", "", "joint/limit: lower upper effort velocity acceleration deceleration jerk", by_name=True
+    ),
     Noted("calibration", "", "joint/calibration/**", by_name=True),
     Noted("safety_controller", "", "joint/safety_controller/**", by_name=True),
     Noted("element", "is not represented", "material/**\ntransmission/**\nsensor/**\nlink/sensor/**"),
     Noted("element", "is not represented: what it changes in Gazebo stays as it is", "gazebo/**"),
-    Noted("element", "is not represented: there is no contact", "link/contact/**\nlink/collision_checking/**"),
+    Noted(
+        "element", "is not represented: there is no contact", "link/contact/**\nlink/collision_checking/**"
+    ),
 )
 
-REFUSED = (
-    Refused("", "link/inertial/origin @ quat_xyzw\njoint/origin @ quat_xyzw", by_name=True),
-)
+REFUSED = (Refused("", "link/inertial/origin @ quat_xyzw\njoint/origin @ quat_xyzw", by_name=True),)
 
 URDF = Coverage(
     REPRESENTED,
