@@ -463,6 +463,19 @@ class ForceMethods:
     ) -> Force:
         """Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u [N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / 2 [N s^2/m^2]. Nothing acts on a."""
 
+    def linear_damping(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        damping: TimeFunctionLike = 0.0,
+        rotational_damping: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Linear damping of all relative motion: the force on the point of b is -c u [N], u the velocity of that point as seen from a [m/s] and `damping` c [N s/m]; the torque on b is -C w [N m], w the angular velocity of b against a [rad/s] and `rotational_damping` C [N m s/rad]. Both act back on a, at the point of b."""
+
     def sphere_plane_contact(
         self,
         a: BodyLike,

@@ -9,7 +9,7 @@ from pathlib import Path, PurePosixPath
 from urllib.parse import unquote, urlsplit
 
 from linkwork.errors import FileError
-from linkwork.importers.xml_text import Node, Reader
+from linkwork.importers.xml_text import Node, Reader, is_true
 
 #: The most includes in all: of files that include the next one twice each, there are soon too many.
 MOST = 10_000
@@ -62,7 +62,7 @@ class Library:
         uri = node.word("uri") or ""
         self.models += 1
         try:
-            if node.attributes.get("merge") in ("1", "true"):
+            if is_true(node.attributes.get("merge")):
                 raise _refused(
                     "is to be merged, which is not taken: leave merge out; names get a prefix then"
                 )
