@@ -53,6 +53,8 @@ class Dynamics {
   void remember(const std::vector<double>& memory);
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
+  /// Where there are joints.
+  const FilledInertia& inertia() const { return *inertia_; }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.
   bool taken_over() const { return taken_over_; }
 
@@ -61,6 +63,10 @@ class Dynamics {
   void evaluate(double t, const ConstVector& y, int stage = 1);
   /// Looks for values that are not finite in every evaluation from here on: a NotFiniteError names the first.
   void trace() { traces_ = true; }
+  /// Roundoff in solutions must not show where only relative errors of this size are tolerated.
+  void require_accuracy(double relative) {
+    if (system_.row_count() > 0) formulation_->require_accuracy(relative);
+  }
   /// Factorizes ahead of the first solution, which else does both.
   void factorize();
 
@@ -107,7 +113,7 @@ class Dynamics {
   void take_over();
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
-  void check_masses(const FormulationInfo& info) const;
+  void check_masses() const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
   void poll();
@@ -119,6 +125,7 @@ class Dynamics {
   StabilizationKind kind_;
   RankReport rank_;
   DroppedRows dropped_;
+  std::unique_ptr<FilledInertia> inertia_;  ///< where there are joints
   MinimumNorm minimum_norm_;
   std::unique_ptr<Formulation> formulation_;
   SingularWatch watch_;
