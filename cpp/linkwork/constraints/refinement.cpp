@@ -72,7 +72,8 @@ bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const Co
     system_->multiply_mass(p_, Mp_);
     const double curvature = p_.dot(Mp_);
     const double step = curvature > 0.0 ? r_1_.dot(p_) / curvature : INFINITY;
-    if (!(step > 0.0) || !std::isfinite(step)) return size_of(dx_) <= exact * size;
+    if (!std::isfinite(step)) return false;
+    if (!(step > 0.0)) return size_of(dx_) <= roundoff * size;  // nothing but roundoff is left
     dx_ = step * p_;
     x += dx_;
     lambda += step * p_lambda_;

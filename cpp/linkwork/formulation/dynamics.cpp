@@ -80,8 +80,8 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
   if (system_.row_count() == 0) return;
   inertia_ = std::make_unique<FilledInertia>(system_, at_);
-  const ConstraintRows rows{row_mobility(system_, at_), dropped_.rows(), inertia_.get()};
-  minimum_norm_ = MinimumNorm(system_, row_mobility(inertia_->system(), at_), dropped_);
+  const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
+  minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
   dropped_.take_out(at_);
   formulation_->analyze(system_, at_, rows);
   rank_needed_ = info.needs_full_rank;
@@ -232,8 +232,8 @@ bool Dynamics::inspect(double pivot) {
 void Dynamics::change_redundant_rows(std::vector<int> rows) {
   dropped_.put_back(at_);
   dropped_ = DroppedRows(system_, std::move(rows));
-  const ConstraintRows now{row_mobility(system_, at_), dropped_.rows(), inertia_.get()};
-  minimum_norm_ = MinimumNorm(system_, row_mobility(inertia_->system(), at_), dropped_);
+  const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
+  minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
   dropped_.take_out(at_);
   formulation_->analyze(system_, at_, now);
   formulation_->factorize(at_);
