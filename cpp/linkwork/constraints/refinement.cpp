@@ -10,7 +10,8 @@ namespace {
 // roundoff; from which on roundoff of factors leaves nothing after one more.
 constexpr double exact = 1e-14, roundoff = 1e-7, shrinking = 0.5;
 constexpr double second_order = 1e-8;
-constexpr int most_corrections = 30, most_accelerated = 100;
+constexpr double roundoff_of_residuals = 1e-8;  // after M^, which magnifies them where M hardly is
+constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
 
 }  // namespace
 
@@ -47,7 +48,7 @@ bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstV
     if (!std::isfinite(change)) return false;
     if (change > shrinking * last) {
       if (only_roundoff && change <= roundoff * size) return true;
-      return !only_roundoff && accelerate(at, a, b, x, lambda, nearby, size, change);
+      return !only_roundoff && accelerate(at, a, b, x, lambda, nearby, size);
     }
     last = change;
   }
@@ -55,32 +56,33 @@ bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstV
 }
 
 /// From a solution with r_2 = 0 but for roundoff: then r_1 . dx is the square of the residual in the norm of M^-1 on
-/// ker D, and every D^T lambda in r_1 is orthogonal to all directions.
+/// ker D, and every D^T lambda in r_1 is orthogonal to all directions. Ends where steps are nothing, or where residuals
+/// are roundoff and no longer shrink.
 bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                            MutableVector lambda, const Nearby& nearby, double size, double last) {
-  double square = 0.0;
+                            MutableVector lambda, const Nearby& nearby, double size) {
+  double square = 0.0, least = INFINITY;
+  int waiting = 0;
   p_.setZero();
   p_lambda_.setZero();
   for (int k = 0; k < most_accelerated; ++k) {
     find_residuals(at, a, b, x, lambda);
     nearby(r_1_, r_2_, dx_, dlambda_);
-    const double before = square;
+    const double residual = size_of(dx_), before = square;
     square = r_1_.dot(dx_);
     const double beta = before > 0.0 && square > 0.0 ? square / before : 0.0;
     p_ = dx_ + beta * p_;
     p_lambda_ = dlambda_ + beta * p_lambda_;
     system_->multiply_mass(p_, Mp_);
-    const double curvature = p_.dot(Mp_);
-    const double step = curvature > 0.0 ? r_1_.dot(p_) / curvature : INFINITY;
-    if (!std::isfinite(step)) return false;
-    if (!(step > 0.0)) return size_of(dx_) <= roundoff * size;  // nothing but roundoff is left
+    const double curvature = p_.dot(Mp_), descent = r_1_.dot(p_);
+    if (!(curvature > 0.0) || !(descent > 0.0)) return residual <= roundoff * size;
+    const double step = descent / curvature;
     dx_ = step * p_;
     x += dx_;
     lambda += step * p_lambda_;
-    const double change = size_of(dx_);
-    if (change <= exact * size || (change <= roundoff * size && change > shrinking * last)) return true;
     size = std::max(size, size_of(x));
-    last = change;
+    waiting = residual < shrinking * least ? 0 : waiting + 1;
+    least = std::min(least, residual);
+    if (size_of(dx_) <= exact * size || (waiting == patience && residual <= roundoff_of_residuals * size)) return true;
   }
   return false;
 }

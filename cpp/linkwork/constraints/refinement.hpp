@@ -43,7 +43,7 @@ class Refinement {
 
  private:
   bool accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                  MutableVector lambda, const Nearby& nearby, double size, double last);
+                  MutableVector lambda, const Nearby& nearby, double size);
   void find_residuals(const Evaluation& at, const ConstVector& a, const ConstVector& b, const ConstVector& x,
                       const ConstVector& lambda);
   double size_of_body(const ConstVector& x, int body) const;
