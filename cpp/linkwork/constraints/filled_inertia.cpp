@@ -8,12 +8,12 @@ namespace linkwork {
 namespace {
 
 // Relative to the inertia of the body's other motions.
-constexpr double fill = 1e-5;        // what moments are filled up by: roundoff of 1e-10, and as few refinements
-constexpr double small = 1e-3;       // moments whose roundoff shows in any solution
-constexpr double roundoff = 4e-14;   // tolerance times moment from which on it shows in that tolerance
+constexpr double fill = 1e-5;       // what moments are filled up by: roundoff of 1e-10, and as few refinements
+constexpr double small = 1e-3;      // moments whose roundoff shows in any solution
+constexpr double roundoff = 4e-14;  // tolerance times moment from which on it shows in that tolerance
 constexpr double of_interest = 0.1;
-constexpr double felt = 1e-6;        // part of a row of D
-constexpr double massless = 1e-14;   // as in System
+constexpr double felt = 1e-6;       // part of a row of D
+constexpr double massless = 1e-14;  // as in System
 
 /// Mass and inertia that are typical of a body, though some of its own may vanish: m l^2 counts as inertia and J / l^2
 /// as mass, with l the longest way from its center of mass to a joint.
@@ -147,8 +147,6 @@ FilledInertia::FilledInertia(const System& system, const Evaluation& typical) : 
   if (!bodies.empty()) filled_ = std::make_unique<System>(system.model().with_masses(bodies));
 }
 
-bool FilledInertia::shows(double accuracy) const {
-  return smallest_ < small || smallest_ * accuracy < roundoff;
-}
+bool FilledInertia::shows(double accuracy) const { return smallest_ < small || smallest_ * accuracy < roundoff; }
 
 }  // namespace linkwork

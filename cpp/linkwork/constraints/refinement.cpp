@@ -7,10 +7,10 @@ namespace linkwork {
 namespace {
 
 // Corrections, relative to the size of the solution: where they are nothing, and where those that no longer shrink are
-// roundoff; from which on roundoff of factors leaves nothing after one more.
+// roundoff; what the first one may be where factors are good, because the second is the square of it.
 constexpr double exact = 1e-14, roundoff = 1e-7, shrinking = 0.5;
 constexpr double second_order = 1e-8;
-constexpr double roundoff_of_residuals = 1e-8;  // after M^, which magnifies them where M hardly is
+constexpr double slow = 0.1;  // conjugate gradients need fewer
 constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
 
 }  // namespace
@@ -38,19 +38,19 @@ void Refinement::correct(const Evaluation& at, const ConstVector& a, const Const
 }
 
 bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                        MutableVector lambda, const Nearby& nearby, bool only_roundoff, double least_size) {
+                        MutableVector lambda, const Nearby& nearby, Cause cause, double least_size) {
+  const bool inertia = cause == Cause::inertia;
   const double free = size_of_free_motion(a);
-  double last = INFINITY;
+  double last = INFINITY, enough = cause == Cause::roundoff ? second_order : exact;
   for (int k = 0; k < most_corrections; ++k) {
     correct(at, a, b, x, lambda, nearby);
     const double size = std::max(size_of(x) + free, least_size), change = size_of(dx_);
-    if (change <= (only_roundoff ? second_order : exact) * size) return true;
+    if (change <= enough * size) return true;
     if (!std::isfinite(change)) return false;
-    if (change > shrinking * last) {
-      if (only_roundoff && change <= roundoff * size) return true;
-      return !only_roundoff && accelerate(at, a, b, x, lambda, nearby, size);
-    }
+    if (inertia && change > slow * last) return accelerate(at, a, b, x, lambda, nearby, size);
+    if (!inertia && change > shrinking * last && change <= roundoff * size) return true;
     last = change;
+    enough = exact;
   }
   return false;
 }
@@ -82,7 +82,7 @@ bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const Co
     size = std::max(size, size_of(x));
     waiting = residual < shrinking * least ? 0 : waiting + 1;
     least = std::min(least, residual);
-    if (size_of(dx_) <= exact * size || (waiting == patience && residual <= roundoff_of_residuals * size)) return true;
+    if (size_of(dx_) <= exact * size || (waiting == patience && residual <= roundoff * size)) return true;
   }
   return false;
 }

@@ -20,8 +20,7 @@ namespace linkwork {
 class Refinement {
  public:
   /// Solves for the nearby matrix.
-  using Nearby =
-      std::function<void(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda)>;
+  using Nearby = std::function<void(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda)>;
 
   Refinement() = default;
   /// `lengths`, one per body, make rotations comparable with translations; `refine` needs them.
@@ -33,10 +32,13 @@ class Refinement {
   const VectorXd& r_2() const { return r_2_; }  ///< before the last correction
   const VectorXd& dx() const { return dx_; }    ///< the last correction
 
-  /// Corrections until they are roundoff: of `x` and M^-1 a, or of `least_size` where these are smaller, in m/s^2. Where
-  /// only roundoff is `nearby`, one is mostly enough. False: they do not converge.
+  /// What makes nearby solutions inexact: other inertias, roundoff alone, or roundoff near a singular pose.
+  enum class Cause { inertia, roundoff, singular_pose };
+
+  /// Corrections until they are roundoff: of `x` and M^-1 a, or of `least_size` where these are smaller, in m/s^2. Only
+  /// other inertias may be so far away that it takes conjugate gradients. False: they do not converge.
   bool refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda,
-              const Nearby& nearby, bool only_roundoff, double least_size = 0.0);
+              const Nearby& nearby, Cause cause, double least_size = 0.0);
 
   /// The body that the last correction changed most.
   int least_certain_body() const;

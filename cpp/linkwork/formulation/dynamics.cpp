@@ -17,8 +17,8 @@ constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
 constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
 constexpr int most_refinements = 20;
-constexpr double broken = -1.0;        // for a pivot of a factorization that broke down
-constexpr double diverged = 1e50;      // velocities of which nothing else is to blame for what follows
+constexpr double broken = -1.0;    // for a pivot of a factorization that broke down
+constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -102,12 +102,11 @@ void Dynamics::check_masses() const {
   if (free.empty()) return;
   ErrorDetails details;
   details.bodies = {system_.model().body_name(free.front())};
-  throw SingularSystemError("free_massless_body",
-                            "body '" + details.bodies.front() +
-                                "' has a motion without inertia that no joint resists, " +
-                                describe_least_held_motion(system_, at_, free.front()) +
-                                "; give it mass and inertia, or hold it by joints",
-                            details);
+  throw SingularSystemError(
+      "free_massless_body",
+      "body '" + details.bodies.front() + "' has a motion without inertia that no joint resists, " +
+          describe_least_held_motion(system_, at_, free.front()) + "; give it mass and inertia, or hold it by joints",
+      details);
 }
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.

@@ -7,7 +7,7 @@ namespace linkwork {
 namespace {
 
 constexpr double tolerances[] = {1e-8, 1e-7, 1e-6, 1e-4};  // the first that leaves a matrix with a factorization
-constexpr double least_size = 1.0;  // m/s^2: of accelerations whose relative error counts
+constexpr double least_size = 1.0;                         // m/s^2: of accelerations whose relative error counts
 
 }  // namespace
 
@@ -48,7 +48,8 @@ void RankTolerant::solve(const ConstVector& a, const ConstVector& b, MutableVect
   const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx, MutableVector dlambda) {
     solver_.solve(r_1, r_2, dx, dlambda);
   };
-  if (refinement_.refine(at_, a, b_, v_dot, lambda, nearby, false, least_size)) return;
+  const auto cause = inertia_.filled() ? Refinement::Cause::inertia : Refinement::Cause::singular_pose;
+  if (refinement_.refine(at_, a, b_, v_dot, lambda, nearby, cause, least_size)) return;
   throw NotConvergedError("singular_pose",
                           "too near to a singular pose: the accelerations are not determined to half of the digits; "
                           "use another step, or formulation 'augmented_lagrangian'");

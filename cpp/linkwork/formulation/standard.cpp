@@ -47,8 +47,9 @@ class Standard final : public Formulation {
   void refine(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
     const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
                                MutableVector dlambda) { saddle_->solve(r_1, r_2, dx, dlambda); };
-    if (!refinement_.refine(*at_, a, b, v_dot, lambda, nearby, !inertia_->filled()) && inertia_->filled())
-      throw_free_motion();
+    const auto cause = inertia_->filled() ? Refinement::Cause::inertia : Refinement::Cause::roundoff;
+    const bool converged = refinement_.refine(*at_, a, b, v_dot, lambda, nearby, cause);
+    if (!converged && inertia_->filled()) throw_free_motion();
   }
 
   [[noreturn]] void throw_free_motion() const {
