@@ -70,12 +70,13 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
   const std::vector<char> all(static_cast<std::size_t>(core.component_count()), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
-  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance))
+  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance, false))
     rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
   for (const int row : redundant)
     if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
-  return near_rows(core, pose.D, rows, near).empty() ? rows : std::vector<int>();
+  const bool regular = rows.size() == redundant.size() && near_rows(core, pose.D, rows, near).empty();
+  return regular ? rows : std::vector<int>();
 }
 
 }  // namespace

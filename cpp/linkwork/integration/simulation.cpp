@@ -84,7 +84,7 @@ void Simulation::begin_leap() {
 void Simulation::follow_leap() {
   steps_done_ += 1;
   leaping_ = t() < crossing_.last().end() - same_time * schedule_.step;
-  if (leaping_) crossing_.interpolate(t(), y_);
+  if (leaping_) crossing_.interpolate(dynamics_.system(), crossing_.theta(t()), y_);
   else y_ = crossing_.last().y_new;
   leapt_ = true;
   evaluated_ = false;
@@ -103,7 +103,7 @@ void Simulation::evaluate_and_record() {
 void Simulation::record() {
   if (!leaping_) return recorder_.record(t(), y_);
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
-  crossing_.interpolate(t(), v_dot, lambda);
+  crossing_.interpolate(crossing_.theta(t()), v_dot, lambda);
   recorder_.record(t(), y_, v_dot, lambda);
 }
 
