@@ -21,7 +21,7 @@ DECIDED = 1e-6
 
 @dataclass(frozen=True)
 class Light:
-    """A mechanism with small inertias, its equations, and what all bodies would weigh if they were compact."""
+    """A mechanism with small inertias, its equations, and the masses of compact bodies in their places."""
 
     mechanism: Mechanism
     at: Equations

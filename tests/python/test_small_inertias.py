@@ -1,4 +1,4 @@
-"""Thin rods, point masses and massless bodies run where joints and the rest of the bodies decide the motion."""
+"""Thin rods, point masses and massless bodies run where joints and the other inertias decide the motion."""
 
 from __future__ import annotations
 
@@ -201,7 +201,7 @@ def test_a_line_between_two_balls_is_refused_by_name_and_direction() -> None:
 
 
 def hanging_line() -> lw.Model:
-    """A rod of 1 m without a moment about itself, on a hinge; a point mass on a string of three times its length."""
+    """A rod of 1 m without a moment about itself, and a point mass on a string of 3 m."""
     model = lw.Model(gravity=(0, 0, -9.81))
     rod = model.body("rod", mass=2.0, inertia=(2 / 12, 2 / 12, 0), position=(0, 0, -0.5))
     point = model.body("point", mass=1.0, inertia=(0, 0, 0), position=(2, 0, -3))

@@ -221,8 +221,8 @@ def _check_light(
             description.note("massless", f"link '{name}'", f"moves without {lack}: a massless body")
             continue
         reason = (
-            f"moves but has no {lack}: give its inertial, or import with keep_massless (then joints must hold "
-            "what nothing else does)"
+            f"moves but has no {lack}: give its inertial, or import with keep_massless (then joints must "
+            "hold it)"
         )
         faults.append(Fault(lines.get(f"link {name}", 1), f"link '{name}'", reason))
 
