@@ -163,7 +163,6 @@ void bind_information(py::module_& module) {
       .def_readonly("documentation", &FormulationInfo::documentation)
       .def_readonly("systems", &FormulationInfo::forms)
       .def_readonly("needs_full_rank", &FormulationInfo::needs_full_rank)
-      .def_readonly("needs_mass", &FormulationInfo::needs_mass)
       .def_readonly("has_penalty", &FormulationInfo::has_penalty)
       .def_readonly("iterative", &FormulationInfo::iterative);
   module.def("formulations", [] { return formulations(); });

@@ -3,6 +3,7 @@
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/constraints/loop_core.hpp"
 #include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/refinement.hpp"
 
 namespace linkwork {
 
@@ -29,13 +30,13 @@ class ConstraintKernel {
 
  private:
   int row(int place) const { return core_.rows()[static_cast<std::size_t>(place)]; }
-  void refine();
 
   MetricSolver& solver_;
   const LoopCore& core_;
   Evaluation at_;
-  VectorXd scale_, a_, b_, x_, lambda_, dx_, dlambda_;
+  VectorXd scale_, a_, b_, x_, lambda_;
   DroppedRows dropped_;
+  Refinement refinement_;
   bool regular_ = false;
 };
 

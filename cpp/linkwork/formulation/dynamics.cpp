@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/constraints/least_held_motion.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
 #include "linkwork/math/stopwatch.hpp"
@@ -50,10 +51,11 @@ std::string choose_form(const FormulationInfo& info, const Options& options, boo
   return redundant || solver.positive_definite || solver.name == "dense" ? "schur" : "kkt";
 }
 
-/// "block" needs a regular mass matrix, and is asked for no form in particular.
+/// "block" needs a regular mass matrix, which `standard` provides, and is asked for no form in particular.
 std::string choose_solver(const std::string& form, const Options& options, const System& system) {
   if (options.linear_solver != "auto") return linear_solver_info(options.linear_solver).name;
-  if (options.system == "auto" && system.massless_bodies().empty()) return "block";
+  const bool regular = system.massless_bodies().empty() || options.formulation == "standard";
+  if (options.system == "auto" && regular) return "block";
   const int size = form == "schur" ? system.row_count() : system.v_size() + (form == "kkt" ? system.row_count() : 0);
   if (size <= dense_rows) return "dense";
   if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
@@ -76,11 +78,12 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
-  check_masses(info);
+  check_masses();
   check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
   if (system_.row_count() == 0) return;
-  const ConstraintRows rows{row_mobility(system_, at_), dropped_.rows()};
+  inertia_ = std::make_unique<FilledInertia>(system_, at_);
+  const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
   dropped_.take_out(at_);
   formulation_->analyze(system_, at_, rows);
@@ -95,28 +98,17 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   if (system_.body_count() > large_model) return_free_memory();
 }
 
-void Dynamics::check_masses(const FormulationInfo& info) const {
+void Dynamics::check_masses() const {
   if (system_.massless_bodies().empty()) return;
+  const std::vector<int> free = free_massless_bodies(system_, at_);
+  if (free.empty()) return;
   ErrorDetails details;
-  if (!info.needs_mass) {
-    const std::vector<int> free = free_massless_bodies(system_, at_);
-    if (free.empty()) return;
-    details.bodies = {system_.model().body_name(free.front())};
-    throw SingularSystemError("free_massless_body",
-                              "body '" + details.bodies.front() +
-                                  "' has a motion without inertia that no joint resists; give it mass and inertia, or "
-                                  "hold it by joints",
-                              details);
-  }
-  for (const int body : system_.massless_bodies()) details.bodies.push_back(system_.model().body_name(body));
-  const int body = system_.massless_bodies().front();
-  const bool mass = system_.mass(body) == 0.0;
-  throw OptionError("massless_body",
-                    "body '" + details.bodies.front() + "' has " + (mass ? "mass 0" : "a singular inertia") +
-                        ": formulation '" + info.name +
-                        "' needs a regular mass matrix; use formulation 'penalty' or "
-                        "'augmented_lagrangian'",
-                    details);
+  details.bodies = {system_.model().body_name(free.front())};
+  throw SingularSystemError(
+      "free_massless_body",
+      "body '" + details.bodies.front() + "' has a motion without inertia that no joint resists, " +
+          describe_least_held_motion(system_, at_, free.front()) + "; give it mass and inertia, or hold it by joints",
+      details);
 }
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
@@ -278,7 +270,7 @@ bool Dynamics::cross(const VectorXd& y, double pivot) {
 void Dynamics::change_redundant_rows(std::vector<int> rows) {
   dropped_.put_back(at_);
   dropped_ = DroppedRows(system_, std::move(rows));
-  const ConstraintRows now{row_mobility(system_, at_), dropped_.rows()};
+  const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
   dropped_.take_out(at_);
   formulation_->analyze(system_, at_, now);
@@ -286,7 +278,7 @@ void Dynamics::change_redundant_rows(std::vector<int> rows) {
 }
 
 void Dynamics::take_over() {
-  if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_);
+  if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_, *inertia_);
   tolerant_->factorize(at_);
   taken_over_ = true;
   watch_.take_over();

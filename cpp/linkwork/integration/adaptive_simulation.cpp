@@ -57,6 +57,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = schedule.t_start;
   stepper_.start(dynamics.y_size());
+  dynamics.require_accuracy(schedule.tolerances.relative);
   work_.resize(dynamics.y_size());
   rates_.resize(dynamics.y_size());
 }

@@ -406,9 +406,7 @@ class _Frames:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        massless = (np.asarray(model.compiled().mass) == 0).any()
-        formulation = "augmented_lagrangian" if massless else "standard"
-        self.system = System(model, formulation=formulation)
+        self.system = System(model)
         self.rows: dict[str, list[Any]] = {}
 
     def add(self, follower: _Follower) -> None:

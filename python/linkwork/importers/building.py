@@ -49,8 +49,8 @@ class Options(TypedDict, total=False):
     velocities: Mapping[str, Any]
     #: acceleration (3,) [m/s2]; None: of the file, or (0, 0, -9.81)
     gravity: ArrayLike | None
-    #: take moving links without mass or inertia as massless bodies, which need the penalty or augmented
-    #: Lagrangian formulation; False: they are refused
+    #: take moving links without mass or inertia as massless bodies, which joints must hold; False: they are
+    #: refused
     keep_massless: bool
     #: give links whose principal moments no real body can have the nearest that one can; False: they are
     #: refused
@@ -221,8 +221,8 @@ def _check_light(
             description.note("massless", f"link '{name}'", f"moves without {lack}: a massless body")
             continue
         reason = (
-            f"moves but has no {lack}: give its inertial, or import with keep_massless (then the formulation "
-            "must be penalty or augmented_lagrangian)"
+            f"moves but has no {lack}: give its inertial, or import with keep_massless (then joints must "
+            "hold it)"
         )
         faults.append(Fault(lines.get(f"link {name}", 1), f"link '{name}'", reason))
 
