@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,9 +36,6 @@ REMEMBERING = {
         "the speed at which a contact began is not in a state: one that is under way begins anew",
     ),
 }
-
-#: Residuals of equations that others imply, over those of the others, beyond which they are not implied.
-CONTRADICTION = 100.0
 
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
@@ -176,26 +174,20 @@ def _check_remembered(core: _core.Model) -> None:
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
 
 
-def check_redundant(model: Model, dynamics: _core.Dynamics, end: Snapshot) -> None:
-    """LinkworkWarning: what was left out as redundant does not hold at the end, and so contradicts the rest.
+def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:
+    """LinkworkWarning: redundant equations turned out to contradict the others, by so little that a run goes on.
 
-    Two drivers of one joint agree at the start and may part later: only one of them was followed.
+    Two drivers of one joint agree at the start and part later: only one of them was followed.
     """
-    rows = np.asarray(dynamics.rank().redundant_rows, dtype=int)
-    if not len(rows):
+    found = statistics.get("contradiction")
+    if not found:
         return
-    core = model.compiled()
-    Phi = np.abs(dynamics.evaluate(end.t, np.ravel(end.q), np.ravel(end.v))["Phi"])
-    kept = float(np.delete(Phi, rows).max(initial=0.0))
-    broken = rows[Phi[rows] > max(SMALL_RESIDUAL * extent(core).size, CONTRADICTION * kept)]
-    if len(broken):
-        joints = np.unique(np.searchsorted(core.joint_rows, broken, side="right") - 1)
-        names = [core.joint_name(int(joint)) for joint in joints]
-        warn(
-            f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by "
-            f"{Phi[broken].max():.2g} (m or 1) at t = {end.t:g} s, where the others hold to {kept:.1g}: "
-            "joints or drivers contradict each other, and these were not followed"
-        )
+    names = found["joints"]
+    warn(
+        f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by up to "
+        f"{found['largest']:.2g} (m or 1) from t = {found['t']:.6g} s on, where the others hold: joints or "
+        "drivers contradict each other, and not all were followed"
+    )
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:

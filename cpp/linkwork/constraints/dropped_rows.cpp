@@ -15,6 +15,12 @@ DroppedRows::DroppedRows(const System& system, std::vector<int> rows) : rows_(st
   }
 }
 
+bool DroppedRows::translates(int place) const {
+  return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+    return piece.place == place && piece.entries.head<3>().cwiseAbs().maxCoeff() > 0.0;
+  });
+}
+
 void DroppedRows::take_out(Evaluation& at) {
   for (Piece& piece : pieces_) {
     Eigen::Map<Row> entries(at.D.data() + piece.offset);

@@ -32,6 +32,13 @@ void check(const AdaptiveSchedule& schedule) {
 constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
+// What a step must not add to the violation of the constraints, in units of the tolerances; the error of one that does,
+// or that misses a pulse of a table: the next is a tenth as long.
+constexpr double huge = 1e3;
+constexpr double unseen = 1e10;
+
+constexpr double jump = 1e-9;  // of velocities of drivers, relative: what is less is none
+
 // Steps tried at a singular pose: of the usual one 1, 1 - d, 1 - 2 d, ...
 constexpr int most_tries = 6;
 constexpr double try_decrease = 0.1;
@@ -51,8 +58,11 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       stepper_(pair),
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
+      breaks_(dynamics.system().model(), schedule.breaks),
       watch_(std::move(events)) {
   check(schedule);
+  const FormulationInfo& formulation = formulation_info(dynamics.options().formulation);
+  yields_ = formulation.has_penalty && !formulation.iterative;
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = schedule.t_start;
   stepper_.start(dynamics.y_size());
@@ -73,8 +83,8 @@ void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
 
 void AdaptiveSimulation::begin() {
   begun_ = true;
-  evaluate(t_, y_);
-  dated(t_, NAN, [&] { keep_to_budget(t_); });
+  evaluate(clock(), y_);
+  dated(t_, NAN, [&] { keep_to_budget(clock()); });
   record_if_due();
   finished_ = t_ >= schedule_.t_end;
   if (finished_) return;
@@ -87,14 +97,14 @@ void AdaptiveSimulation::begin() {
 // Hairer, Norsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.4: a step in which the state
 // changes by one percent, then one whose error, judged by the second derivative, is one percent of the tolerances.
 double AdaptiveSimulation::initial_step() {
-  const double most = std::min(schedule_.largest_step, schedule_.t_end - t_);
+  const double most = std::min({schedule_.largest_step, schedule_.t_end - t_, breaks_.next(t_) - t_});
   dynamics_.rates(rates_);
   const double speed = measure_.of_change(y_, y_, rates_).value;
   const double first = speed > 0.0 ? std::min(0.01 * measure_.of_state(y_) / speed, most) : most;
   evaluated_ = false;
   try {
     work_ = y_ + first * rates_;
-    dynamics_.evaluate(t_ + first, work_);
+    dynamics_.evaluate(breaks_.before(t_ + first), work_);
     dynamics_.rates(work_);
   } catch (const Error&) {
     return 0.01 * first;
@@ -107,22 +117,33 @@ double AdaptiveSimulation::initial_step() {
 }
 
 void AdaptiveSimulation::attempt() {
-  if (!evaluated_) evaluate(t_, y_);
-  const double remaining = schedule_.t_end - t_;
+  if (!evaluated_) evaluate(clock(), y_);
   double h = std::min(step_, schedule_.largest_step);
-  t_new_ = t_ + h;
-  if (h >= remaining) {
-    h = remaining;
-    t_new_ = schedule_.t_end;
-  } else if (2.0 * h > remaining) {  // no sliver at the end
-    h = 0.5 * remaining;
-    t_new_ = t_ + h;
-  }
+  t_new_ = end_of_step(h);
+  Phi_ = dynamics_.evaluation().Phi;
+  Phi_dot_ = dynamics_.evaluation().Phi_dot;
   const BodyMaximum error = trial(h);
   if (error.value <= 1.0) accept(h, error.value);
   else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
 }
+
+/// Where a step h ends: at the end of the run, at a break point, or at the only knot of tables on its way.
+double AdaptiveSimulation::end_of_step(double& h) const {
+  const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
+  double t_new = t_ + h;
+  if (h >= remaining) {
+    t_new = end;
+  } else if (2.0 * h > remaining) {  // no sliver at the end
+    t_new = t_ + 0.5 * remaining;
+  }
+  if (const double knot = breaks_.only_knot(t_, t_new); knot < t_new) t_new = knot;
+  h = t_new - t_;
+  return t_new;
+}
+
+/// Where functions of time are evaluated for what begins at t_; at the end, for what ends there.
+double AdaptiveSimulation::clock() const { return t_ < schedule_.t_end ? breaks_.after(t_) : breaks_.before(t_); }
 
 bool AdaptiveSimulation::near_singular_pose() const { return dynamics_.watch().open() && usual_step_ > 0.0; }
 
@@ -143,7 +164,7 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
     return;
   }
   if (!std::isfinite(best_error_)) return reject(h, {best_error_, -1});
-  evaluate(t_, y_);
+  evaluate(clock(), y_);
   t_new_ = t_ + best_step_;
   trial(best_step_);
   statistics_.singular += 1;
@@ -154,7 +175,10 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
 BodyMaximum AdaptiveSimulation::trial(double h) {
   last_failure_.clear();
   try {
-    return stepper_.trial(dynamics_, measure_, t_, h, y_);
+    const StepSpan step{t_, h, breaks_.after(t_), breaks_.before(t_new_)};
+    const BodyMaximum error = stepper_.trial(dynamics_, measure_, step, y_);
+    if (error.value <= 1.0 && (!breaks_.seen(stepper_.pair(), step) || violates(h))) return {unseen, -1};
+    return error;
   } catch (const OptionError&) {
     throw;
   } catch (const Error& error) {
@@ -193,23 +217,27 @@ void AdaptiveSimulation::look_for_events() {
   }
 }
 
+/// At y_, where `dynamics` is evaluated at its positions.
+double AdaptiveSimulation::energy() const {
+  const System& system = dynamics_.system();
+  return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
+}
+
 /// The work takes up the energy that the event makes or takes away.
 bool AdaptiveSimulation::apply(const Event& event) {
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
-  const auto energy = [&] {
-    return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
-  };
   const double before = energy();
   const Changed changed = event.change(t_, y_.head(size));
   if (changed.y.size() != size || !changed.y.allFinite())
     throw OptionError("event", "event '" + event.name + "': the state after it has a wrong size or is not finite");
   y_.head(size) = changed.y;
   system.normalize(y_.head(system.q_size()));
-  dynamics_.evaluate(t_, y_);
-  projection().positions(t_, y_);
-  projection().velocities(t_, y_);
-  dynamics_.evaluate(t_, y_);
+  const double t = clock();
+  dynamics_.evaluate(t, y_);
+  projection().positions(t, y_);
+  projection().velocities(t, y_);
+  dynamics_.evaluate(t, y_);
   y_[size] += energy() - before;
   of_step_.back().after = y_.head(size);
   return changed.ends;
@@ -238,6 +266,16 @@ void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
                       details);
 }
 
+/// What an estimate of the error cannot see, the constraints can: what the step adds to their violation, beyond what
+/// its start explains, is an error of the step. Penalties violate them on purpose.
+bool AdaptiveSimulation::violates(double h) const {
+  const Evaluation& at = dynamics_.evaluation();
+  if (at.Phi.size() == 0 || yields_ || near_singular_pose())
+    return false;
+  work_rows_ = at.Phi.cwiseAbs() - Phi_.cwiseAbs() - h * Phi_dot_.cwiseAbs();
+  return !(work_rows_.maxCoeff() <= huge * measure_.of_length(y_));
+}
+
 bool AdaptiveSimulation::output_inside() const {
   return next_time_ < schedule_.times.size() && schedule_.times[next_time_] < t_new_;
 }
@@ -247,7 +285,7 @@ void AdaptiveSimulation::record_inside() {
   dated(t, NAN, [&] {
     stepper_.prepare_interpolation(dynamics_);
     stepper_.interpolate(dynamics_.system(), (t - t_) / h_, work_);
-    dynamics_.evaluate(t, work_);
+    dynamics_.evaluate(std::max(t, breaks_.after(t_)), work_);
     recorder_.record(t, work_);
   });
   evaluated_ = false;
@@ -259,25 +297,52 @@ void AdaptiveSimulation::finish_step() {
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
+  const bool at_break = t_ < schedule_.t_end && breaks_.at(t_);
+  if (at_break) dated(t_, h_, [&] { cross_break(); });
   if (projects()) {
-    dated(t_, h_, [&] { projection().stabilize(t_, y_); });
+    dated(t_, h_, [&] { projection().stabilize(clock(), y_); });
     evaluated_ = false;
   }
-  if (!evaluated_) evaluate(t_, y_);
-  dated(t_, h_, [&] { keep_to_budget(t_); });
+  if (!evaluated_) evaluate(clock(), y_);
+  dated(t_, h_, [&] { keep_to_budget(clock()); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
   if (stop_) finish_event();
   std::move(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_));
   of_step_.clear();
   record_if_due();
-  if (finished_ || !stop_) return;
+  if (finished_ || !(stop_ || at_break)) return;
   dated(t_, NAN, [&] {
-    check_accumulation();
-    watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
+    if (stop_) {
+      check_accumulation();
+      watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
+    }
     step_ = initial_step();
   });
   controller_.restart();
+}
+
+/// From what ends at the break t_ to what begins there.
+void AdaptiveSimulation::cross_break() {
+  statistics_.breaks += 1;
+  const bool driven = dynamics_.system().time_dependent_constraints();
+  if (driven) {
+    evaluate(breaks_.before(t_), y_);
+    const VectorXd before = dynamics_.evaluation().Phi_t;
+    evaluate(clock(), y_);
+    strike(before);
+  }
+  evaluated_ = false;
+}
+
+void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
+  const VectorXd& Phi_t = dynamics_.evaluation().Phi_t;
+  const double size = std::max(Phi_t.cwiseAbs().maxCoeff(), Phi_t_before.cwiseAbs().maxCoeff());
+  if ((Phi_t - Phi_t_before).cwiseAbs().maxCoeff() <= jump * size) return;
+  statistics_.impacts += 1;
+  const double before = energy();
+  projection().velocities(clock(), y_);
+  y_[y_.size() - 1] += energy() - before;
 }
 
 void AdaptiveSimulation::finish_event() {

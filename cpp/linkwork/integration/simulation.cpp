@@ -67,6 +67,10 @@ double Simulation::begin_step() {
   return finished_ ? 0.0 : next_step();
 }
 
+void Simulation::forget() {
+  if (integrator_) integrator_->start(static_cast<int>(y_.size()));
+}
+
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(t(), y_);

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwork/constraints/dropped_rows.hpp"
+
+namespace linkwork {
+
+/// What became of redundant rows at some pose that violates them more than the others.
+struct RedundancyExamination {
+  VectorXd q;               ///< on all constraints, where there is such a pose near
+  bool consistent = false;  ///< there is
+  /// Rows to leave out from here on, ascending, where fewer depend on the others than before.
+  std::vector<int> choice;
+  bool changed = false;     ///< `choice` is another one
+  std::vector<int> joints;  ///< that contradict each other, ascending, where there is no such pose
+};
+
+/// Pulls the pose onto all constraints, redundant ones included, and looks at the rank there. Off the constraints the
+/// rank says nothing: equations that contradict each other by delta are independent by delta.
+RedundancyExamination examine_redundancy(const System& system, double t, const VectorXd& q,
+                                         const std::vector<int>& redundant);
+
+/// Watches rows that are left out as redundant: the others imply them, so their Phi and Phi_dot, which an evaluation
+/// has in any case, stay as small as those of the others. More means that they have become independent, or that they
+/// contradict the others, such as drivers that agreed at the start.
+///
+/// A contradiction of accelerations shows in Phi_dot after one step.
+class RedundancyWatch {
+ public:
+  RedundancyWatch() = default;
+  RedundancyWatch(const System& system, const VectorXd& q);
+
+  struct Excess {
+    double position = 0.0, velocity = 0.0;  ///< relative to the size of the mechanism, to its speed
+    double Phi = 0.0;                       ///< the largest of a dropped row [m or 1]
+  };
+
+  /// False for all but few states (q, v) of a run, by a look at the dropped rows alone.
+  bool suspicious(const System& system, const Evaluation& at, const DroppedRows& dropped, const ConstVector& v);
+  const Excess& excess() const { return excess_; }  ///< of the last look
+  /// What was found is known: the next suspicion is a larger excess.
+  void suspect_less();
+
+ private:
+  double size_ = 1.0;
+  double position_level_ = 0.0, velocity_level_ = 0.0;
+  Excess excess_;
+};
+
+}  // namespace linkwork
