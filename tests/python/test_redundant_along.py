@@ -66,7 +66,7 @@ def test_a_contradiction_within_the_inaccuracy_of_tables_is_told(way: str) -> No
     assert found["joints"] == ["first", "second"]
     assert found["t"] < 0.2
     with pytest.raises(lw.ViolationError, match="contradict"):
-        lw.simulate(twice_driven(other), 1.0, on_violation="stop", **WAYS[way])
+        lw.simulate(twice_driven(other), 1.0, violation_limit=1.0, on_violation="stop", **WAYS[way])
 
 
 @pytest.mark.parametrize("way", WAYS)
@@ -81,7 +81,7 @@ def test_drivers_that_agree_are_no_matter(way: str) -> None:
 def test_redundant_mechanisms_raise_no_alarm() -> None:
     """Coarse steps let the equations that are kept drift, and the others with them."""
     for name in ("bricard", "bennett", "four_bar", "double_wishbone", "planetary_gear", "stewart_platform"):
-        model = lw.mechanisms.named(name)()
+        model = lw.mechanisms.named(name).function()
         for options in ({"step": 5e-3}, {"rtol": 1e-4}, {"step": 5e-3, "stabilization": "none"}):
             with warnings.catch_warnings():
                 warnings.simplefilter("error")

@@ -110,7 +110,7 @@ bool RedundancyWatch::suspicious(const System& system, const Evaluation& at, con
     speed = std::max(speed, v.segment<3>(velocity_size * body).cwiseAbs().maxCoeff());
     turning = std::max(turning, v.segment<3>(velocity_size * body + 3).cwiseAbs().maxCoeff());
   }
-  speed = std::max(speed, turning * size_);
+  speed = speed_ = std::max({speed_, speed, turning * size_});
   for (int place = 0; place < dropped.count(); ++place) {
     const int row = dropped.rows()[static_cast<std::size_t>(place)];
     const double unit = dropped.translates(place) ? size_ : 1.0;
@@ -123,7 +123,7 @@ bool RedundancyWatch::suspicious(const System& system, const Evaluation& at, con
   VectorXd Phi = at.Phi, Phi_dot = at.Phi_dot;
   dropped.take_from(Phi);
   dropped.take_from(Phi_dot);
-  const double kept = largest(Phi) / std::min(size_, 1.0);
+  const double kept = excess_.kept = largest(Phi) / std::min(size_, 1.0);
   const double kept_rate = speed > 0.0 ? largest(Phi_dot) * std::max(size_, 1.0) / speed : INFINITY;
   return (excess_.position > position_level_ && excess_.position > explained * kept) ||
          (excess_.velocity > velocity_level_ && excess_.velocity > explained * (kept + kept_rate));

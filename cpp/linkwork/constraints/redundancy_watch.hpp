@@ -32,8 +32,9 @@ class RedundancyWatch {
   RedundancyWatch(const System& system, const VectorXd& q);
 
   struct Excess {
-    double position = 0.0, velocity = 0.0;  ///< relative to the size of the mechanism, to its speed
+    double position = 0.0, velocity = 0.0;  ///< relative to the size of the mechanism, to its largest speed so far
     double Phi = 0.0;                       ///< the largest of a dropped row [m or 1]
+    double kept = 0.0;                      ///< the position of the others; known where they were looked at
   };
 
   /// False for all but few states (q, v) of a run, by a look at the dropped rows alone.
@@ -43,7 +44,7 @@ class RedundancyWatch {
   void suspect_less();
 
  private:
-  double size_ = 1.0;
+  double size_ = 1.0, speed_ = 0.0;
   double position_level_ = 0.0, velocity_level_ = 0.0;
   Excess excess_;
 };

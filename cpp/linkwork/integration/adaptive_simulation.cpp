@@ -32,10 +32,8 @@ void check(const AdaptiveSchedule& schedule) {
 constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
-// What a step must not add to the violation of the constraints, in units of the tolerances; the error of one that does,
-// or that misses a pulse of a table: the next is a tenth as long.
+// What a step must not add to the violation of the constraints, in units of the tolerances.
 constexpr double huge = 1e3;
-constexpr double unseen = 1e10;
 
 constexpr double jump = 1e-9;  // of velocities of drivers, relative: what is less is none
 
@@ -118,7 +116,7 @@ double AdaptiveSimulation::initial_step() {
 
 void AdaptiveSimulation::attempt() {
   if (!evaluated_) evaluate(clock(), y_);
-  double h = std::min(step_, schedule_.largest_step);
+  double h = proposed_ = std::min(step_, schedule_.largest_step);
   t_new_ = end_of_step(h);
   Phi_ = dynamics_.evaluation().Phi;
   Phi_dot_ = dynamics_.evaluation().Phi_dot;
@@ -165,6 +163,7 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
   }
   if (!std::isfinite(best_error_)) return reject(h, {best_error_, -1});
   evaluate(clock(), y_);
+  proposed_ = best_step_;
   t_new_ = t_ + best_step_;
   trial(best_step_);
   statistics_.singular += 1;
@@ -177,7 +176,8 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
   try {
     const StepSpan step{t_, h, breaks_.after(t_), breaks_.before(t_new_)};
     const BodyMaximum error = stepper_.trial(dynamics_, measure_, step, y_);
-    if (error.value <= 1.0 && (!breaks_.seen(stepper_.pair(), step) || violates(h))) return {unseen, -1};
+    const bool seen = error.value > 1.0 || breaks_.seen(stepper_.pair(), step, schedule_.tolerances.relative);
+    if (!seen || (error.value <= 1.0 && violates(h))) return {std::pow(2.0, stepper_.pair().error_order + 1), -1};
     return error;
   } catch (const OptionError&) {
     throw;
@@ -194,6 +194,7 @@ void AdaptiveSimulation::accept(double h, double error) {
   statistics_.smallest = std::min(statistics_.smallest, h);
   statistics_.largest = std::max(statistics_.largest, h);
   step_ = controller_.after_accepted(h, error);
+  if (h < proposed_) step_ = std::max(step_, proposed_);  // it was cut short
   tries_ = 0;
   if (!dynamics_.watch().open()) usual_step_ = h;
   else if (usual_step_ > 0.0) step_ = std::max(step_, usual_step_);

@@ -96,7 +96,8 @@ class AdaptiveSimulation final : public Run {
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
   VectorXd y_new_;     ///< at t_new_
-  double step_ = 0.0;  ///< what the controller proposes
+  double step_ = 0.0;      ///< what the controller proposes
+  double proposed_ = 0.0;  ///< what it proposed for this one
   VectorXd Phi_, Phi_dot_;  ///< where the step begins
   bool yields_ = false;     ///< the formulation lets constraints be violated
   // Near a singular pose

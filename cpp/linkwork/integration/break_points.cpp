@@ -10,6 +10,7 @@ constexpr double ulp = std::numeric_limits<double>::epsilon();
 constexpr double same = 64 * ulp, beside = 4 * ulp;  // relative to t
 constexpr double smaller = 10.0;                      // so many times the estimate an error may be
 constexpr double roundoff = 1e-13;
+constexpr double sliver = 1e-2;  // of a step
 
 double distance(double relative, double t) {
   return std::max(relative * std::abs(t), std::numeric_limits<double>::min());
@@ -73,36 +74,38 @@ double BreakPoints::next_knot(double t) const {
 }
 
 double BreakPoints::only_knot(double t, double t_new) const {
-  const auto first = std::upper_bound(knots_.begin(), knots_.end(), t);
+  const auto first = std::upper_bound(knots_.begin(), knots_.end(), t + sliver * (t_new - t));
   if (first == knots_.end() || *first >= t_new) return t_new;
   return first + 1 == knots_.end() || first[1] >= t_new ? *first : t_new;
 }
 
-bool BreakPoints::seen(const EmbeddedPair& pair, const StepSpan& step) const {
+bool BreakPoints::seen(const EmbeddedPair& pair, const StepSpan& step, double relative) const {
   if (watched_.empty() || next_knot(step.t) >= step.t + step.h) return true;
   return std::all_of(watched_.begin(), watched_.end(),
-                     [&](const TimeFunctionPtr& function) { return seen(*function, pair, step); });
+                     [&](const TimeFunctionPtr& function) { return seen(*function, pair, step, relative); });
 }
 
 // With F'' = f:   F'(t + h) - F'(t) = h sum b_i f_i + error,   F(t + h) - F(t) - h F'(t) = h^2 sum b_i (1 - c_i) f_i +
 // error, what a force f does to a velocity and to a position.
-bool BreakPoints::seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step) {
+bool BreakPoints::seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step,
+                       double relative) {
   const ButcherTableau& method = pair.method;
   const double h = step.h;
   const Signal<double> start = function.evaluate(step.at(0.0)), end = function.evaluate(step.at(1.0));
-  double first = 0.0, second = 0.0, estimate = 0.0, largest = 0.0;
+  double first = 0.0, second = 0.0, estimate = 0.0, impulse = 0.0;
   for (Eigen::Index i = 0; i < method.c.size(); ++i) {
     const double f = function.evaluate(step.at(method.c[i])).acceleration;
     first += h * method.b[i] * f;
     second += h * h * method.b[i] * (1.0 - method.c[i]) * f;
     estimate += h * pair.error[i] * f;
-    largest = std::max(largest, std::abs(f));
+    impulse += h * std::abs(method.b[i] * f);
   }
   estimate = std::abs(estimate + h * pair.error[method.c.size()] * end.acceleration);
-  const double noise = roundoff * (std::abs(start.rate) + std::abs(end.rate) + h * largest);
-  const double position_noise = roundoff * (std::abs(start.value) + std::abs(end.value)) + h * noise;
-  return std::abs(end.rate - start.rate - first) <= smaller * estimate + noise &&
-         std::abs(end.value - start.value - h * start.rate - second) <= smaller * h * estimate + position_noise;
+  const double noise = roundoff * (std::abs(start.rate) + std::abs(end.rate));
+  const double position_noise = roundoff * (std::abs(start.value) + std::abs(end.value));
+  const double allowed = smaller * estimate + relative * impulse + noise;
+  return std::abs(end.rate - start.rate - first) <= allowed &&
+         std::abs(end.value - start.value - h * start.rate - second) <= h * allowed + position_noise;
 }
 
 }  // namespace linkwork

@@ -27,14 +27,14 @@ class BreakPoints {
   double before(double t) const;
 
   /// The first of the other knots between t and t_new where it is the only one; else t_new. One knot in a step is
-  /// cheaply its end; where there are several a step may go over them.
+  /// cheaply its end; where there are several a step may go over them. One just after t counts as behind.
   double only_knot(double t, double t_new) const;
   /// The first of the other knots after t.
   double next_knot(double t) const;
   /// Whether a step of a method sees what tables with knots inside it do: their integrals over the step, and those of
   /// the integrals, are known, and the weights of the stages must give them as well as the estimate of the error lets
-  /// expect. A pulse between the stages is then never leapt over.
-  bool seen(const EmbeddedPair& pair, const StepSpan& step) const;
+  /// expect, or to `relative` of what the table does in the step. A pulse between the stages is then not leapt over.
+  bool seen(const EmbeddedPair& pair, const StepSpan& step, double relative) const;
 
  private:
   /// Breaks that are one up to roundoff.
@@ -44,7 +44,7 @@ class BreakPoints {
   const Cluster* find(double t) const;
   const Cluster* following(double t) const;
   void add_watched(const Model& model);
-  static bool seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step);
+  static bool seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step, double relative);
 
   std::vector<Cluster> ends_;  ///< a step lands on the last of each
   std::vector<double> knots_;

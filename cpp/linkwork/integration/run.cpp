@@ -64,6 +64,7 @@ void Run::watch_redundant_rows(double t) {
   const System& system = dynamics_.system();
   const auto v = y_.segment(system.q_size(), system.v_size());
   if (!redundancy_.suspicious(system, dynamics_.evaluation(), dynamics_.dropped(), v)) return;
+  if (redundancy_.excess().kept > unbearable) return;  // it has left the joints altogether
   RedundancyExamination found = examine_redundancy(system, t, y_.head(system.q_size()), dynamics_.dropped().rows());
   if (!found.consistent) note_contradiction(t, std::move(found.joints));
   if (found.changed) return take_up_rows(t, std::move(found));
