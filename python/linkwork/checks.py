@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
@@ -36,6 +37,9 @@ REMEMBERING = {
         "the speed at which a contact began is not in a state: one that is under way begins anew",
     ),
 }
+
+#: Accelerations that redundant equations ask for otherwise than the rest, relative to what they are made of.
+CONTRADICTION = 1e-6
 
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
@@ -172,6 +176,24 @@ def _check_remembered(core: _core.Model) -> None:
     for what in sorted(set(filter(None, of_force))):
         names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
+
+
+def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str, float]:
+    """Of redundant equations that ask for other accelerations than the rest: what is left of them [1/s2].
+
+    By the equation in words; such as drivers that agree in position and velocity, and are about to part.
+    """
+    rows = np.asarray(dynamics.rank().redundant_rows, dtype=int)
+    core = model.compiled()
+    if not len(rows):
+        return {}
+    v_dot, _ = dynamics.accelerations(0.0, core.q0, core.v0)
+    found = dynamics.evaluate(0.0, core.q0, core.v0)
+    D = csr_array(tuple(found["D"][part] for part in ("data", "indices", "indptr")), (core.row_count, len(v_dot)))
+    left = np.abs(D @ v_dot - found["gamma"])[rows]
+    size = (abs(D) @ np.abs(v_dot) + np.abs(found["gamma"]))[rows]
+    broken = left > CONTRADICTION * size.max(initial=0.0)
+    return {core.describe_row(int(row)): float(x) for row, x in zip(rows[broken], left[broken], strict=True)}
 
 
 def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:

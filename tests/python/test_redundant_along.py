@@ -82,7 +82,7 @@ def test_redundant_mechanisms_raise_no_alarm() -> None:
     """Coarse steps let the equations that are kept drift, and the others with them."""
     for name in ("bricard", "bennett", "four_bar", "double_wishbone", "planetary_gear", "stewart_platform"):
         model = lw.mechanisms.named(name).function()
-        for options in ({"step": 5e-3}, {"rtol": 1e-4}, {"step": 5e-3, "stabilization": "none"}):
+        for options in ({"step": 1e-3}, {"rtol": 1e-4}, {"step": 1e-3, "stabilization": "none"}):
             with warnings.catch_warnings():
                 warnings.simplefilter("error")
                 result = lw.simulate(model, 0.5, **options)
@@ -123,3 +123,14 @@ def test_rows_that_become_independent_count_from_there_on(way: str) -> None:
     assert 2 * np.arcsin(result.q[-1, 0, 6]) == pytest.approx(theta, abs=1e-4)
     assert result.statistics["row_changes"] >= 1
     assert np.abs(result.violation[-1, 0]) < 1e-5
+
+
+def test_check_names_redundant_equations_that_ask_for_other_accelerations() -> None:
+    from linkwork.cli.checking import examine
+
+    other = functions.expression("2 * t**2 * (1 - t)**2")
+    found = examine(twice_driven(other))["contradictions"]
+    (equation,) = found
+    assert "first" in equation or "second" in equation
+    assert found[equation] == pytest.approx(2.0, rel=1e-6), "4 - 2 m/s2"
+    assert not examine(twice_driven(functions.expression("t**2 * (1 - t)**2")))["contradictions"]

@@ -15,10 +15,11 @@ DroppedRows::DroppedRows(const System& system, std::vector<int> rows) : rows_(st
   }
 }
 
-bool DroppedRows::translates(int place) const {
-  return std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
-    return piece.place == place && piece.entries.head<3>().cwiseAbs().maxCoeff() > 0.0;
-  });
+std::vector<char> DroppedRows::translating() const {
+  std::vector<char> out(rows_.size(), 0);
+  for (const Piece& piece : pieces_)
+    if (piece.entries.head<3>().cwiseAbs().maxCoeff() > 0.0) out[static_cast<std::size_t>(piece.place)] = 1;
+  return out;
 }
 
 void DroppedRows::take_out(Evaluation& at) {

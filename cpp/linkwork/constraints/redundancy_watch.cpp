@@ -11,7 +11,7 @@ namespace {
 constexpr double rank_tolerance = 1e-9;
 constexpr double noticed = 1e-8;    // of the size or the speed of the mechanism
 constexpr double explained = 100.0;  // times what the others are violated by
-constexpr double louder = 3.0;
+constexpr double louder = 3.0, more = 2.0;
 constexpr double met = 1e-6;        // part of a violation that is left where all constraints can be met
 constexpr double met_absolute = 1e-13;
 constexpr double involved = 1e-2;
@@ -99,39 +99,59 @@ RedundancyExamination examine_redundancy(const System& given, double t, const Ve
 }
 
 RedundancyWatch::RedundancyWatch(const System& system, const VectorXd& q)
-    : size_(size_of(system, q)), position_level_(noticed), velocity_level_(noticed) {}
+    : size_(size_of(system, q)), position_level_(noticed), velocity_level_(noticed) {
+  set_least();
+}
 
-bool RedundancyWatch::suspicious(const System& system, const Evaluation& at, const DroppedRows& dropped,
-                                 const ConstVector& v) {
-  excess_ = {};
-  if (dropped.empty()) return false;
-  double speed = 0.0, turning = 0.0;
+void RedundancyWatch::set_least() {
+  least_Phi_ = std::max(usual_Phi_, position_level_ * std::min(size_, 1.0));
+  least_Phi_dot_ = std::max(usual_Phi_dot_, velocity_level_ * speed_ / std::max(size_, 1.0));
+}
+
+void RedundancyWatch::measure(const System& system, const Evaluation& at, const DroppedRows& dropped,
+                              const ConstVector& v) {
   for (int body = 0; body < system.body_count(); ++body) {
-    speed = std::max(speed, v.segment<3>(velocity_size * body).cwiseAbs().maxCoeff());
-    turning = std::max(turning, v.segment<3>(velocity_size * body + 3).cwiseAbs().maxCoeff());
+    const double speed = v.segment<3>(velocity_size * body).cwiseAbs().maxCoeff();
+    const double turning = v.segment<3>(velocity_size * body + 3).cwiseAbs().maxCoeff();
+    speed_ = std::max({speed_, speed, turning * size_});
   }
-  speed = speed_ = std::max({speed_, speed, turning * size_});
-  for (int place = 0; place < dropped.count(); ++place) {
-    const int row = dropped.rows()[static_cast<std::size_t>(place)];
-    const double unit = dropped.translates(place) ? size_ : 1.0;
+  excess_ = {};
+  const std::vector<char> translating = dropped.translating();
+  for (std::size_t place = 0; place < translating.size(); ++place) {
+    const int row = dropped.rows()[place];
+    const double unit = translating[place] ? size_ : 1.0;
     const double Phi = std::abs(at.Phi[row]), Phi_dot = std::abs(at.Phi_dot[row]);
     excess_.Phi = std::max(excess_.Phi, Phi);
     excess_.position = std::max(excess_.position, Phi / unit);
-    if (speed > 0.0) excess_.velocity = std::max(excess_.velocity, Phi_dot * size_ / (unit * speed));
+    if (speed_ > 0.0) excess_.velocity = std::max(excess_.velocity, Phi_dot * size_ / (unit * speed_));
   }
+}
+
+bool RedundancyWatch::exceeds(const System& system, const Evaluation& at, const DroppedRows& dropped,
+                              const ConstVector& v) {
+  measure(system, at, dropped, v);
+  set_least();
   if (excess_.position <= position_level_ && excess_.velocity <= velocity_level_) return false;
   VectorXd Phi = at.Phi, Phi_dot = at.Phi_dot;
   dropped.take_from(Phi);
   dropped.take_from(Phi_dot);
-  const double kept = excess_.kept = largest(Phi) / std::min(size_, 1.0);
-  const double kept_rate = speed > 0.0 ? largest(Phi_dot) * std::max(size_, 1.0) / speed : INFINITY;
-  return (excess_.position > position_level_ && excess_.position > explained * kept) ||
-         (excess_.velocity > velocity_level_ && excess_.velocity > explained * (kept + kept_rate));
+  excess_.kept = largest(Phi) / std::min(size_, 1.0);
+  const double rate = speed_ > 0.0 ? largest(Phi_dot) * std::max(size_, 1.0) / speed_ : INFINITY;
+  if ((excess_.position > position_level_ && excess_.position > explained * excess_.kept) ||
+      (excess_.velocity > velocity_level_ && excess_.velocity > explained * (excess_.kept + rate)))
+    return true;
+  for (const int row : dropped.rows()) {
+    usual_Phi_ = std::max(usual_Phi_, more * std::abs(at.Phi[row]));
+    usual_Phi_dot_ = std::max(usual_Phi_dot_, more * std::abs(at.Phi_dot[row]));
+  }
+  set_least();
+  return false;
 }
 
 void RedundancyWatch::suspect_less() {
   position_level_ = std::max(position_level_, louder * excess_.position);
   velocity_level_ = std::max(velocity_level_, louder * excess_.velocity);
+  set_least();
 }
 
 }  // namespace linkwork

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "linkwork/constraints/dropped_rows.hpp"
@@ -37,15 +38,26 @@ class RedundancyWatch {
     double kept = 0.0;                      ///< the position of the others; known where they were looked at
   };
 
-  /// False for all but few states (q, v) of a run, by a look at the dropped rows alone.
-  bool suspicious(const System& system, const Evaluation& at, const DroppedRows& dropped, const ConstVector& v);
+  /// False for all but few states (q, v) of a run, for which a look at the dropped rows alone is enough.
+  bool suspicious(const System& system, const Evaluation& at, const DroppedRows& dropped, const ConstVector& v) {
+    for (const int row : dropped.rows())
+      if (!(std::abs(at.Phi[row]) <= least_Phi_) || !(std::abs(at.Phi_dot[row]) <= least_Phi_dot_))
+        return exceeds(system, at, dropped, v);
+    return false;
+  }
   const Excess& excess() const { return excess_; }  ///< of the last look
   /// What was found is known: the next suspicion is a larger excess.
   void suspect_less();
 
  private:
+  bool exceeds(const System& system, const Evaluation& at, const DroppedRows& dropped, const ConstVector& v);
+  void measure(const System& system, const Evaluation& at, const DroppedRows& dropped, const ConstVector& v);
+  void set_least();
+
   double size_ = 1.0, speed_ = 0.0;
   double position_level_ = 0.0, velocity_level_ = 0.0;
+  double usual_Phi_ = 0.0, usual_Phi_dot_ = 0.0;  ///< drift that the other rows have explained, and some more
+  double least_Phi_ = 0.0, least_Phi_dot_ = 0.0;  ///< of any row, at the speed known so far, that is looked at
   Excess excess_;
 };
 
