@@ -46,8 +46,8 @@ def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool)
             level, size = _jump(signal, t)
             if level == 0:
                 raise ModelError(
-                    f"{what} jumps by {size:.4g} at t = {t:.6g} s: it drives a joint, and no force moves bodies "
-                    "in no time; give it a ramp, such as functions.cycloidal",
+                    f"{what} jumps by {size:.4g} at t = {t:.6g} s: it drives a joint, and no force moves "
+                    "bodies in no time; give it a ramp, such as functions.cycloidal",
                     code="position_jump",
                     time=t,
                 )
@@ -56,8 +56,8 @@ def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool)
     if struck and not adaptive:
         more = f", and {len(struck) - 1} more do" if len(struck) > 1 else ""
         warn(
-            f"{struck[0]}{more}: an impact, which fixed steps smear over some steps; with rtol the bodies are "
-            "struck at that time"
+            f"{struck[0]}{more}: an impact, which fixed steps smear over some steps; with rtol the bodies "
+            "are struck at that time"
         )
 
 

@@ -189,7 +189,9 @@ def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str,
         return {}
     v_dot, _ = dynamics.accelerations(0.0, core.q0, core.v0)
     found = dynamics.evaluate(0.0, core.q0, core.v0)
-    D = csr_array(tuple(found["D"][part] for part in ("data", "indices", "indptr")), (core.row_count, len(v_dot)))
+    D = csr_array(
+        tuple(found["D"][part] for part in ("data", "indices", "indptr")), (core.row_count, len(v_dot))
+    )
     left = np.abs(D @ v_dot - found["gamma"])[rows]
     size = (abs(D) @ np.abs(v_dot) + np.abs(found["gamma"]))[rows]
     broken = left > CONTRADICTION * size.max(initial=0.0)
@@ -197,7 +199,7 @@ def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str,
 
 
 def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:
-    """LinkworkWarning: redundant equations turned out to contradict the others, by so little that a run goes on.
+    """LinkworkWarning: redundant equations contradict the others, by so little that the run went on.
 
     Two drivers of one joint agree at the start and part later: only one of them was followed.
     """

@@ -360,7 +360,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         point = at if at is not None else ((origin, origin) if frames == "body" else origin)
         place = {"at": point, "axis": axis, "x_axis": x_axis}
         own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
-        return self._add_force("rotational_spring_damper", a, b, frames, name, {**place, **own, "breaks": breaks})
+        return self._add_force(
+            "rotational_spring_damper", a, b, frames, name, {**place, **own, "breaks": breaks}
+        )
 
     def user_force(
         self,
@@ -497,7 +499,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             ("rotational_damping", rotational_damping),
         ):
             own |= subject.components(values, what)
-        return self._add_force("bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own, "breaks": breaks})
+        return self._add_force(
+            "bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own, "breaks": breaks}
+        )
 
     def forces(
         self,

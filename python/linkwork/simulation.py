@@ -66,8 +66,9 @@ def simulate(
                   limits a step. Without record_every and times: at most about 1000 frames, evenly
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
-    breaks        times [s] at which something is not smooth, beside what functions of time and forces declare:
-                  steps that follow tolerances end there; of fixed ones the summary says how many contain one
+    breaks        times [s] at which something is not smooth, beside those that functions of time and forces
+                  declare: steps that follow tolerances end there; of fixed ones the summary says how many
+                  contain one
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
                   `state` of an error. The work and multistep methods begin anew, and so do full turns
                   of rotational springs and contacts that are under way where the state is not the last
@@ -92,9 +93,10 @@ def simulate(
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
-    written. ViolationError: on_violation="stop", or joints and drivers contradict each other. An error of a run has its `result` up to there and the
-    last `state`. ModelError: initial poses or velocities do not satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected; redundant equations turned out to contradict the others.
+    written. ViolationError: on_violation="stop", or joints and drivers contradict each other. An error of a
+    run has its `result` up to there and the last `state`. ModelError: initial poses or velocities do not
+    satisfy the joints, see `assemble`.
+    LinkworkWarning: they were corrected; redundant equations contradict the others a little.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()

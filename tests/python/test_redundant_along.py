@@ -110,7 +110,7 @@ def platform() -> lw.Model:
     )  # fmt: skip
     model.planar("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="plane")
     for k, place in enumerate(LEGS):
-        ends = ((place, 0, 0), start + (place, 0, 0))
+        ends = ((place, 0, 0), np.add(start, (place, 0, 0)))
         model.distance("ground", body, at=ends, length=leg(place), name=f"leg {k}")
     return model
 

@@ -14,6 +14,7 @@ constexpr double explained = 100.0;  // times what the others are violated by
 constexpr double louder = 3.0, more = 2.0;
 constexpr double met = 1e-6;        // part of a violation that is left where all constraints can be met
 constexpr double met_absolute = 1e-13;
+constexpr double remaining = 1e-2;  // part that is left where they cannot
 constexpr double involved = 1e-2;
 constexpr int most_pulls = 5;
 
@@ -82,16 +83,18 @@ RedundancyExamination examine_redundancy(const System& given, double t, const Ve
   RedundancyExamination out;
   out.q = q;
   if (core.row_count() == 0) return out;
-  for (int k = 0; k < most_pulls && !out.consistent; ++k) {
-    out.q = pull_back(solver, core, out.q, t).q;
+  bool reached = true;
+  for (int k = 0; k < most_pulls && reached && !out.consistent; ++k) {
+    ConsistentPose pulled = pull_back(solver, core, out.q, t);
+    reached = std::find(pulled.reached.begin(), pulled.reached.end(), 0) == pulled.reached.end();
+    out.q = std::move(pulled.q);
     system.evaluate_constraints(t, out.q, rest, at);
     take_branches_from(at.Phi, core);
     out.consistent = largest(at.Phi) <= std::max(met * before, met_absolute);
   }
-  if (!out.consistent) {
-    out.joints = joints_with_residuals(system.model(), at.Phi);
-    return out;
-  }
+  out.contradicts = reached && largest(at.Phi) > remaining * before;
+  if (out.contradicts) out.joints = joints_with_residuals(system.model(), at.Phi);
+  if (!out.consistent) return out;
   const CorePose pose(system, core, out.q, rank_tolerance, t);
   out.choice = choose(solver, core, pose, redundant);
   out.changed = out.choice.size() < redundant.size();

@@ -14,7 +14,10 @@ struct RedundancyExamination {
   /// Rows to leave out from here on, ascending, where fewer depend on the others than before.
   std::vector<int> choice;
   bool changed = false;     ///< `choice` is another one
-  std::vector<int> joints;  ///< that contradict each other, ascending, where there is no such pose
+  /// The nearest pose in the sense of least squares leaves a good part of the violation; neither this nor
+  /// `consistent` where no nearest pose was found.
+  bool contradicts = false;
+  std::vector<int> joints;  ///< that contradict each other, ascending
 };
 
 /// Pulls the pose onto all constraints, redundant ones included, and looks at the rank there. Off the constraints the

@@ -66,10 +66,10 @@ void Run::watch_redundant_rows(double t) {
   if (!redundancy_.suspicious(system, dynamics_.evaluation(), dynamics_.dropped(), v)) return;
   if (redundancy_.excess().kept > unbearable) return;  // it has left the joints altogether
   RedundancyExamination found = examine_redundancy(system, t, y_.head(system.q_size()), dynamics_.dropped().rows());
-  if (!found.consistent) note_contradiction(t, std::move(found.joints));
   if (found.changed) return take_up_rows(t, std::move(found));
-  // A pose that satisfies all is too far to be the one that was meant: the motion has left some of the equations.
-  if (found.consistent && redundancy_.excess().position > unbearable) note_contradiction(t, left_joints());
+  // Whatever the reason: where the equations are left so far, they are not those of the motion any more.
+  if (found.contradicts) note_contradiction(t, std::move(found.joints));
+  else if (redundancy_.excess().position > unbearable) note_contradiction(t, left_joints());
   redundancy_.suspect_less();
 }
 

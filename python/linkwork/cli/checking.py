@@ -136,7 +136,9 @@ def _print(found: dict[str, Any]) -> None:
             "\nseveral ways. The standard method cannot start here; --formulation augmented_lagrangian can."
         )
     for equation, size in found["contradictions"].items():
-        print(f"\n{equation}, contradicts the equations that it repeats: its acceleration is off by {size:.3g}")
+        print(
+            f"\n{equation}, contradicts the equations that it repeats: its acceleration is off by {size:.3g}"
+        )
     if redundant:
         print("\nRedundant equations are left out. A reaction that is not unique is the share of least norm.")
     worst = sorted(found["residuals"], key=lambda joint: -max(joint["position"], joint["velocity"]))[:SHOWN]
