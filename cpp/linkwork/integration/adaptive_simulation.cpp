@@ -35,6 +35,7 @@ constexpr double shorter = 0.999, short_time = 1e-6;
 // What a step must not add to the violation of the constraints, in units of the tolerances.
 constexpr double huge = 1e3;
 
+constexpr double small = 1e-8;  // steps, relative to t, in which the roundoff of t + h counts
 constexpr double jump = 1e-9;  // of velocities of drivers, relative: what is less is none
 
 // Steps tried at a singular pose: of the usual one 1, 1 - d, 1 - 2 d, ...
@@ -57,6 +58,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
       breaks_(dynamics.system().model(), schedule.breaks),
+      crossing_(dynamics),
       watch_(std::move(events)) {
   check(schedule);
   const FormulationInfo& formulation = formulation_info(dynamics.options().formulation);
@@ -116,6 +118,7 @@ double AdaptiveSimulation::initial_step() {
 
 void AdaptiveSimulation::attempt() {
   if (!evaluated_) evaluate(clock(), y_);
+  if (leap()) return;
   double h = proposed_ = std::min(step_, schedule_.largest_step);
   t_new_ = end_of_step(h);
   Phi_ = dynamics_.evaluation().Phi;
@@ -136,12 +139,39 @@ double AdaptiveSimulation::end_of_step(double& h) const {
     t_new = t_ + 0.5 * remaining;
   }
   if (const double knot = breaks_.only_knot(t_, t_new); knot < t_new) t_new = knot;
-  h = t_new - t_;
+  if (h >= remaining || t_new < t_ + h || h < small * t_new) h = t_new - t_;
   return t_new;
 }
 
 /// Where functions of time are evaluated for what begins at t_; at the end, for what ends there.
 double AdaptiveSimulation::clock() const { return t_ < schedule_.t_end ? breaks_.after(t_) : breaks_.before(t_); }
+
+/// Over a singular pose, where one is ahead; the step after it is as long as those before.
+bool AdaptiveSimulation::leap() {
+  leapt_ = false;
+  const double h = std::min(step_, schedule_.largest_step);
+  const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
+  dated(t_, h, [&] {
+    if (!crossing_.due(t_, std::min(h, remaining), y_)) return;
+    leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
+    if (leapt_) stop_at_singular_pose();
+    else dynamics_.evaluate(clock(), y_);
+  });
+  if (!leapt_) return false;
+  accepted_ = true;
+  evaluated_ = false;
+  h_ = crossing_.last().h;
+  t_new_ = h_ == remaining ? end : crossing_.last().end();
+  y_new_ = crossing_.last().y_new;
+  stop_.reset();
+  if (!watch_.empty()) dated(t_, h_, [&] { look_for_events(); });
+  return true;
+}
+
+const Interpolant& AdaptiveSimulation::interpolant() const {
+  if (leapt_) return crossing_;
+  return stepper_;
+}
 
 bool AdaptiveSimulation::near_singular_pose() const { return dynamics_.watch().open() && usual_step_ > 0.0; }
 
@@ -194,7 +224,7 @@ void AdaptiveSimulation::accept(double h, double error) {
   statistics_.smallest = std::min(statistics_.smallest, h);
   statistics_.largest = std::max(statistics_.largest, h);
   step_ = controller_.after_accepted(h, error);
-  if (h < proposed_) step_ = std::max(step_, proposed_);  // it was cut short
+  if (h < 0.99 * proposed_) step_ = std::max(step_, proposed_);  // it was cut short
   tries_ = 0;
   if (!dynamics_.watch().open()) usual_step_ = h;
   else if (usual_step_ > 0.0) step_ = std::max(step_, usual_step_);
@@ -203,11 +233,11 @@ void AdaptiveSimulation::accept(double h, double error) {
 }
 
 void AdaptiveSimulation::look_for_events() {
-  if (stepper_.prepare_interpolation(dynamics_)) evaluated_ = false;
+  if (!leapt_ && stepper_.prepare_interpolation(dynamics_)) evaluated_ = false;
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
-  for (const EventWatch::Found& found : watch_.scan(stepper_, system, t_, h_)) {
-    stepper_.interpolate(system, found.theta, work_);
+  for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_)) {
+    interpolant().interpolate(system, found.theta, work_);
     const double t = t_ + found.theta * h_;
     of_step_.push_back({found.event, t, work_.head(size), work_.head(size)});
     if (!watch_.event(found.event).stops()) continue;
@@ -284,16 +314,24 @@ bool AdaptiveSimulation::output_inside() const {
 void AdaptiveSimulation::record_inside() {
   const double t = schedule_.times[next_time_++];
   dated(t, NAN, [&] {
-    stepper_.prepare_interpolation(dynamics_);
-    stepper_.interpolate(dynamics_.system(), (t - t_) / h_, work_);
+    if (!leapt_) stepper_.prepare_interpolation(dynamics_);
+    interpolant().interpolate(dynamics_.system(), (t - t_) / h_, work_);
     dynamics_.evaluate(std::max(t, breaks_.after(t_)), work_);
-    recorder_.record(t, work_);
+    if (leapt_) record_in_leap(t);
+    else recorder_.record(t, work_);
   });
   evaluated_ = false;
 }
 
+void AdaptiveSimulation::record_in_leap(double t) {
+  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+  crossing_.interpolate(crossing_.theta(t), v_dot, lambda);
+  recorder_.record(t, work_, v_dot, lambda);
+}
+
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
+  if (!leapt_) dated(t_, h_, [&] { evaluated_ = !crossing_.look_back(t_, y_, t_new_, y_new_) && evaluated_; });
   t_ = t_new_;
   y_ = y_new_;
   accepted_ = false;
@@ -320,6 +358,7 @@ void AdaptiveSimulation::finish_step() {
     }
     step_ = initial_step();
   });
+  crossing_.restart();
   controller_.restart();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "linkwork/integration/break_points.hpp"
+#include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/events.hpp"
 #include "linkwork/integration/run.hpp"
@@ -55,12 +56,17 @@ class AdaptiveSimulation final : public Run {
 
  private:
   void work() override;
-  void forget() override { controller_.restart(); }
+  void forget() override {
+    crossing_.restart();
+    controller_.restart();
+  }
   void begin();
   double initial_step();
   void attempt();
   BodyMaximum trial(double h);
   void accept(double h, double error);
+  bool leap();
+  const Interpolant& interpolant() const;
   void look_for_events();
   void finish_event();
   void cross_break();
@@ -78,6 +84,7 @@ class AdaptiveSimulation final : public Run {
   void check_accumulation();
   bool output_inside() const;
   void record_inside();
+  void record_in_leap(double t);
   void finish_step();
   void evaluate(double t, const VectorXd& y);
   void record_if_due();
@@ -88,6 +95,8 @@ class AdaptiveSimulation final : public Run {
   StepController controller_;
   StepStatistics statistics_;
   BreakPoints breaks_;
+  Crossing crossing_;
+  bool leapt_ = false;  ///< the step that was accepted is a leap over a singular pose
   EventWatch watch_;
   std::vector<Occurrence> of_step_;        ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;    ///< of finished steps

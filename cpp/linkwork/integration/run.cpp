@@ -129,7 +129,8 @@ void Run::note_contradiction(double t, std::vector<int> joints) {
   std::snprintf(size, sizeof size, "by %.2g (m or 1), and by %.2g of the speed", excess.Phi, excess.velocity);
   throw ViolationError("contradiction",
                        "joints or drivers " + names + " contradict each other " + size +
-                           ": no pose satisfies them all; drive what is free once only, or by motions that agree",
+                           ": no pose near satisfies them all; drive what is free once only, or by motions that "
+                           "agree; where it is drift, use a smaller step or another stabilization",
                        details);
 }
 
