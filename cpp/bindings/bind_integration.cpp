@@ -89,7 +89,8 @@ py::dict statistics(const Run& run) {
   out["violations"] = run.budget().count();
   out["projections"] = run.projections();
   out["excesses"] = excesses(run);
-  if (const Contradiction& found = run.contradiction(); !std::isnan(found.t)) out["contradiction"] = to_dict(run, found);
+  if (const Contradiction& found = run.contradiction(); !std::isnan(found.t))
+    out["contradiction"] = to_dict(run, found);
   return out;
 }
 
@@ -147,14 +148,18 @@ void bind_runs(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
-                       std::vector<Event> events, double t_start, const VectorXd& start,
-                       std::vector<double> breaks) {
+                       std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks) {
              dynamics.set_interrupt(&look_for_signals);
-             return std::make_unique<AdaptiveSimulation>(
-                 dynamics, pair,
-                 AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times), t_start, start,
-                                  std::move(breaks)},
-                 std::move(events));
+             return std::make_unique<AdaptiveSimulation>(dynamics, pair,
+                                                         AdaptiveSchedule{t_end,
+                                                                          {rtol, atol},
+                                                                          largest_step,
+                                                                          record_every,
+                                                                          std::move(times),
+                                                                          t_start,
+                                                                          start,
+                                                                          std::move(breaks)},
+                                                         std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),

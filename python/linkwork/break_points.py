@@ -17,8 +17,8 @@ BESIDE = 4
 #: Jumps of a driver that are none, relative to its size and to the way that it makes beside the break.
 ROUNDOFF = 1e-9
 
-#: Where no time is.
-LEAST = np.finfo(float).tiny
+#: The same at t = 0 [s].
+LEAST = float(np.finfo(float).tiny)
 
 
 def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list[float]:
@@ -63,7 +63,7 @@ def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool)
 
 def _jump(signal: TimeFunction, t: float) -> tuple[int, float]:
     """The lowest derivative that jumps at t, of order 0 or 1, and by how much; (2, 0.0): neither."""
-    beside = max(BESIDE * np.finfo(float).eps * abs(t), LEAST)
+    beside = max(BESIDE * float(np.finfo(float).eps) * abs(t), LEAST)
     before, after = signal.evaluate(t - beside), signal.evaluate(t + beside)
     for level in (0, 1):
         size = abs(after[level] - before[level])

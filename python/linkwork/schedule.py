@@ -137,8 +137,8 @@ class Adaptive:
             self.record_every,
             self.times.tolist(),
             list(events),
-            *_from(start),
-            breaks=list(breaks),
+            *(_from(start) or (0.0, np.zeros(0))),
+            list(breaks),
         )
 
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:

@@ -4,12 +4,11 @@ import itertools
 import math
 import warnings
 
+import linkwork as lw
 import numpy as np
 import pytest
-from scipy.interpolate import CubicSpline, PPoly
-
-import linkwork as lw
 from linkwork import functions
+from scipy.interpolate import CubicSpline, PPoly
 
 PAIRS = ("bs32", "dopri5", "tsit5", "dop853")
 MASS = 2.0

@@ -2,10 +2,9 @@
 
 import warnings
 
+import linkwork as lw
 import numpy as np
 import pytest
-
-import linkwork as lw
 from linkwork import functions
 
 #: Every way to run, by name.

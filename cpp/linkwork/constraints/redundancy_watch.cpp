@@ -9,10 +9,10 @@ namespace linkwork {
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
-constexpr double noticed = 1e-8;    // of the size or the speed of the mechanism
+constexpr double noticed = 1e-8;     // of the size or the speed of the mechanism
 constexpr double explained = 100.0;  // times what the others are violated by
 constexpr double louder = 3.0, more = 2.0;
-constexpr double met = 1e-6;        // part of a violation that is left where all constraints can be met
+constexpr double met = 1e-6;  // part of a violation that is left where all constraints can be met
 constexpr double met_absolute = 1e-13;
 constexpr double remaining = 1e-2;  // part that is left where they cannot
 constexpr double involved = 1e-2;

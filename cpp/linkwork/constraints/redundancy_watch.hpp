@@ -13,7 +13,7 @@ struct RedundancyExamination {
   bool consistent = false;  ///< there is
   /// Rows to leave out from here on, ascending, where fewer depend on the others than before.
   std::vector<int> choice;
-  bool changed = false;     ///< `choice` is another one
+  bool changed = false;  ///< `choice` is another one
   /// The nearest pose in the sense of least squares leaves a good part of the violation; neither this nor
   /// `consistent` where no nearest pose was found.
   bool contradicts = false;

@@ -36,7 +36,7 @@ constexpr double shorter = 0.999, short_time = 1e-6;
 constexpr double huge = 1e3;
 
 constexpr double small = 1e-8;  // steps, relative to t, in which the roundoff of t + h counts
-constexpr double jump = 1e-9;  // of velocities of drivers, relative: what is less is none
+constexpr double jump = 1e-9;   // of velocities of drivers, relative: what is less is none
 
 // Steps tried at a singular pose: of the usual one 1, 1 - d, 1 - 2 d, ...
 constexpr int most_tries = 6;
@@ -301,8 +301,7 @@ void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
 /// its start explains, is an error of the step. Penalties violate them on purpose.
 bool AdaptiveSimulation::violates(double h) const {
   const Evaluation& at = dynamics_.evaluation();
-  if (at.Phi.size() == 0 || yields_ || near_singular_pose())
-    return false;
+  if (at.Phi.size() == 0 || yields_ || near_singular_pose()) return false;
   work_rows_ = at.Phi.cwiseAbs() - Phi_.cwiseAbs() - h * Phi_dot_.cwiseAbs();
   return !(work_rows_.maxCoeff() <= huge * measure_.of_length(y_));
 }

@@ -25,7 +25,7 @@ struct AdaptiveSchedule {
   std::int64_t record_every = 0;   ///< steps between frames, the first and the last state included; 0: `times`
   std::vector<double> times = {};  ///< ascending; states between steps come from the interpolant
   double t_start = 0.0;
-  VectorXd start = {};  ///< y = (q, v) at t_start; empty: that of the model
+  VectorXd start = {};              ///< y = (q, v) at t_start; empty: that of the model
   std::vector<double> breaks = {};  ///< times at which something is not smooth, beside those that the model knows
 };
 
@@ -104,9 +104,9 @@ class AdaptiveSimulation final : public Run {
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
-  VectorXd y_new_;     ///< at t_new_
-  double step_ = 0.0;      ///< what the controller proposes
-  double proposed_ = 0.0;  ///< what it proposed for this one
+  VectorXd y_new_;          ///< at t_new_
+  double step_ = 0.0;       ///< what the controller proposes
+  double proposed_ = 0.0;   ///< what it proposed for this one
   VectorXd Phi_, Phi_dot_;  ///< where the step begins
   bool yields_ = false;     ///< the formulation lets constraints be violated
   // Near a singular pose

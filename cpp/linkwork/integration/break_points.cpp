@@ -8,7 +8,7 @@ namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
 constexpr double same = 64 * ulp, beside = 4 * ulp;  // relative to t
-constexpr double smaller = 10.0;                      // so many times the estimate an error may be
+constexpr double smaller = 10.0;                     // so many times the estimate an error may be
 constexpr double roundoff = 1e-13;
 constexpr double sliver = 1e-2;  // of a step
 
@@ -87,8 +87,7 @@ bool BreakPoints::seen(const EmbeddedPair& pair, const StepSpan& step, double re
 
 // With F'' = f:   F'(t + h) - F'(t) = h sum b_i f_i + error,   F(t + h) - F(t) - h F'(t) = h^2 sum b_i (1 - c_i) f_i +
 // error, what a force f does to a velocity and to a position.
-bool BreakPoints::seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step,
-                       double relative) {
+bool BreakPoints::seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step, double relative) {
   const ButcherTableau& method = pair.method;
   const double h = step.h;
   const Signal<double> start = function.evaluate(step.at(0.0)), end = function.evaluate(step.at(1.0));

@@ -28,8 +28,9 @@ class PairStepper final : public Interpolant {
 
   const EmbeddedPair& pair() const { return pair_; }
 
-  /// A step from (t, y) to (t + h, y_new()), evaluated at the times of the span; the estimate of its error in units of the tolerances, infinite where the
-  /// new state is not finite. Leaves `dynamics` at the new state, with the correction of this step held.
+  /// A step from (t, y) to (t + h, y_new()), evaluated at the times of the span; the estimate of its error in units of
+  /// the tolerances, infinite where the new state is not finite. Leaves `dynamics` at the new state, with the
+  /// correction of this step held.
   BodyMaximum trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step, const VectorXd& y);
   const VectorXd& y_new() const { return y_new_; }
 

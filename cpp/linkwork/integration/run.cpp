@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t listed = 8;  // joints in a message
 
-// Contradictions, relative to the size and the speed of the mechanism, that end a run: of positions; of velocities where
-// that of positions is `certain`. What is less may be the inaccuracy of tables, and is told at the end.
+// Contradictions, relative to the size and the speed of the mechanism, that end a run: of positions; of velocities
+// where that of positions is `certain`. What is less may be the inaccuracy of tables, and is told at the end.
 constexpr double unbearable = 1e-3, unbearable_speed = 1e-2, certain = 1e-7;
 
 [[noreturn]] void throw_violation(const Dynamics& dynamics, const Excess& excess) {
@@ -112,8 +112,7 @@ void Run::note_contradiction(double t, std::vector<int> joints) {
   const RedundancyWatch::Excess& excess = redundancy_.excess();
   if (std::isnan(contradiction_.t)) contradiction_ = {t, 0.0, joints};
   contradiction_.largest = std::max(contradiction_.largest, excess.Phi);
-  const bool large = excess.position > unbearable ||
-                     (excess.velocity > unbearable_speed && excess.position > certain);
+  const bool large = excess.position > unbearable || (excess.velocity > unbearable_speed && excess.position > certain);
   if (!large && dynamics_.options().on_violation != "stop") return;
   const Model& model = dynamics_.system().model();
   ErrorDetails details;

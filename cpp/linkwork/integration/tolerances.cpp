@@ -29,8 +29,7 @@ BodyMaximum ErrorMeasure::of_change(const ConstVector& y, const ConstVector& y_n
 
 double ErrorMeasure::of_length(const ConstVector& y) const {
   double largest = 1.0;
-  for (int body = 0; body < system_.body_count(); ++body)
-    largest = std::max(largest, y.segment<3>(7 * body).norm());
+  for (int body = 0; body < system_.body_count(); ++body) largest = std::max(largest, y.segment<3>(7 * body).norm());
   return bound(largest);
 }
 

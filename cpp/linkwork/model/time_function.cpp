@@ -103,8 +103,8 @@ class PiecewisePolynomial final : public TimeFunction {
   }
 
  private:
-  static constexpr std::size_t smooth = 3;      // continuous: value, first and second derivative
-  static constexpr double roundoff = 1e-11;     // of the terms of a polynomial
+  static constexpr std::size_t smooth = 3;   // continuous: value, first and second derivative
+  static constexpr double roundoff = 1e-11;  // of the terms of a polynomial
 
   std::shared_ptr<const PiecewisePolynomial> shared() const { return std::make_shared<PiecewisePolynomial>(*this); }
 
@@ -117,8 +117,7 @@ class PiecewisePolynomial final : public TimeFunction {
                                coefficients_.begin() + static_cast<std::ptrdiff_t>(knot * count_));
     const double* after = coefficients_.data() + knot * count_;
     double size = 0.0, power = 1.0;
-    for (std::size_t k = 0; k < count_; ++k, power *= shorter)
-      size = std::max(size, std::abs(after[k]) * power);
+    for (std::size_t k = 0; k < count_; ++k, power *= shorter) size = std::max(size, std::abs(after[k]) * power);
     power = 1.0;
     for (std::size_t k = 0; k < count_; ++k, power *= left) size = std::max(size, std::abs(before[k]) * power);
     for (std::size_t k = 0; k + 1 < count_; ++k)  // Taylor's shift to the knot
