@@ -359,6 +359,15 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
           },
           py::arg("t"), py::arg("y"), py::arg("repeats"),
           "So many right-hand sides at y = (q, v), reactions included, for others to time.")
+      .def(
+          "redundancy_watch_time",
+          [](Dynamics& self, double t, const ConstVector& y, int repeats) {
+            const VectorXd full = with_work(self, y);
+            const py::gil_scoped_release release;
+            return time_redundancy_watch(self, t, full, repeats);
+          },
+          py::arg("t"), py::arg("y"), py::arg("repeats"),
+          "Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].")
       .def("analysis_time", &time_analysis, py::call_guard<py::gil_scoped_release>(),
            "Time of one symbolic analysis, by a solver like the one in use [s].");
 }

@@ -223,6 +223,22 @@ void bind_time_functions(py::module_& module) {
             return std::const_pointer_cast<TimeFunction>(characteristic(std::move(f)));
           },
           py::arg("function"), "The same function of a coordinate or velocity of a force element.")
+      .def_property_readonly(
+          "breaks",
+          [](const TimeFunction& f) {
+            std::vector<Break> breaks;
+            f.add_breaks(breaks);
+            std::vector<std::pair<double, bool>> out;
+            for (const Break& it : breaks) out.emplace_back(it.t, it.ends_step);
+            return out;
+          },
+          "Times at which it is not smooth, and whether each ends a step whatever the tables say.")
+      .def_static(
+          "with_breaks",
+          [](std::shared_ptr<TimeFunction> f, std::vector<double> times) {
+            return std::const_pointer_cast<TimeFunction>(with_breaks(std::move(f), std::move(times)));
+          },
+          py::arg("function"), py::arg("times"), "The same function, not smooth at these times, either.")
       .def_static(
           "constant", [](double c) { return polynomial({c}); }, py::arg("value"))
       .def_static("polynomial", &polynomial, py::arg("coefficients"), "sum c_k t^k, ascending powers.")
@@ -310,6 +326,8 @@ void bind_model(py::module_& module) {
       .def(
           "add_signal", [](Model& model, std::shared_ptr<TimeFunction> f) { return model.add_signal(std::move(f)); },
           py::arg("function"))
+      .def("add_breaks", &Model::add_breaks, py::arg("times"), "Times at which users' forces are not smooth.")
+      .def_property_readonly("breaks", &Model::breaks)
       .def(
           "add_user_force",
           [](Model& model, const std::string& name, py::function function) {

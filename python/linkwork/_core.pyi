@@ -59,6 +59,7 @@ class AdaptiveSimulation(Run):
         events: collections.abc.Sequence[Event] = [],
         t_start: typing.SupportsFloat | typing.SupportsIndex = 0.0,
         start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] = ...,
+        breaks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [],
     ) -> None: ...
     def statistics(self) -> dict: ...
     def take_occurrences(self) -> list:
@@ -195,6 +196,15 @@ class Dynamics:
     ) -> tuple:
         """
         Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes; (k, joints, 3) for k times, states and multipliers.
+        """
+    def redundancy_watch_time(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        repeats: typing.SupportsInt | typing.SupportsIndex,
+    ) -> float:
+        """
+        Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].
         """
     def repeat_right_hand_side(
         self,
@@ -364,6 +374,12 @@ class Model:
         """
         Adds bodies under a prefix (str) or names (list); returns the first index.
         """
+    def add_breaks(
+        self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
+    ) -> None:
+        """
+        Times at which users' forces are not smooth.
+        """
     def add_compiled_force(
         self,
         name: str,
@@ -473,6 +489,8 @@ class Model:
         """
     @property
     def body_count(self) -> int: ...
+    @property
+    def breaks(self) -> list[float]: ...
     @property
     def force_count(self) -> int: ...
     @property
@@ -755,9 +773,21 @@ class TimeFunction:
         """
     @staticmethod
     def sum(terms: collections.abc.Sequence[TimeFunction]) -> TimeFunction: ...
+    @staticmethod
+    def with_breaks(
+        function: TimeFunction, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
+    ) -> TimeFunction:
+        """
+        The same function, not smooth at these times, either.
+        """
     def evaluate(self, t: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float]:
         """
         (value, rate, acceleration) at t.
+        """
+    @property
+    def breaks(self) -> list[tuple[float, bool]]:
+        """
+        Times at which it is not smooth, and whether each ends a step whatever the tables say.
         """
     @property
     def has_derivatives(self) -> bool: ...

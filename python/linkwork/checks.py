@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
@@ -36,8 +38,8 @@ REMEMBERING = {
     ),
 }
 
-#: Residuals of equations that others imply, over those of the others, beyond which they are not implied.
-CONTRADICTION = 100.0
+#: Accelerations that redundant equations ask for otherwise than the rest, relative to what they are made of.
+CONTRADICTION = 1e-6
 
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
@@ -176,26 +178,40 @@ def _check_remembered(core: _core.Model) -> None:
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
 
 
-def check_redundant(model: Model, dynamics: _core.Dynamics, end: Snapshot) -> None:
-    """LinkworkWarning: what was left out as redundant does not hold at the end, and so contradicts the rest.
+def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str, float]:
+    """Of redundant equations that ask for other accelerations than the rest: what is left of them [1/s2].
 
-    Two drivers of one joint agree at the start and may part later: only one of them was followed.
+    By the equation in words; such as drivers that agree in position and velocity, and are about to part.
     """
     rows = np.asarray(dynamics.rank().redundant_rows, dtype=int)
-    if not len(rows):
-        return
     core = model.compiled()
-    Phi = np.abs(dynamics.evaluate(end.t, np.ravel(end.q), np.ravel(end.v))["Phi"])
-    kept = float(np.delete(Phi, rows).max(initial=0.0))
-    broken = rows[Phi[rows] > max(SMALL_RESIDUAL * extent(core).size, CONTRADICTION * kept)]
-    if len(broken):
-        joints = np.unique(np.searchsorted(core.joint_rows, broken, side="right") - 1)
-        names = [core.joint_name(int(joint)) for joint in joints]
-        warn(
-            f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by "
-            f"{Phi[broken].max():.2g} (m or 1) at t = {end.t:g} s, where the others hold to {kept:.1g}: "
-            "joints or drivers contradict each other, and these were not followed"
-        )
+    if not len(rows):
+        return {}
+    v_dot, _ = dynamics.accelerations(0.0, core.q0, core.v0)
+    found = dynamics.evaluate(0.0, core.q0, core.v0)
+    D = csr_array(
+        tuple(found["D"][part] for part in ("data", "indices", "indptr")), (core.row_count, len(v_dot))
+    )
+    left = np.abs(D @ v_dot - found["gamma"])[rows]
+    size = (abs(D) @ np.abs(v_dot) + np.abs(found["gamma"]))[rows]
+    broken = left > CONTRADICTION * size.max(initial=0.0)
+    return {core.describe_row(int(row)): float(x) for row, x in zip(rows[broken], left[broken], strict=True)}
+
+
+def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:
+    """LinkworkWarning: redundant equations contradict the others, by so little that the run went on.
+
+    Two drivers of one joint agree at the start and part later: only one of them was followed.
+    """
+    found = statistics.get("contradiction")
+    if not found:
+        return
+    names = found["joints"]
+    warn(
+        f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by up to "
+        f"{found['largest']:.2g} (m or 1) from t = {found['t']:.6g} s on, where the others hold: joints or "
+        "drivers contradict each other, and not all were followed"
+    )
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:

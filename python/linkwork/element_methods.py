@@ -65,6 +65,8 @@ _COMMON = {
     "name": "of the joint; without it the kind and a number",
 }
 
+_BREAKS = "times [s] at which Python functions are not smooth, see functions.with_breaks"
+
 _ERRORS = """\
 ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name."""
 
@@ -105,17 +107,25 @@ def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
         yield name, default is None, meaning if default is None else f"{meaning}; {default:g}"
 
 
+def _of_time(kind: _core.KindInfo) -> bool:
+    """Whether it has parameters that can be functions of time."""
+    return any(name not in (*kind.constants, *kind.functions) for name in kind.parameters)
+
+
 def _signature(kind: _core.KindInfo) -> Signature:
     keyword, nothing = Parameter.KEYWORD_ONLY, Parameter.empty
     parameters = [Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in ("self", "a", "b")]
     for name, required, _ in _arguments(kind):
         parameters.append(Parameter(name, keyword, default=nothing if required else _default(kind, name)))
+    if _of_time(kind):
+        parameters.append(Parameter("breaks", keyword, default=()))
     parameters += [Parameter("frames", keyword, default="space"), Parameter("name", keyword, default=None)]
     return Signature(parameters)
 
 
 def _documentation(kind: _core.KindInfo) -> str:
-    meanings = {name: meaning for name, _, meaning in _arguments(kind)} | _COMMON
+    breaks = {"breaks": _BREAKS} if _of_time(kind) else {}
+    meanings = {name: meaning for name, _, meaning in _arguments(kind)} | breaks | _COMMON
     arguments = "\n".join(f"{name:<{max(map(len, meanings))}}  {text}" for name, text in meanings.items())
     parts = [kind.documentation, arguments, _ERRORS]
     if kind.rows:
@@ -188,6 +198,8 @@ def _stub_method(kind: _core.KindInfo) -> str:
         default = _default(kind, name)
         optional = "" if required else " | None = None" if default is None else f" = {default!r}"
         lines.append(f"        {name}: {type_}{optional},")
+    if _of_time(kind):
+        lines.append("        breaks: ArrayLike = (),")
     result = "Joint" if kind.rows else "Force"
     lines += ['        frames: Frames = "space",', "        name: str | None = None,", f"    ) -> {result}:"]
     return "\n".join([*lines, f'        """{kind.documentation}"""', ""])

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -32,6 +32,7 @@ __all__ = [
     "piecewise_polynomial",
     "polynomial",
     "table",
+    "with_breaks",
 ]
 
 Floats = NDArray[np.float64]
@@ -63,6 +64,14 @@ class TimeFunction(ABC):
     @abstractmethod
     def compiled(self) -> _core.TimeFunction:
         """The same function in the compiled module."""
+
+    @property
+    def break_points(self) -> list[float]:
+        """Times [s] at which it is known not to be smooth, ascending: steps that follow tolerances end there.
+
+        Knots of tables with two continuous derivatives are not among them.
+        """
+        return sorted({t for t, ends_step in self.compiled().breaks if ends_step})
 
     def fingerprint(self) -> bytes:
         """Equal for equal functions; a Python function counts by its name."""
@@ -196,6 +205,73 @@ class Callback(TimeFunction):
         ).encode()
 
 
+@dataclass(frozen=True)
+class Broken(TimeFunction):
+    """A function that is not smooth at these times [s], either."""
+
+    function: TimeFunction
+    times: tuple[float, ...]
+
+    @property
+    def span(self) -> tuple[float, float]:
+        return self.function.span
+
+    @property
+    def has_derivatives(self) -> bool:
+        return self.function.has_derivatives
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.with_breaks(self.function.compiled(), list(self.times))
+
+    def fingerprint(self) -> bytes:
+        return self.function.fingerprint() + repr(self.times).encode()
+
+    def integral(self) -> TimeFunction:
+        return Broken(self.function.integral(), self.times)
+
+
+def with_breaks(function: TimeFunctionLike, breaks: ArrayLike) -> TimeFunction:
+    """A function that is not smooth at the times `breaks` (k,) [s]: where a formula of yours has a case.
+
+    with_breaks(lambda t: 5.0 if 1.0 <= t < 1.001 else 0.0, breaks=(1.0, 1.001))
+
+    Steps that follow tolerances end at each of them, and what ends there sees the function before, what
+    begins there the function after it, whichever side the function counts the time itself to. Without them
+    such a step may miss a pulse altogether. `polynomial`, `cycloidal`, `table` and the like know their own.
+    In an `expression` it is what is under sqrt or a broken power that becomes zero, as in sqrt((t - 1)**2).
+    ModelError: no function of time, times that are not finite.
+    """
+    given = as_time_function(function, "with_breaks: function")
+    whole = given if isinstance(given, TimeFunction) else Polynomial((given,))
+    return Broken(whole, check_breaks(breaks, "with_breaks"))
+
+
+def check_breaks(breaks: ArrayLike, who: str) -> tuple[float, ...]:
+    """Times [s], ascending. ModelError: they are no finite numbers."""
+    try:
+        times = np.unique(np.asarray(breaks, dtype=float))
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"{who}: breaks {breaks!r} are not times [s]", code="breaks") from error
+    if not np.isfinite(times).all():
+        raise ModelError(f"{who}: breaks {times.tolist()} are not finite", code="breaks")
+    return tuple(times.tolist())
+
+
+def broken(arguments: Mapping[str, Any], breaks: ArrayLike, who: str) -> dict[str, Any]:
+    """Arguments of an element, functions of time among them, with breaks. ModelError: none is a function."""
+    times = check_breaks(breaks, who)
+    if not times:
+        return dict(arguments)
+    functions = {what: x for what, x in arguments.items() if _is_function(x)}
+    if not functions:
+        raise ModelError(f"{who}: breaks, but no function of time", code="breaks")
+    return {**arguments, **{what: with_breaks(x, times) for what, x in functions.items()}}
+
+
+def _is_function(x: Any) -> bool:
+    return isinstance(x, TimeFunction) or callable(x) or (isinstance(x, tuple) and all(map(callable, x)))
+
+
 def constant(value: float) -> TimeFunction:
     """f(t) = value. A plain number does the same."""
     return Polynomial((_finite(value, "constant: value"),))
@@ -235,7 +311,8 @@ def cycloidal(rise: float, duration: float, start: float = 0.0) -> TimeFunction:
 def expression(text: str) -> TimeFunction:
     """A formula in t, such as "0.3 * sin(2*pi*t)**2", with its exact derivatives.
 
-    Numbers, t, pi, e, + - * / **, and sin, cos, tan, exp, log, sqrt, tanh. It runs in Python: what
+    Numbers, t, pi, e, + - * / **, and sin, cos, tan, exp, log, sqrt, tanh. Where it is not smooth, as
+    sqrt((t - 1)**2) at 1 s, say so by `with_breaks`: it is not known in advance. It runs in Python: what
     `polynomial`, `harmonic`, `cycloidal` and `table` can say is much faster by them.
     ModelError: anything else, or no finite value at t = 0.
     """

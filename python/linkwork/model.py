@@ -49,6 +49,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         self._bodies = Bodies(self, self._core)
         self._counts: Counter[str] = Counter()
         self._signals: list[tuple[str, TimeFunction]] = []
+        self._drivers: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[TimeFunction] = []
         self._user_forces: list[tuple[str, Any]] = []
         self._shapes = Shapes()
@@ -206,6 +207,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         velocity: TimeFunctionLike = None,
         acceleration: TimeFunctionLike = None,
         coordinate: str | None = None,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Joint:
         """Prescribe a free coordinate of a joint over time, by its position, velocity or acceleration.
@@ -214,6 +216,10 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         velocity      its rate; the position is its integral from the initial pose on
         acceleration  likewise, from the initial pose and velocity on
         coordinate    "angle" or "displacement"; not needed where the joint has only one
+        breaks        times [s] at which a Python function is not smooth, see functions.with_breaks
+
+        A position may not jump. Where a velocity jumps the bodies are struck, by impulses in the joints
+        alone, in runs with steps that follow tolerances.
 
         The driver is a joint of its own, `angle_driver` or `displacement_driver`: its reaction drives.
         ModelError: no such joint or coordinate; no motion or several; one without derivatives or integral.
@@ -231,7 +237,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         bodies = arrays["bodies"][[index]]
         kind = f"{which}_driver"
         subject = Subject(kind, self._named(name, kind, self._counts[kind]), False, 1)
-        function = _motion(*motions[0], self._initial_coordinate(which, bodies[0], place), subject.who(0))
+        what, motion = motions[0]
+        motion = functions.broken({what: motion}, breaks, subject.who(0))[what]
+        function = _motion(what, motion, self._initial_coordinate(which, bodies[0], place), subject.who(0))
         self._add(with_parameters(kind_info("joint", kind), subject, bodies, place, {which: function}))
         return self._joint(self.joint_count - 1)
 
@@ -266,12 +274,14 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         torque: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         at: ArrayLike | None = None,
         frame: Literal["inertial", "body"] = "inertial",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Apply a force [N] and a torque [N m] to a body; components are numbers or functions of time.
 
         at     the point of application (3,) in body coordinates [m]; without it the center of mass
         frame  axes of the components: "inertial", or "body" that turn with the body
+        breaks times [s] at which Python functions are not smooth, see functions.with_breaks
         """
         _choose("frame", frame, ("inertial", "body"))
         subject = Subject("applied", self._named(name, "applied", self._counts["applied"]), False, 1)
@@ -280,6 +290,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         axes = np.broadcast_to(np.eye(3), (1, 2, 3, 3))
         place = Attachment(np.stack([np.zeros_like(s), s], axis=1), axes, np.zeros(1))
         components = subject.components(force, "force") | subject.components(torque, "torque")
+        components = functions.broken(components, breaks, subject.who(0))
         bodies = np.array([[-1 if frame == "inertial" else index, index]], np.int32)
         self._add(with_parameters(kind_info("force", "applied"), subject, bodies, place, components))
         return self._force(self.force_count - 1, "applied")
@@ -295,6 +306,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_length: TimeFunctionLike = None,
         force: TimeFunctionLike = 0.0,
         frames: Frames = "space",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Join two points by spring, damper and actuator: they pull with k (l - l_0) + c l_dot + f.
@@ -306,10 +318,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_length  l_0 [m]; without it the initial length
         force        f [N], positive pulls the points together
 
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
         own = {"stiffness": stiffness, "damping": damping, "free_length": free_length, "force": force}
-        return self._add_force("spring_damper", a, b, frames, name, {"at": at, **own})
+        return self._add_force("spring_damper", a, b, frames, name, {"at": at, **own, "breaks": breaks})
 
     def rotational_spring_damper(
         self,
@@ -324,6 +337,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_angle: TimeFunctionLike = 0.0,
         torque: TimeFunctionLike = 0.0,
         frames: Frames = "space",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Join bodies by rotational spring, damper, motor: -k (theta - theta_0) - c theta_dot + n acts on b.
@@ -339,19 +353,23 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_angle  theta_0 [rad]
         torque      n [N m], positive turns b about +axis
 
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
         origin = (0.0, 0.0, 0.0)
         point = at if at is not None else ((origin, origin) if frames == "body" else origin)
         place = {"at": point, "axis": axis, "x_axis": x_axis}
         own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
-        return self._add_force("rotational_spring_damper", a, b, frames, name, {**place, **own})
+        return self._add_force(
+            "rotational_spring_damper", a, b, frames, name, {**place, **own, "breaks": breaks}
+        )
 
     def user_force(
         self,
         function: Callable[..., ArrayLike],
         bodies: BodyLike | BodiesLike | None = None,
         *,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> None:
         """Let a Python function apply forces: one call an evaluation, for all its bodies at once.
@@ -360,6 +378,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         function  of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
                   and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
                   Within a step the Euler parameters may be off unit length by little
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
 
         All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
         threads out: see `compiled_force`.
@@ -373,7 +392,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         if bodies is not None:
             single = isinstance(bodies, Body | str)
             whole = _on_bodies(function, self.indices(bodies), single, name)
+        times = functions.check_breaks(breaks, f"user force '{name}'")
         self._core.add_user_force(name, whole)
+        self._core.add_breaks(times)
         self._user_forces.append((name, function))
 
     def joint_force(
@@ -382,6 +403,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         function: Callable[[float, float, float], ArrayLike],
         *,
         coordinate: str | None = None,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> None:
         """Let a Python function act along a free coordinate of a joint: a controller, a clutch, friction.
@@ -390,6 +412,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
                     Q that does the work Q dx: it acts on b, and back on a
         coordinate  as `Result.coordinate` names it; not needed where the joint has only one. Angles are
                     within half a turn of zero
+        breaks      times [s] at which it is not smooth: steps that follow tolerances end there
 
         All its power counts as work. For compiled laws see the force elements and `compiled_force`.
 
@@ -405,7 +428,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         whole = along_coordinate(
             function, which, (a, b), arrays["origin"][index], arrays["frame"][index], name
         )
+        times = functions.check_breaks(breaks, f"joint force '{name}'")
         self._core.add_user_force(name, whole)
+        self._core.add_breaks(times)
         self._user_forces.append((name, function))
 
     def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
@@ -418,7 +443,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             )
         return index, text
 
-    def compiled_force(self, function: Any, *, data: int = 0, name: str | None = None) -> None:
+    def compiled_force(
+        self, function: Any, *, data: int = 0, breaks: ArrayLike = (), name: str | None = None
+    ) -> None:
         """Let a compiled function apply forces; it runs without Python.
 
         function  void f(double t, int64_t n, const double *q, const double *v, double *g, void *data), which
@@ -426,11 +453,14 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
                   an address, a function of ctypes, or a numba.cfunc of float64, int64, three pointers to
                   float64 and one to void
         data      the address that it gets; what is there must live as long as the model
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
 
         ModelError: nothing that has an address.
         """
         name = self._named(name, "compiled force", len(self._user_forces))
+        times = functions.check_breaks(breaks, f"compiled force '{name}'")
         self._core.add_compiled_force(name, _address(function, name), data)
+        self._core.add_breaks(times)
         self._user_forces.append((name, function))
 
     def bushing(
@@ -445,6 +475,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         rotational_damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         frames: Frames = "space",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Join frames of a and b elastically: -k u - c u_dot along a's axes, -K phi - C phi_dot about them.
@@ -456,6 +487,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         stiffness             k [N/m] along x, y, z         rotational_stiffness  K [N m/rad]
         damping               c [N s/m]                     rotational_damping    C [N m s/rad]
 
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
         subject = Subject("bushing", name or "bushing", False, 1)
@@ -467,7 +499,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             ("rotational_damping", rotational_damping),
         ):
             own |= subject.components(values, what)
-        return self._add_force("bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own})
+        return self._add_force(
+            "bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own, "breaks": breaks}
+        )
 
     def forces(
         self,
@@ -515,6 +549,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         return tuple(self._signals)
 
     @property
+    def drivers(self) -> Sequence[tuple[str, TimeFunction]]:
+        """Those of the `signals` that drive joints."""
+        return tuple(self._drivers)
+
+    @property
     def shapes(self) -> Shapes:
         """The bodies that have shapes of their own."""
         return self._shapes
@@ -546,6 +585,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         out._core = self._core.with_initial_state(q.ravel(), v.ravel())
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
+        out._drivers = self._drivers.copy()
         out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
         out._shapes = self._shapes.copy()
         out._functions, out._special = self._functions.copy(), self._special.copy()
@@ -611,11 +651,15 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         each = [] if given is None else _names_of_all(kind, given, len(bodies))
         subject = Subject(kind, name, group, len(bodies), each)
         first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
+        arguments = dict(arguments)
+        arguments = functions.broken(arguments, arguments.pop("breaks", ()), subject.who(0))
         self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
 
     def _add(self, elements: Elements) -> None:
         self._functions |= elements.add_to(self._core)
         self._signals += elements.signals()
+        if elements.info.rows:
+            self._drivers += elements.signals()
         self._characteristics += elements.characteristics()
         self._counts[elements.info.name] += elements.subject.count
 

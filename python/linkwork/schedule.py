@@ -26,6 +26,9 @@ FRAMES, FRAME_BYTES = 1000, 2**30
 #: Beyond, a run is refused by the driver.
 MOST_STEPS = 1e15
 
+#: Times that are one, relative to the step.
+SAME_TIME = 1e-9
+
 #: Where only the other tolerance is given; the smallest rtol that double precision holds.
 USUAL_RTOL, USUAL_RATIO, LEAST_RTOL = 1e-6, 1e-3, 1e-13
 
@@ -58,6 +61,7 @@ class Fixed:
         system: System,
         events: Sequence[_core.Event],
         start: Snapshot | None = None,
+        breaks: Sequence[float] = (),
     ) -> _core.Simulation:
         """OptionError: events, for which there is no interpolant."""
         if events:
@@ -69,6 +73,11 @@ class Fixed:
         return _core.Simulation(
             system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
         )
+
+    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+        """How many steps contain break points, inside or at their ends, where the last stage may be."""
+        steps = {math.ceil((t - t_start) / self.step - SAME_TIME) for t in breaks}
+        return {"steps_with_breaks": len(steps)} if steps else {}
 
 
 @dataclass(frozen=True)
@@ -115,6 +124,7 @@ class Adaptive:
         system: System,
         events: Sequence[_core.Event],
         start: Snapshot | None = None,
+        breaks: Sequence[float] = (),
     ) -> _core.AdaptiveSimulation:
         assert isinstance(method, EmbeddedPair)
         return _core.AdaptiveSimulation(
@@ -127,8 +137,13 @@ class Adaptive:
             self.record_every,
             self.times.tolist(),
             list(events),
-            *_from(start),
+            *(_from(start) or (0.0, np.zeros(0))),
+            list(breaks),
         )
+
+    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+        """None: steps end at each."""
+        return {}
 
 
 def _from(start: Snapshot | None) -> tuple[()] | tuple[float, NDArray[np.float64]]:

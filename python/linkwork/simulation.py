@@ -10,7 +10,7 @@ from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
-from linkwork import checks, integrators, recording, schedule
+from linkwork import break_points, checks, integrators, recording, schedule
 from linkwork.assembly import Assembly
 from linkwork.errors import OptionError
 from linkwork.events import Event, compile_events
@@ -44,6 +44,7 @@ def simulate(
     record_every: int | None = None,
     times: ArrayLike | None = None,
     events: Event | Iterable[Event] = (),
+    breaks: ArrayLike = (),
     start: Snapshot | None = None,
     output: str | os.PathLike[str] | None = None,
     progress: ProgressOption = None,
@@ -65,6 +66,9 @@ def simulate(
                   limits a step. Without record_every and times: at most about 1000 frames, evenly
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
+    breaks        times [s] at which something is not smooth, beside those that functions of time and forces
+                  declare: steps that follow tolerances end there; of fixed ones the summary says how many
+                  contain one
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
                   `state` of an error. The work and multistep methods begin anew, and so do full turns
                   of rotational springs and contacts that are under way where the state is not the last
@@ -89,9 +93,10 @@ def simulate(
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
-    written. ViolationError: on_violation="stop". An error of a run has its `result` up to there and the
-    last `state`. ModelError: initial poses or velocities do not satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected; redundant equations turned out to contradict the others.
+    written. ViolationError: on_violation="stop", or joints and drivers contradict each other. An error of a
+    run has its `result` up to there and the last `state`. ModelError: initial poses or velocities do not
+    satisfy the joints, see `assemble`.
+    LinkworkWarning: they were corrected; redundant equations contradict the others a little.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
@@ -100,16 +105,19 @@ def simulate(
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
     checks.check_tables(model, t_end)
+    known = break_points.of_run(model, breaks, t_start, t_end)
+    break_points.check_drivers(model, t_start, t_end, adaptive=isinstance(plan, schedule.Adaptive))
     watched = compile_events(events, model)
     method = _method(plan.usual_integrator if integrator is None else integrator)
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
-             "record_every": record_every, "assemble": assemble, **options}  # fmt: skip
+             "record_every": record_every, "breaks": breaks, "assemble": assemble, **options}  # fmt: skip
     system, assembly = _system(model, method, options, plan, assemble, start)
 
-    run = plan.run(method, system, [event for _, event in watched], start)
+    run = plan.run(method, system, [event for _, event in watched], start, known)
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, given, chosen),
+        "breaks": {"count": len(known), **plan.steps_with_breaks(known, t_start)},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
@@ -131,8 +139,9 @@ def simulate(
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
     memory = run.memory
     kept = {"memory": memory} if 0 < len(memory) <= MOST_REMEMBERED else {}
-    result = recorder.result({**run.statistics(), **times_spent, **kept})
-    checks.check_redundant(system.model, system.compiled(), Snapshot.of(run.t, run.last_state))
+    broken = plan.steps_with_breaks(known, t_start)
+    result = recorder.result({**run.statistics(), **times_spent, **broken, **kept})
+    checks.warn_of_contradiction(result.statistics)
     return result
 
 

@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 
 from linkwork import _core, rotation
 from linkwork.errors import ModelError
-from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function
+from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken
 from linkwork.handles import BodyLike, Joint
 from linkwork.joint_coordinates import coordinate_of
 from linkwork.placement import Frames, Subject
@@ -106,6 +106,7 @@ class SpecialJointMethods:
         coordinates: Sequence[tuple[Joint | str, float] | tuple[Joint | str, str, float]],
         *,
         offset: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Joint:
         """Add a linear relation between free coordinates of joints: sum factor x coordinate = offset.
@@ -116,6 +117,7 @@ class SpecialJointMethods:
         coordinates  (joint, factor), or (joint, coordinate, factor) where a joint has several; joints that
                      were added before, or their names. Coordinates as `Result.coordinate` gives them [rad, m]
         offset       a number or a function of time; in the unit of the sum
+        breaks       times [s] at which a Python function is not smooth, see functions.with_breaks
 
         Angles count over full turns from the initial pose on, where they are within half a turn of zero. The
         multiplier is the generalized force of the sum; the reaction is what acts on the second body of the
@@ -127,7 +129,7 @@ class SpecialJointMethods:
         name = model._named(name, "coupler", model._counts["coupler"])
         who = f"coupler '{name}'"
         terms = _coupled(model._core, coordinates, who)
-        function = as_time_function(offset, f"{who}: offset")
+        function = as_time_function(broken({"offset": offset}, breaks, who)["offset"], f"{who}: offset")
         constant, signal = 0.0, -1
         if not isinstance(function, TimeFunction):
             constant = function
@@ -135,6 +137,7 @@ class SpecialJointMethods:
             signal = model._core.add_signal(function.compiled())
             model._functions[signal] = function
             model._signals.append((f"{who}: offset", function))
+            model._drivers.append((f"{who}: offset", function))
         else:
             remedy = "a tuple of functions (f, df, ddf), or one of linkwork.functions such as table"
             why = f"offset enters with its time derivatives: give {remedy}"

@@ -277,6 +277,13 @@ void Dynamics::change_redundant_rows(std::vector<int> rows) {
   formulation_->factorize(at_);
 }
 
+void Dynamics::change_redundant_rows(std::vector<int> rows, std::vector<int> joints) {
+  watch_.change_rows(t_, formulation_->saddle().smallest_pivot(), std::move(joints));
+  change_redundant_rows(std::move(rows));
+  factorized_ = true;
+  taken_over_ = false;
+}
+
 void Dynamics::take_over() {
   if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_, *inertia_);
   tolerant_->factorize(at_);

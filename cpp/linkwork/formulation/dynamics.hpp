@@ -94,6 +94,11 @@ class Dynamics {
   /// Solves M x - D^T lambda = a, D x = b at the current state by the formulation.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
+  const DroppedRows& dropped() const { return dropped_; }
+  /// Leaves out these rows from here on, where it is evaluated: others have become redundant in the course of the
+  /// motion. `joints` of them are reported, see SingularPassage::rows_changed.
+  void change_redundant_rows(std::vector<int> rows, std::vector<int> joints);
+
   /// Zeros in `b` for the rows that `solve` does not look at.
   void leave_out_redundant(MutableVector b) const { dropped_.take_from(b); }
 

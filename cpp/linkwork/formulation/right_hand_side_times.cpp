@@ -1,5 +1,7 @@
 #include "linkwork/formulation/right_hand_side_times.hpp"
 
+#include "linkwork/constraints/redundancy_watch.hpp"
+
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
@@ -70,6 +72,22 @@ RightHandSideTimes time_right_hand_sides(Dynamics& dynamics, double t, const Vec
 void repeat_right_hand_side(Dynamics& dynamics, double t, const VectorXd& y, int repeats) {
   RightHandSide f(dynamics, t, y);
   for (int k = 0; k < repeats; ++k) f.whole();
+}
+
+double time_redundancy_watch(Dynamics& dynamics, double t, const VectorXd& y, int repeats) {
+  const System& system = dynamics.system();
+  RedundancyWatch watch(system, y.head(system.q_size()));
+  const auto v = y.segment(system.q_size(), system.v_size());
+  dynamics.evaluate(t, y);
+  double time = 0.0;
+  timed(time, [&] {
+    bool any = false;
+    for (int k = 0; k < repeats; ++k) {
+      any = watch.suspicious(system, dynamics.evaluation(), dynamics.dropped(), v) || any;
+      asm volatile("" : : "r"(any) : "memory");  // else once would be enough
+    }
+  });
+  return time;
 }
 
 double time_analysis(const Dynamics& dynamics) {

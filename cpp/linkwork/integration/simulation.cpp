@@ -90,6 +90,10 @@ void Simulation::follow_leap() {
   evaluated_ = false;
 }
 
+void Simulation::forget() {
+  if (integrator_) integrator_->start(static_cast<int>(y_.size()));
+}
+
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(t(), y_);

@@ -34,6 +34,7 @@ class Simulation final : public Run {
 
  private:
   void work() override;
+  void forget() override;
   double time_of(std::int64_t step) const;
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }
   bool recording_due() const;

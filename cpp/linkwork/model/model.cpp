@@ -236,6 +236,12 @@ void Model::add_user_force(const std::string& name, std::shared_ptr<const UserFo
   user_force_names_.push_back(name);
 }
 
+void Model::add_breaks(const std::vector<double>& times) {
+  for (const double t : times)
+    if (!std::isfinite(t)) throw ModelError("breaks", "breaks must be finite times [s]");
+  breaks_.insert(breaks_.end(), times.begin(), times.end());
+}
+
 int Model::joint_of_row(int row) const {
   return static_cast<int>(std::upper_bound(joint_rows_->begin(), joint_rows_->end(), row) - joint_rows_->begin()) - 1;
 }

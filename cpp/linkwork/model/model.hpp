@@ -60,6 +60,8 @@ class Model {
                         SpecialJointPtr joint, const std::vector<Parameter>& parameters = {});
   int add_signal(TimeFunctionPtr function);
   void add_user_force(const std::string& name, std::shared_ptr<const UserForce> force);
+  /// Times [s] at which users' forces are not smooth.
+  void add_breaks(const std::vector<double>& times);
 
   /// Many at once under one prefix; linear in time and memory. `parameters` holds the kind's number for each element.
   int add_bodies(const Names& names, const std::vector<Body>& bodies);
@@ -77,6 +79,7 @@ class Model {
   const std::vector<Parameter>& joint_parameters() const { return *joint_parameters_; }
   const std::vector<Parameter>& force_parameters() const { return *force_parameters_; }
   const std::vector<TimeFunctionPtr>& signals() const { return signals_; }
+  const std::vector<double>& breaks() const { return breaks_; }
   const std::vector<std::shared_ptr<const UserForce>>& user_forces() const { return user_forces_; }
   const std::string& user_force_name(std::size_t k) const { return user_force_names_[k]; }
   bool has_forces() const { return !forces_->empty() || !user_forces_.empty(); }
@@ -114,6 +117,7 @@ class Model {
   std::vector<TimeFunctionPtr> signals_;
   std::vector<std::shared_ptr<const UserForce>> user_forces_;
   std::vector<std::string> user_force_names_;
+  std::vector<double> breaks_;
   Shared<std::vector<int>> joint_rows_{std::size_t{1}, 0};
   Shared<NameTable> body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"};
 };
