@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -11,6 +12,7 @@ from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.extent import extent
+from linkwork.functions import Callback
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model, check_model
 from linkwork.result import Snapshot
@@ -42,6 +44,12 @@ CONTRADICTION = 100.0
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
 
+#: Times at which functions of time are looked at before a run.
+SAMPLES = 257
+
+#: Of the length of Euler parameters at the start, as in a model.
+UNIT_TOLERANCE = 1e-6
+
 #: How many objects a message lists.
 LISTED = 5
 
@@ -66,6 +74,27 @@ def check_tables(model: Model, t_end: float) -> None:
                 "extend the table or shorten the run",
                 code="time_function_range",
             )
+    _check_limits(model, t_end)
+
+
+def _check_limits(model: Model, t_end: float) -> None:
+    """OptionError: a function of time passes the bound of its parameter, such as a negative stiffness.
+
+    Looked for at many times of the run; of the user's own functions, which may be dear or have a memory, at
+    its start only. The run itself looks in every evaluation.
+    """
+    functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist()
+    for what, signal, number, least_signal, least, than in model.compiled().limited():
+        given = [functions[place] for place in (signal, least_signal) if place >= 0]
+        for t in times[:1] if any(isinstance(it, Callback) for it in given) else times:
+            value = functions[signal].evaluate(t)[0] if signal >= 0 else number
+            bound = functions[least_signal].evaluate(t)[0] if least_signal >= 0 else least
+            if value < bound:
+                named = f", which is {than}" if than else ""
+                raise OptionError(
+                    f"{what} is {value:g} at t = {t:g} s, and must not be below {bound:g}{named}; correct it",
+                    code="out_of_bounds",
+                )
 
 
 def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
@@ -127,9 +156,14 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
 
 def start_time(start: Snapshot | None) -> float:
     """Where a run begins [s]. OptionError: what is no Snapshot."""
-    if start is not None and not isinstance(start, Snapshot):
-        raise OptionError(f"start {start!r} is no linkwork.Snapshot(t, q, v)", code="start")
-    return 0.0 if start is None else float(start.t)
+    if start is None:
+        return 0.0
+    if not isinstance(start, Snapshot):
+        raise OptionError(f"start {start!r:.80} is no linkwork.Snapshot(t, q, v)", code="start")
+    t = start.t
+    if isinstance(t, str) or not hasattr(t, "__float__") or not math.isfinite(t):
+        raise OptionError(f"start: t {t!r:.80} is no finite time [s]", code="start")
+    return float(t)
 
 
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
@@ -137,12 +171,25 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
 
     LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
     """
-    core, y = model.compiled(), start.y
-    if len(y) != 13 * model.body_count or not np.isfinite(y).all():
+    core, count = model.compiled(), model.body_count
+    try:
+        q, v = (np.asarray(x, dtype=float) for x in (start.q, start.v))
+    except (TypeError, ValueError) as error:
+        raise OptionError(f"start: q and v are not made of numbers: {error}", code="start") from error
+    if q.size != 7 * count or v.size != 6 * count or not (np.isfinite(q).all() and np.isfinite(v).all()):
         raise OptionError(
-            f"start: q {np.shape(start.q)} and v {np.shape(start.v)} are no finite state of the "
-            f"{model.body_count} bodies of model '{model.name}'",
+            f"start: q {q.shape} and v {v.shape} are no finite state of the {count} bodies of model "
+            f"'{model.name}': ({count}, 7) and ({count}, 6) are",
             code="start",
+        )
+    length = np.linalg.norm(q.reshape(-1, 7)[:, 3:], axis=1)
+    if not (np.abs(length - 1.0) <= UNIT_TOLERANCE).all():
+        body = int(np.argmax(np.abs(length - 1.0)))
+        raise OptionError(
+            f"start: body '{core.body_name(body)}': its Euler parameters have norm {length[body]:g}, and must be "
+            "of unit length: divide them by it",
+            code="start",
+            bodies=[core.body_name(body)],
         )
     size, _ = extent(core)
     speed = max(1.0, float(np.abs(start.v).max(initial=0.0))) * max(1.0, size)

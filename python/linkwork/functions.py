@@ -180,6 +180,7 @@ class Callback(TimeFunction):
     value: Callable[[float], float]
     rate: Callable[[float], float] | None = None
     acceleration: Callable[[float], float] | None = None
+    what: str = "function of time"  #: that it is for, in messages
 
     @property
     def has_derivatives(self) -> bool:
@@ -187,8 +188,8 @@ class Callback(TimeFunction):
 
     def compiled(self) -> _core.TimeFunction:
         if self.rate is None or self.acceleration is None:
-            return _core.TimeFunction.callback(self.value)
-        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration)
+            return _core.TimeFunction.callback(self.value, what=self.what)
+        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration, self.what)
 
     def fingerprint(self) -> bytes:
         return " ".join(
@@ -257,7 +258,9 @@ class Expression(TimeFunction):
         from linkwork.expressions import Formula
 
         formula = Formula(self.text)
-        return _core.TimeFunction.callback(*(partial(formula.derivative, order=k) for k in range(3)))
+        return _core.TimeFunction.callback(
+            *(partial(formula.derivative, order=k) for k in range(3)), what=f"expression '{self.text}'"
+        )
 
 
 def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
@@ -307,7 +310,7 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
             _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
         if len(x) == 3:
             _check_derivatives(*x, what)
-        return Callback(*x)
+        return Callback(*x, what=what)
     return _finite(x, what)
 
 
@@ -320,27 +323,18 @@ def _at_zero(function: Callable[[float], Any], what: str) -> Any:
         raise
 
 
-#: Where derivatives are compared with differences [s], and by what they may differ, relative.
-_CHECKED_AT, _DIFFERENCE, _AGREE = (0.0, 0.173, 1.31), 1e-4, 1e-3
-
-
 def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
-    """ModelError: `df` or `ddf` is not the derivative of what comes before it, at some times."""
+    """ModelError: `df` or `ddf` is not the derivative of what comes before it."""
+    from linkwork.derivatives import disagreement
+
     for name, function, derivative in (("first", f, df), ("second", df, ddf)):
-        for t in _CHECKED_AT:
-            try:
-                samples = [float(function(t + k * _DIFFERENCE)) for k in (0, 1, 2)]
-                given = float(derivative(t))
-            except Exception:
-                continue  # not defined there: the run will tell
-            slope = (-3 * samples[0] + 4 * samples[1] - samples[2]) / (2 * _DIFFERENCE)
-            size = max(abs(slope), abs(given), 1e-3 * max(map(abs, samples)), 1e-6)
-            if abs(slope - given) > _AGREE * size:
-                found = f"is {given:g}, but differences give {slope:g}"
-                raise ModelError(
-                    f"{what}: the {name} derivative at t = {t:g} s {found}",
-                    code="derivatives",
-                )
+        if found := disagreement(function, derivative):
+            before = "value" if name == "first" else "first derivative"
+            raise ModelError(
+                f"{what}: the {name} derivative adds up to {found.integral:.6g} from t = {found.start:g} to "
+                f"{found.end:g} s, where the {before} changes by {found.change:.6g}; give the derivative of it",
+                code="derivatives",
+            )
 
 
 def _finite(x: Any, what: str) -> float:

@@ -21,7 +21,6 @@ from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
-from linkwork.joint_force import along_coordinate
 from linkwork.placement import Attachment, Frames, Place, Subject
 from linkwork.shapes import Shape, Shapes, ShapesLike
 from linkwork.special_joints import CouplerData, CurveData, SpecialJointMethods
@@ -50,7 +49,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         self._counts: Counter[str] = Counter()
         self._signals: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[TimeFunction] = []
-        self._user_forces: list[tuple[str, Any]] = []
+        self._user_forces: list[tuple[str, Any, str]] = []  # name, law, joint and coordinate of one
         self._shapes = Shapes()
         self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
         self._special: dict[int, CouplerData | CurveData] = {}  # by joint
@@ -374,39 +373,40 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             single = isinstance(bodies, Body | str)
             whole = _on_bodies(function, self.indices(bodies), single, name)
         self._core.add_user_force(name, whole)
-        self._user_forces.append((name, function))
+        self._user_forces.append((name, function, ""))
 
     def joint_force(
         self,
         joint: Joint | str,
-        function: Callable[[float, float, float], ArrayLike],
+        function: Callable[[float, float, float], float] | TimeFunction | float,
         *,
         coordinate: str | None = None,
         name: str | None = None,
     ) -> None:
-        """Let a Python function act along a free coordinate of a joint: a controller, a clutch, friction.
+        """Let a law of your own act along a free coordinate of a joint: a controller, a clutch, friction.
 
-        function    of t [s], the coordinate x and its rate, which returns the force [N] or torque [N m]
-                    Q that does the work Q dx: it acts on b, and back on a
+        function    a Python function of t [s], the coordinate x and its rate, which returns the force [N] or
+                    torque [N m] Q that does the work Q dx: it acts on b, and back on a. Or Q as a number or a
+                    function of time, such as linkwork.functions.table(t, torques)
         coordinate  as `Result.coordinate` names it; not needed where the joint has only one. Angles are
-                    within half a turn of zero
+                    within half a turn of zero at the initial pose and go on over full turns
 
-        All its power counts as work. For compiled laws see the force elements and `compiled_force`.
+        All its power counts as work. A Python function costs about a microsecond an evaluation, a function of
+        time much less. For compiled laws see the force elements and `compiled_force`.
 
-        ModelError: no such joint or coordinate, not a function; at run time: it returned no number.
+        ModelError: no such joint or coordinate, no law; at run time: it returned no number.
         """
         index, text = self._joint_named(joint, "joint_force")
         name = self._named(name, "joint force", len(self._user_forces))
-        if not callable(function):
-            raise ModelError(f"joint force '{name}': {function!r} is not a function", code="not_callable")
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
-        arrays = self._core.joint_arrays()
-        a, b = arrays["bodies"][index].tolist()
-        whole = along_coordinate(
-            function, which, (a, b), arrays["origin"][index], arrays["frame"][index], name
-        )
-        self._core.add_user_force(name, whole)
-        self._user_forces.append((name, function))
+        law, compiled = function, function
+        if not callable(function):
+            law = _effort(function, name)
+            compiled = law.compiled()
+        self._core.add_joint_force(name, index, which, compiled)
+        self._user_forces.append((name, law, f"{index} {which}"))
+        if isinstance(law, TimeFunction):
+            self._signals.append((f"joint force '{name}'", law))
 
     def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
         text = joint.name if isinstance(joint, Joint) else joint
@@ -431,7 +431,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         name = self._named(name, "compiled force", len(self._user_forces))
         self._core.add_compiled_force(name, _address(function, name), data)
-        self._user_forces.append((name, function))
+        self._user_forces.append((name, function, ""))
 
     def bushing(
         self,
@@ -572,8 +572,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             digest.update(f"{joint} {special.arguments()}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
-        for name, own in self._user_forces:
-            digest.update(f"{name} {getattr(own, '__qualname__', '')}".encode())
+        for name, own, place in self._user_forces:
+            digest.update(f"{name} {getattr(own, '__qualname__', '')} {place}".encode())
         return digest.hexdigest()
 
     def describe(self) -> str:
@@ -637,7 +637,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             if not isinstance(name, str) or not name.isprintable():
                 raise ModelError(f"{kind}: name {name!r} is not printable text", code="name")
             return name
-        finders = (self._core.find_body, self._core.find_joint, self._core.find_force)
+        core = self._core
+        finders = (core.find_body, core.find_joint, core.find_force, core.find_user_force)
         while any(
             find(kind_and_number) >= 0 for find in finders for kind_and_number in _names(kind, count + 1)
         ):
@@ -677,6 +678,16 @@ def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str
     return Sum((functions.polynomial(value, rate), function.integral().integral()))
 
 
+def _effort(given: object, name: str) -> TimeFunction:
+    """A law that is a function of time alone. ModelError: it is none."""
+    if isinstance(given, TimeFunction):
+        return given
+    if isinstance(given, int | float | np.number):
+        return functions.constant(as_time_function(given, f"joint force '{name}'"))
+    wanted = "not a function of (t, x, x_dot), a function of time, or a number"
+    raise ModelError(f"joint force '{name}': {given!r:.80} is {wanted}", code="not_callable")
+
+
 def _on_bodies(
     function: Callable[..., ArrayLike], bodies: NDArray[np.int32], single: bool, name: str
 ) -> Callable[..., Floats]:
@@ -687,7 +698,12 @@ def _on_bodies(
 
     def whole(t: float, q: Floats, v: Floats) -> Floats:
         out = np.zeros_like(v)
-        given = np.asarray(function(t, q[chosen], v[chosen]), dtype=float)
+        returned = function(t, q[chosen], v[chosen])
+        try:
+            given = np.asarray(returned, dtype=float)
+        except (TypeError, ValueError) as error:
+            why = f"returned {returned!r:.80} at t = {t:g} s, not an array of numbers"
+            raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error
         if given.shape != out[chosen].shape:
             wanted = f"returned shape {given.shape}, not {out[chosen].shape}"
             raise ModelError(f"user force '{name}': {wanted}", code="shape")

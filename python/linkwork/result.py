@@ -249,8 +249,16 @@ class Result:
         """The state of one frame, for simulate(..., start=...).
 
         Only that of the last frame of a run that finished has what force elements and couplers remember.
+        OptionError: there is no such frame.
         """
-        last = self.finished and frame in (-1, len(self) - 1)
+        count = len(self)
+        if not isinstance(frame, int | np.integer) or not -count <= frame < count:
+            raise OptionError(
+                f"frame {frame!r:.80} is none of the {count} of this result: give a whole number from 0 to "
+                f"{count - 1}, or -1 for the last",
+                code="frame",
+            )
+        last = self.finished and frame in (-1, count - 1)
         memory = self.statistics.get("memory", ()) if last else ()
         return Snapshot(float(self.t[frame]), self._field("q", frame), self._field("v", frame), memory)
 
@@ -326,17 +334,25 @@ class Result:
     # --- samples, for what must stay quick on large results ---
 
     def recorded(self, name: str, part: Any = np.s_[:]) -> Floats:
-        """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them."""
+        """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them.
+
+        OptionError: there is no such field.
+        """
+        known = self._header.frame_shapes()
+        if name not in known:
+            raise OptionError(f"no field {name!r:.80}{nearest(str(name), known)}", code="unknown_name")
         if name in ("reaction_force", "reaction_torque"):
             self._need_reactions()
         return self._field(name, part)
 
     def sampled_positions(self, every: int) -> Floats:
-        """Centers of mass (., n, 3) of every so manyth frame [m]."""
+        """Centers of mass (., n, 3) of every so manyth frame [m]. OptionError: not a positive whole number."""
+        _check_every(every)
         return self._field("q", np.s_[::every, :, :3])
 
     def sampled_reactions(self, every: int) -> Reaction:
-        """Reactions (., J, 3) of every so manyth frame."""
+        """Reactions (., J, 3) of every so manyth frame. OptionError: not a positive whole number."""
+        _check_every(every)
         self._need_reactions()
         force, torque = (
             self._field(field, np.s_[::every]) for field in ("reaction_force", "reaction_torque")
@@ -525,6 +541,11 @@ class Result:
         if text not in places:
             raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
         return places[text]
+
+
+def _check_every(every: object) -> None:
+    if not isinstance(every, int | np.integer) or every < 1:
+        raise OptionError(f"every {every!r:.80} is not a positive whole number of frames", code="every")
 
 
 def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:

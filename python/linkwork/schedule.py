@@ -26,6 +26,9 @@ FRAMES, FRAME_BYTES = 1000, 2**30
 #: Beyond, a run is refused by the driver.
 MOST_STEPS = 1e15
 
+#: Of the length of a step, relative: roundoff of t_end.
+SAME_TIME = 1e-9
+
 #: Where only the other tolerance is given; the smallest rtol that double precision holds.
 USUAL_RTOL, USUAL_RATIO, LEAST_RTOL = 1e-6, 1e-3, 1e-13
 
@@ -42,6 +45,9 @@ class Fixed:
 
     def expected_frames(self, run: _core.Run) -> int:
         return run.steps_total // self.record_every + 2
+
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.step
 
     def chosen(self) -> dict[str, Any]:
         return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
@@ -86,6 +92,9 @@ class Adaptive:
 
     def expected_frames(self, run: _core.Run) -> int | None:
         return None if self.record_every else len(self.times) + 1
+
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.largest_step
 
     def chosen(self) -> dict[str, Any]:
         return {
@@ -171,6 +180,12 @@ def _fixed(
         raise OptionError(
             "times needs steps that follow tolerances: give rtol, or record_every instead of times",
             code="conflict",
+        )
+    if t_start < t_end and step > (t_end - t_start) * (1 + SAME_TIME):
+        raise OptionError(
+            f"step {step:g} s is longer than the run, from {t_start:g} to {t_end:g} s: give a step of "
+            f"{t_end - t_start:g} s or less",
+            code="step",
         )
     every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
     return Fixed(t_end, step, int(every))

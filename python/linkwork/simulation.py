@@ -10,7 +10,7 @@ from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
-from linkwork import checks, integrators, recording, schedule
+from linkwork import checks, duration, integrators, recording, schedule
 from linkwork.assembly import Assembly
 from linkwork.errors import OptionError
 from linkwork.events import Event, compile_events
@@ -52,7 +52,9 @@ def simulate(
 ) -> Result:
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
 
-    step          fixed, or with rtol or atol the largest that is taken (None: no limit)
+    step          fixed, not longer than the run, or with rtol or atol the largest that is taken (None: no
+                  limit). What would take hours is told before the first step by a LinkworkWarning, what would
+                  take more than a month is refused
     integrator    a name in linkwork.integrators.METHODS, a method as data, or step(system, t, y, h);
                   None: "rk4", or "dopri5" with rtol or atol
     rtol, atol    bounds of the error of each step, rtol * size + atol, for each body's position [m],
@@ -114,6 +116,7 @@ def simulate(
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
     }
+    duration.announce(system.model, options, method, plan.least_steps(t_start), start)
     header = Header.of(
         system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes,
         system.model.curves,

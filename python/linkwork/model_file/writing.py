@@ -52,9 +52,9 @@ def record_of(model: Model, simulation: Mapping[str, Any]) -> dict[str, Any]:
 
     ModelError: a Python function in it.
     """
-    for name, _ in model._user_forces:
+    for name, *_ in model._user_forces:
         raise ModelError(
-            f"'{name}' is a function of the user's own, which a file cannot hold", code="not_data"
+            f"'{name}' is a force of the user's own, which a file cannot hold", code="not_data"
         )
     core = model.compiled()
     names = _function_names(model)
