@@ -416,6 +416,14 @@ void bind_model(py::module_& module) {
           },
           py::arg("name"), py::arg("joint"), py::arg("coordinate"), py::arg("law"),
           "A function of (t, x, x_dot), or of time alone, along a free coordinate of a joint.")
+      .def_property_readonly(
+          "joint_forces",
+          [](const Model& model) {
+            std::vector<std::pair<std::string, std::string>> out;
+            for (const JointForce& force : model.joint_forces()) out.emplace_back(force.name, force.coordinate->name);
+            return out;
+          },
+          "(name, coordinate) of the laws along coordinates.")
       .def(
           "limited",
           [](const Model& model) {

@@ -200,18 +200,34 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
-    if len(start.memory):
+    memory = _memory(start)
+    if len(memory):
         remembered = len(dynamics.memory)
-        if len(start.memory) != remembered:
+        if len(memory) != remembered:
             raise OptionError(
-                f"start: its memory has {len(start.memory)} numbers, but the springs, stops, contacts and "
+                f"start: its memory has {len(memory)} numbers, but the springs, stops, contacts and "
                 f"couplers of model '{model.name}' remember {remembered}: start from a run of the same "
                 "model, or leave the memory out (start._replace(memory=()))",
                 code="start",
             )
-        dynamics.memory = list(start.memory)
+        dynamics.memory = memory
     elif start.t > 0:
         _check_remembered(core)
+
+
+def _memory(start: Snapshot) -> list[float]:
+    """OptionError: not finite numbers."""
+    try:
+        memory = np.asarray(start.memory, dtype=float)
+    except (TypeError, ValueError):
+        memory = np.array(np.nan)
+    if memory.ndim != 1 or not np.isfinite(memory).all():
+        raise OptionError(
+            f"start: its memory {start.memory!r:.80} is not made of finite numbers: take that of a snapshot, or ()",
+            code="start",
+        )
+    found: list[float] = memory.tolist()
+    return found
 
 
 def _check_remembered(core: _core.Model) -> None:
@@ -221,6 +237,10 @@ def _check_remembered(core: _core.Model) -> None:
     for what in sorted(set(filter(None, of_force))):
         names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
+    laws = [name for name, coordinate in core.joint_forces if coordinate != "displacement"]
+    if laws:
+        turns = REMEMBERING["rotational_stop"]
+        warn(f"start: {_listed(len(laws), laws.__getitem__)}: {turns}")
 
 
 def check_redundant(model: Model, dynamics: _core.Dynamics, end: Snapshot) -> None:

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/integration/run.hpp"
 
@@ -43,6 +44,7 @@ class Simulation final : public Run {
 
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
   Schedule schedule_;
+  Divergence divergence_;
   std::int64_t steps_total_ = 0;
   bool evaluated_ = false;
   double last_power_ = 0.0, last_t_ = 0.0;
