@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 
 import numpy as np
@@ -13,6 +12,7 @@ from linkwork.assembly import Assembly, assemble
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.extent import extent
 from linkwork.functions import Callback
+from linkwork.given import array, number
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model, check_model
 from linkwork.result import Snapshot
@@ -84,10 +84,10 @@ def _check_limits(model: Model, t_end: float) -> None:
     its start only. The run itself looks in every evaluation.
     """
     functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist()
-    for what, signal, number, least_signal, least, than in model.compiled().limited():
+    for what, signal, constant, least_signal, least, than in model.compiled().limited():
         given = [functions[place] for place in (signal, least_signal) if place >= 0]
         for t in times[:1] if any(isinstance(it, Callback) for it in given) else times:
-            value = functions[signal].evaluate(t)[0] if signal >= 0 else number
+            value = functions[signal].evaluate(t)[0] if signal >= 0 else constant
             bound = functions[least_signal].evaluate(t)[0] if least_signal >= 0 else least
             if value < bound:
                 named = f", which is {than}" if than else ""
@@ -161,9 +161,7 @@ def start_time(start: Snapshot | None) -> float:
     if not isinstance(start, Snapshot):
         raise OptionError(f"start {start!r:.80} is no linkwork.Snapshot(t, q, v)", code="start")
     t = start.t
-    if isinstance(t, str) or not hasattr(t, "__float__") or not math.isfinite(t):
-        raise OptionError(f"start: t {t!r:.80} is no finite time [s]", code="start")
-    return float(t)
+    return number(t, "start: t", code="start")
 
 
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
@@ -172,10 +170,7 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
     LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
     """
     core, count = model.compiled(), model.body_count
-    try:
-        q, v = (np.asarray(x, dtype=float) for x in (start.q, start.v))
-    except (TypeError, ValueError) as error:
-        raise OptionError(f"start: q and v are not made of numbers: {error}", code="start") from error
+    q, v = array(start.q, "start: q"), array(start.v, "start: v")
     if q.size != 7 * count or v.size != 6 * count or not (np.isfinite(q).all() and np.isfinite(v).all()):
         raise OptionError(
             f"start: q {q.shape} and v {v.shape} are no finite state of the {count} bodies of model "
@@ -186,8 +181,8 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
     if not (np.abs(length - 1.0) <= UNIT_TOLERANCE).all():
         body = int(np.argmax(np.abs(length - 1.0)))
         raise OptionError(
-            f"start: body '{core.body_name(body)}': its Euler parameters have norm {length[body]:g}, and must be "
-            "of unit length: divide them by it",
+            f"start: body '{core.body_name(body)}': its Euler parameters have norm {length[body]:g}, not 1: "
+            "divide them by it",
             code="start",
             bodies=[core.body_name(body)],
         )
@@ -217,13 +212,11 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
 
 def _memory(start: Snapshot) -> list[float]:
     """OptionError: not finite numbers."""
-    try:
-        memory = np.asarray(start.memory, dtype=float)
-    except (TypeError, ValueError):
-        memory = np.array(np.nan)
+    memory = array(start.memory, "start: memory")
     if memory.ndim != 1 or not np.isfinite(memory).all():
         raise OptionError(
-            f"start: its memory {start.memory!r:.80} is not made of finite numbers: take that of a snapshot, or ()",
+            f"start: its memory {start.memory!r:.80} is not made of finite numbers: take that of a "
+            "snapshot, or ()",
             code="start",
         )
     found: list[float] = memory.tolist()

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.errors import ModelError
+from linkwork.given import UNREADABLE, array, number
 
 __all__ = [
     "TimeFunction",
@@ -70,7 +71,7 @@ class TimeFunction(ABC):
 
     def evaluate(self, t: float) -> tuple[float, float, float]:
         """(f, df/dt, d2f/dt2) at t [s]; derivatives that are not known are NaN."""
-        value, rate, acceleration = self.compiled().evaluate(t)
+        value, rate, acceleration = self.compiled().evaluate(number(t, "t", ModelError))
         return value, rate, acceleration
 
 
@@ -270,7 +271,9 @@ def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
     defined between the first and the last time only: a run that goes beyond is refused.
     ModelError: fewer than two samples, unequal lengths, times not increasing, values not finite.
     """
-    breaks, samples = np.array(t, dtype=float), np.array(values, dtype=float)
+    breaks, samples = (
+        array(x, f"table: {what}", ModelError).copy() for x, what in ((t, "t"), (values, "values"))
+    )
     _check_samples(breaks, samples)
     from scipy.interpolate import CubicSpline
 
@@ -284,7 +287,8 @@ def piecewise_polynomial(breaks: ArrayLike, coefficients: ArrayLike) -> TimeFunc
     first and the last time only. ModelError: breaks that do not increase, no row for each interval, not
     finite.
     """
-    times, rows = np.array(breaks, dtype=float), np.array(coefficients, dtype=float)
+    times = array(breaks, "piecewise_polynomial: breaks", ModelError).copy()
+    rows = array(coefficients, "piecewise_polynomial: coefficients", ModelError).copy()
     _check_samples(times, times)
     if rows.ndim != 2 or len(rows) != len(times) - 1 or not rows.size:
         shape = f"breaks {times.shape} and coefficients {rows.shape}"
@@ -332,7 +336,7 @@ def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
             before = "value" if name == "first" else "first derivative"
             raise ModelError(
                 f"{what}: the {name} derivative adds up to {found.integral:.6g} from t = {found.start:g} to "
-                f"{found.end:g} s, where the {before} changes by {found.change:.6g}; give the derivative of it",
+                f"{found.end:g} s, where the {before} changes by {found.change:.6g}; correct it",
                 code="derivatives",
             )
 
@@ -340,9 +344,9 @@ def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
 def _finite(x: Any, what: str) -> float:
     try:
         value = float(x)
-    except (TypeError, ValueError) as error:
+    except UNREADABLE as error:
         choices = "a number, a function of time, or a tuple of functions (f, df, ddf)"
-        raise ModelError(f"{what}: {x!r} is not {choices}", code="not_a_number") from error
+        raise ModelError(f"{what}: {x!r:.80} is not {choices}", code="not_a_number") from error
     if not math.isfinite(value):
         raise ModelError(f"{what}: {value} is not finite", code="not_finite")
     return value

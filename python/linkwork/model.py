@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core, functions
+from linkwork import _core, functions, given
 from linkwork.bodies import Bodies
 from linkwork.element_methods import ForceMethods, JointMethods
 from linkwork.elements import Elements, Role, kind_info, placed, with_parameters
@@ -67,7 +67,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         from linkwork import model_file
 
-        return model_file.read(path).model
+        return model_file.read(given.path(path, "model file")).model
 
     def save(self, path: str | os.PathLike[str], *, simulation: Mapping[str, Any] | None = None) -> None:
         """Write the model to a file (.yaml, .yml, .json), exactly: what is loaded has the same bits.
@@ -78,7 +78,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         from linkwork import model_file
 
-        model_file.write(self, path, simulation or {})
+        if simulation is not None and not isinstance(simulation, Mapping):
+            raise OptionError(
+                f"simulation {simulation!r:.80} is no mapping of names to values", code="option"
+            )
+        model_file.write(self, given.path(path, "model file"), {} if simulation is None else simulation)
 
     # --- bodies ---------------------------------------------------------------------------------------------
 
@@ -221,8 +225,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
         if which not in ("angle", "displacement"):
             raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
-        given = {"position": position, "velocity": velocity, "acceleration": acceleration}
-        motions = [(what, motion) for what, motion in given.items() if motion is not None]
+        named = {"position": position, "velocity": velocity, "acceleration": acceleration}
+        motions = [(what, motion) for what, motion in named.items() if motion is not None]
         if len(motions) != 1:
             raise ModelError(f"drive '{text}': give one of position, velocity, acceleration", code="drive")
         arrays = self._core.joint_arrays()
@@ -411,6 +415,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
     def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
         text = joint.name if isinstance(joint, Joint) else joint
         index = self._core.find_joint(text) if isinstance(text, str) else -1
+        if isinstance(joint, Joint) and index >= 0 and self._joint(index) != joint:
+            raise ModelError(f"{who}: joint '{text}' belongs to another model", code="unknown_joint")
         if index < 0:
             known = [self._core.joint_name(k) for k in range(min(self.joint_count, 10_000))]
             raise ModelError(
@@ -430,6 +436,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         ModelError: nothing that has an address.
         """
         name = self._named(name, "compiled force", len(self._user_forces))
+        data = given.whole(data, 0, f"compiled force '{name}': data", ModelError)
         self._core.add_compiled_force(name, _address(function, name), data)
         self._user_forces.append((name, function, ""))
 
@@ -458,7 +465,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
 
         Quantities are numbers or functions of time.
         """
-        subject = Subject("bushing", name or "bushing", False, 1)
+        subject = Subject("bushing", name if isinstance(name, str) else "bushing", False, 1)
         own: dict[str, Any] = {}
         for what, values in (
             ("stiffness", stiffness),
@@ -604,11 +611,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """Add one element or a group; `arguments` are those of the placement and the parameters."""
         info = kind_info(role, kind)
         _choose("frames", frames, ("space", "body"))
-        given = name if group and name is not None and not isinstance(name, str) else None
-        name = kind if given is not None else self._named(name, kind, self._counts[kind])
+        several = name if group and name is not None and not isinstance(name, str) else None
+        name = kind if several is not None else self._named(name, kind, self._counts[kind])
         pairs = self._bodies.pairs if group else self._bodies.pair
         bodies = pairs(a, b, Subject(kind, name, False, 1))
-        each = [] if given is None else _names_of_all(kind, given, len(bodies))
+        each = [] if several is None else _names_of_all(kind, several, len(bodies))
         subject = Subject(kind, name, group, len(bodies), each)
         first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
         self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
@@ -666,9 +673,9 @@ def check_model(model: object) -> None:
         raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
 
 
-def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
+def _motion(what: str, motion: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
     """A coordinate over time from its position, velocity or acceleration."""
-    function = as_time_function(given, f"{who}: {what}")
+    function = as_time_function(motion, f"{who}: {what}")
     function = function if isinstance(function, TimeFunction) else functions.constant(function)
     value, rate = float(start.value[0]), float(start.rate[0])
     if what == "position":
@@ -678,14 +685,14 @@ def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str
     return Sum((functions.polynomial(value, rate), function.integral().integral()))
 
 
-def _effort(given: object, name: str) -> TimeFunction:
+def _effort(law: object, name: str) -> TimeFunction:
     """A law that is a function of time alone. ModelError: it is none."""
-    if isinstance(given, TimeFunction):
-        return given
-    if isinstance(given, int | float | np.number):
-        return functions.constant(as_time_function(given, f"joint force '{name}'"))
+    if isinstance(law, TimeFunction):
+        return law
+    if isinstance(law, int | float | np.number):
+        return functions.constant(as_time_function(law, f"joint force '{name}'"))
     wanted = "not a function of (t, x, x_dot), a function of time, or a number"
-    raise ModelError(f"joint force '{name}': {given!r:.80} is {wanted}", code="not_callable")
+    raise ModelError(f"joint force '{name}': {law!r:.80} is {wanted}", code="not_callable")
 
 
 def _on_bodies(
@@ -700,14 +707,14 @@ def _on_bodies(
         out = np.zeros_like(v)
         returned = function(t, q[chosen], v[chosen])
         try:
-            given = np.asarray(returned, dtype=float)
-        except (TypeError, ValueError) as error:
+            force = np.asarray(returned, dtype=float)
+        except given.UNREADABLE as error:
             why = f"returned {returned!r:.80} at t = {t:g} s, not an array of numbers"
             raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error
-        if given.shape != out[chosen].shape:
-            wanted = f"returned shape {given.shape}, not {out[chosen].shape}"
+        if force.shape != out[chosen].shape:
+            wanted = f"returned shape {force.shape}, not {out[chosen].shape}"
             raise ModelError(f"user force '{name}': {wanted}", code="shape")
-        out[chosen] = given
+        out[chosen] = force
         return out
 
     return whole
@@ -735,10 +742,7 @@ def _names(kind: str, number: int) -> tuple[str, str]:
 
 def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:
     """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{who}: {what} {value!r} is not made of numbers", code="not_a_number") from error
+    array = given.array(value, f"{who}: {what}", ModelError)
     for shape in shapes:
         if len(shape) == array.ndim and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True)):
             return array
@@ -747,7 +751,4 @@ def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> F
 
 
 def _choose(what: str, value: str, known: Sequence[str]) -> None:
-    if value not in known:
-        raise OptionError(
-            f"{what} '{value}' does not exist{nearest(str(value), known)}", code="unknown_option"
-        )
+    given.one_of(value, known, what)

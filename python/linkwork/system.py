@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.errors import OptionError
+from linkwork.given import array, number
 from linkwork.model import Model, check_model
 from linkwork.options import LEVELS, Options, compile_options
 
@@ -108,23 +109,15 @@ class System:
 
 def _time(t: Any) -> float:
     """OptionError: no number. Whether it is finite, the compiled module says."""
-    if not isinstance(t, str | bytes) and hasattr(t, "__float__"):
-        try:
-            return float(t)
-        except (TypeError, ValueError):
-            pass
-    raise OptionError(f"t {t!r:.80} is not a number [s]", code="not_a_number")
+    return t if type(t) is float else number(t, "t [s]")
 
 
 def _numbers(given: ArrayLike, what: str, each: int, bodies: int) -> Floats:
     """(each * bodies,). OptionError: no numbers, or not so many."""
-    try:
-        array = np.asarray(given, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise OptionError(f"{what} {given!r:.80} is not made of numbers", code="not_a_number") from error
-    if array.shape in ((each * bodies,), (bodies, each)):
-        return array.ravel()
+    numbers = array(given, what)
+    if numbers.shape in ((each * bodies,), (bodies, each)):
+        return numbers.ravel()
     raise OptionError(
-        f"{what} has shape {array.shape}, not ({each * bodies},) or ({bodies}, {each}), of {bodies} bodies",
+        f"{what} has shape {numbers.shape}, not ({each * bodies},) or ({bodies}, {each}), of {bodies} bodies",
         code="shape",
     )

@@ -1,4 +1,4 @@
-"""Parameters that no element can have are refused: as numbers where it is added, as functions before the run."""
+"""Parameters that no element can have are refused: numbers where it is added, functions before the run."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ POSSIBLE: dict[str, dict[str, Any]] = {
     "distance": {"at": ((0, 0, 0), (1, 0, 0)), "length": 1.0},
     "revolute_revolute": {"at": ((0, 0, 0), (1, 0, 0)), "axis": (0, 1, 0), "length": 1.0},
     "revolute_spherical": {"at": ((0, 0, 0), (1, 0, 0)), "axis": (0, 1, 0), "length": 1.0},
-    "universal_spherical": {"at": ((0, 0, 0), (1, 0, 0)), "axis": (0, 1, 0), "length": 1.0},
+    "universal_spherical": {"at": ((0, 0, 0), (1, 0, 0)), "length": 1.0},
     "rolling_disc": {
-        "at": ((0, 0, 0), (0, 0, 0.5)), "normal": (0, 0, 1), "axis": (0, 1, 0), "radius": 0.5,
+        "at": ((0, 0, 0), (0, 0, 0.5)), "axes": ((0, 0, 1), (0, 1, 0)), "radius": 0.5,
     },
     "rotational_friction": {
         "at": (0, 0, 0), "axis": (0, 1, 0), "coulomb": 1.0, "viscous": 0.1, "transition": 0.01,
@@ -44,10 +44,7 @@ POSSIBLE: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 BOUNDED = [
-    (role, name, bound)
-    for role in KINDS
-    for name, kind in KINDS[role].items()
-    for bound in kind.bounds
+    (role, name, bound) for role in KINDS for name, kind in KINDS[role].items() for bound in kind.bounds
 ]
 
 
@@ -75,7 +72,9 @@ def test_a_number_beyond_its_bound_is_refused_by_name_and_value(role: Role, name
         with pytest.raises(lw.ModelError) as found:
             add(model, name, **{bound.parameter: value})
         assert f"{name} 'it'" in str(found.value)
-        assert f"{bound.parameter} = {value:g} must" in str(found.value) or "must be positive" in str(found.value)
+        assert f"{bound.parameter} = {value:g} must" in str(found.value) or "must be positive" in str(
+            found.value
+        )
         assert model.joint_count == model.force_count == 0  # the model is as it was
     if not bound.above:
         add(two_bodies(), name, **{bound.parameter: bound.least})
@@ -124,7 +123,13 @@ def test_a_function_may_touch_its_bound() -> None:
 def test_a_python_function_that_passes_a_bound_ends_the_run_where_it_does() -> None:
     model = wheel()
     model.rotational_friction(
-        "ground", "wheel", at=(0, 0, 0), axis=(0, 1, 0), coulomb=lambda t: 1.0 - t, name="brake"
+        "ground",
+        "wheel",
+        at=(0, 0, 0),
+        axis=(0, 1, 0),
+        coulomb=lambda t: 1.0 - t,
+        transition=1.0,
+        name="brake",
     )
     with pytest.raises(lw.OptionError, match=r"'brake': coulomb is -\S+ at t = 1\.\d+ s"):
         lw.simulate(model, 2.0, 1e-2)

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from linkwork import _core, duration, mechanisms
 from linkwork.integrators import METHODS
+from linkwork.stiffness import GROWTH
 from small_mechanisms import slider_crank_at
 
 
@@ -72,7 +73,8 @@ def test_a_pose_by_bodies_and_one_in_a_row_are_the_same() -> None:
         ("on_singular", "halt"), ("on_violation", ""), ("system", "kk"), ("formulation", "x"),
         ("stabilization", "x"), ("linear_solver", "x"), ("tolerance", 0.0), ("tolerance", np.nan),
         ("max_iterations", 0), ("penalty", -1.0), ("baumgarte_alpha", np.nan), ("baumgarte_beta", -1.0),
-        ("penalty_scale", np.inf), ("violation_limit", [np.nan, 1.0, 1.0]), ("violation_limit", [1.0, -1.0, 1.0]),
+        ("penalty_scale", np.inf), ("violation_limit", [np.nan, 1.0, 1.0]),
+        ("violation_limit", [1.0, -1.0, 1.0]),
     ],
 )  # fmt: skip
 def test_the_compiled_module_takes_no_option_that_it_does_not_know(option: str, value: Any) -> None:
@@ -111,7 +113,9 @@ def test_a_step_of_the_whole_run_and_a_largest_step_beyond_it_are_no_mistakes() 
 def test_a_run_of_months_is_refused_before_its_first_step() -> None:
     began = time.perf_counter()
     for options in ({"step": 1e-12}, {"step": 1e-13, "rtol": 1e-6}):
-        with pytest.raises(lw.OptionError, match=r"takes 1e\+1[34] steps, about \S+ (days|years) on this machine: give"):
+        with pytest.raises(
+            lw.OptionError, match=r"takes 1e\+1[34] steps, about \S+ (days|years) on this machine: give"
+        ):
             run(10.0, **options)
     assert time.perf_counter() - began < 5.0
 
@@ -131,8 +135,9 @@ def test_a_run_of_hours_is_told_and_runs(monkeypatch: pytest.MonkeyPatch) -> Non
 @pytest.mark.parametrize(
     "change",
     [
-        {"t": np.nan}, {"t": "now"}, {"t": None}, {"t": np.inf}, {"q": "q"}, {"q": [[1], [2, 3]]}, {"v": None},
-        {"q": np.zeros((7, 1))}, {"v": np.full((1, 6), np.inf)}, {"t": 5.0}, {"memory": "x"}, {"memory": 3},
+        {"t": np.nan}, {"t": "now"}, {"t": None}, {"t": np.inf}, {"q": "q"}, {"q": [[1], [2, 3]]},
+        {"v": None}, {"q": np.zeros((7, 1))}, {"v": np.full((1, 6), np.inf)}, {"t": 5.0},
+        {"memory": "x"}, {"memory": 3},
         {"memory": (np.nan,)},
     ],
     ids=str,
@@ -185,14 +190,18 @@ def test_what_a_result_does_not_have_is_refused(ask: Callable[[lw.Result], Any])
 def test_a_function_of_time_that_returns_no_number_is_named(given: Any) -> None:
     model = mechanisms.rod_pendulum()
     model.force("rod", force=(lambda t: given if t > 0 else 1.0, 0, 0), name="push")
-    with pytest.raises(lw.ModelError, match=r"applied 'push': force_x: returned .* at t = 0.005 s, not a number"):
+    with pytest.raises(
+        lw.ModelError, match=r"applied 'push': force_x: returned .* at t = 0.005 s, not a number"
+    ):
         lw.simulate(model, 0.1, 1e-2, progress=False)
 
 
-@pytest.mark.parametrize("given", ["much", None, 3.0, np.zeros(6), np.zeros((2, 6)), [[1], [2, 3]], [["a"] * 6]])
+@pytest.mark.parametrize(
+    "given", ["much", None, 3.0, np.zeros(6), np.zeros((2, 6)), [[1], [2, 3]], [["a"] * 6]]
+)
 @pytest.mark.parametrize("bodies", [None, ["rod"], "rod"])
 def test_a_user_force_that_returns_no_forces_is_named(given: Any, bodies: Any) -> None:
-    if bodies == "rod" and np.shape(given) == (6,):
+    if bodies == "rod" and isinstance(given, np.ndarray) and given.shape == (6,):
         return  # what one body takes
     model = mechanisms.rod_pendulum()
     model.user_force(lambda t, q, v: given, bodies, name="wind")
@@ -246,7 +255,7 @@ def test_half_explicit_steps_have_limits_too(integrator: str, damping: float) ->
     with pytest.raises(lw.OptionError, match=rf"'{integrator}': force elements make body 'mass'"):
         lw.simulate(model, 1.0, 1.1 * limit, integrator, progress=False)
     result = lw.simulate(model, 200 * limit, 0.97 * limit, integrator, progress=False)
-    assert np.abs(result.position[:, 0, 2] - 1.0).max() < 2.1e-3
+    assert np.abs(result.position[:, 0, 2] - 1.0).max() < 1.1e-3 * GROWTH ** (200 / 0.97)
 
 
 def lw_limit(integrator: str, eigenvalue: complex) -> float:
@@ -256,7 +265,7 @@ def lw_limit(integrator: str, eigenvalue: complex) -> float:
         middle = (low + high) / 2
         z = eigenvalue * middle
         real = abs(z.imag) < 1e-6 * abs(z)
-        grows = (growth(-z.real / 2, 0.0) if real else growth(-z.real, abs(z))) > 1.01
+        grows = (growth(-z.real / 2, 0.0) if real else growth(-z.real, abs(z))) > GROWTH
         low, high = (low, middle) if grows else (middle, high)
     return low
 

@@ -98,7 +98,11 @@ def test_a_torque_about_one_axis_of_a_cross_does_its_work_there_only(which: str)
         ("joint", "law", "joint force 'f': 'law' is not a function"),
         ("joint", None, "joint force 'f': None is not a function"),
         ("joint", float("nan"), "joint force 'f': nan is not finite"),
-        ("joint", lambda t, x, rate: (1.0, 2.0), "joint force 'f': returned (1.0, 2.0) at t = 0 s, not a number"),
+        (
+            "joint",
+            lambda t, x, rate: (1.0, 2.0),
+            "joint force 'f': returned (1.0, 2.0) at t = 0 s, not a number",
+        ),
         ("joint", lambda t, x, rate: "much", "joint force 'f': returned 'much' at t = 0 s, not a number"),
         ("joint", lambda t, x, rate: "3.0", "joint force 'f': returned '3.0' at t = 0 s, not a number"),
         ("joint", lambda t, x, rate: None, "joint force 'f': returned None at t = 0 s, not a number"),

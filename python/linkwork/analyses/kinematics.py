@@ -27,6 +27,7 @@ from linkwork.errors import (
     SingularSystemError,
     warn,
 )
+from linkwork.given import array, one_of
 from linkwork.header import Header
 from linkwork.manifest import manifest
 from linkwork.model import Model
@@ -92,10 +93,7 @@ def kinematics(
     """
     began = time.perf_counter()
     t = _times(times)
-    if on_singular not in ("pass", "warn", "stop"):
-        raise OptionError(
-            f"on_singular '{on_singular}' does not exist: pass, warn or stop", code="unknown_option"
-        )
+    one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     checks.check_bodies(model)
     checks.check_tables(model, float(t[-1]))
     follower = _Follower(Equations(model), float(t[-1]))
@@ -117,10 +115,7 @@ def kinematics(
 
 def _times(times: ArrayLike) -> Floats:
     """OptionError: not two or more increasing finite numbers from 0 on."""
-    try:
-        t = np.asarray(times, dtype=float)
-    except (TypeError, ValueError):
-        raise OptionError(f"times {times!r:.80} are not numbers [s]", code="times") from None
+    t = array(times, "times")
     if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or t[0] < 0 or (np.diff(t) <= 0).any():
         raise OptionError(
             f"times of shape {t.shape} must be two or more finite numbers [s] that increase, from 0 on",
