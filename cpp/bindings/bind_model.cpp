@@ -209,7 +209,8 @@ class PythonFunction {
 /// (t, x, x_dot) -> force or torque.
 class PythonLaw final : public CoordinateLaw {
  public:
-  PythonLaw(py::object function, const std::string& name) : function_(std::move(function), "joint force '" + name + "'") {}
+  PythonLaw(py::object function, const std::string& name)
+      : function_(std::move(function), "joint force '" + name + "'") {}
   double effort(double t, double x, double x_dot) const override { return function_(t, x, x_dot); }
 
  private:
@@ -429,7 +430,8 @@ void bind_model(py::module_& module) {
           [](const Model& model) {
             std::vector<std::tuple<std::string, int, double, int, double, std::string>> out;
             for (const Limited& it : model.limited())
-              out.emplace_back(it.what, it.value.signal, it.value.constant, it.least.signal, it.least.constant, it.than);
+              out.emplace_back(it.what, it.value.signal, it.value.constant, it.least.signal, it.least.constant,
+                               it.than);
             return out;
           },
           "Functions of time that must not pass a bound: (what, its signal or -1, its number, signal and number of the "

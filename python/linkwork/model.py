@@ -43,6 +43,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
 
     def __init__(self, gravity: ArrayLike = (0.0, 0.0, -9.81), name: str = "") -> None:
         """`gravity`: acceleration (3,), inertial [m/s2]. ModelError: not three finite numbers."""
+        if not isinstance(name, str):
+            raise ModelError(f"model: name {name!r:.80} is no text", code="name")
         self.name = name
         self._core = _core.Model(_numbers(gravity, [(3,)], "model", "gravity"))
         self._bodies = Bodies(self, self._core)
@@ -699,8 +701,9 @@ def _on_bodies(
     function: Callable[..., ArrayLike], bodies: NDArray[np.int32], single: bool, name: str
 ) -> Callable[..., Floats]:
     """A force on some bodies as one on all."""
-    if len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
-        raise ModelError(f"user force '{name}': its bodies must differ, without the ground", code="bodies")
+    if not len(bodies) or len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
+        why = "must be one or more that differ, without the ground"
+        raise ModelError(f"user force '{name}': its bodies {why}", code="bodies")
     chosen: Any = int(bodies[0]) if single else bodies
 
     def whole(t: float, q: Floats, v: Floats) -> Floats:
@@ -722,8 +725,8 @@ def _on_bodies(
 
 def _address(function: Any, name: str) -> int:
     """Of a C function: a number, a numba.cfunc, or a function of ctypes."""
-    if isinstance(function, int) and function > 0:
-        return function
+    if isinstance(function, int):
+        return given.whole(function, 1, f"compiled force '{name}': address", ModelError)
     if isinstance(getattr(function, "address", None), int):
         return int(function.address)
     try:

@@ -33,6 +33,8 @@ def matrix(p: ArrayLike) -> Floats:
 def about(axis: ArrayLike, angle: ArrayLike) -> Floats:
     """Euler parameters (..., 4) of a turn by `angle` (...) [rad] about `axis` (..., 3), of any length."""
     half = array(angle, "rotation.about: angle", ModelError)[..., None] / 2
+    if not np.isfinite(half).all():
+        raise ModelError(f"rotation.about: angle {angle!r:.80} is not finite", code="not_finite")
     e = np.sin(half) * _unit(_vectors(axis, 3, "about: axis"), "about: axis")
     e0 = np.broadcast_to(np.cos(half), (*e.shape[:-1], 1))
     return np.concatenate([e0, e], axis=-1)
@@ -81,6 +83,8 @@ def perpendicular(z: ArrayLike) -> Floats:
 def between(a: ArrayLike, b: ArrayLike) -> Floats:
     """The shortest rotation (..., 3, 3) that turns unit vectors a (..., 3) into b, not opposite to a."""
     a, b = _vectors(a, 3, "between: a"), _vectors(b, 3, "between: b")
+    if not np.isfinite(np.sum(a * b)):
+        raise ModelError("rotation.between: a or b is not finite", code="not_finite")
     tilde = _skew(np.cross(a, b))
     turn: Floats = np.eye(3) + tilde + tilde @ tilde / (1 + np.sum(a * b, axis=-1))[..., None, None]
     return turn

@@ -101,6 +101,8 @@ def simulate(
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
+    if not isinstance(assemble, bool):
+        raise OptionError(f"assemble {assemble!r:.80} is not True or False", code="assemble")
     checks.check_tables(model, t_end)
     watched = compile_events(events, model)
     method = _method(plan.usual_integrator if integrator is None else integrator)

@@ -200,9 +200,9 @@ class HalfExplicit final : public Integrator {
                          " within a stage, as the step is too long for the motion, or for stiff force elements, whose "
                          "vibration it lets grow"
                    : "the equations of its loops are nearly dependent there";
-    throw NotConvergedError("half_explicit", "integrator '" + name() +
-                                                 "': a stage does not meet its velocity constraints: " + why +
-                                                 "; use a smaller step");
+    throw NotConvergedError(
+        "half_explicit",
+        "integrator '" + name() + "': a stage does not meet its velocity constraints: " + why + "; use a smaller step");
   }
 
   HalfExplicitTableau tableau_;

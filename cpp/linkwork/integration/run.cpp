@@ -6,8 +6,8 @@
 namespace linkwork {
 namespace {
 
-constexpr std::size_t listed = 8;         // joints in a message
-constexpr double unit_tolerance = 1e-6;   // of |p| - 1 at the start, as in Model
+constexpr std::size_t listed = 8;        // joints in a message
+constexpr double unit_tolerance = 1e-6;  // of |p| - 1 at the start, as in Model
 constexpr double unit_roundoff = 1e-14;  // below, p stays as it is: a run goes on with the bits of the one before
 
 [[noreturn]] void throw_violation(const Dynamics& dynamics, const Excess& excess) {

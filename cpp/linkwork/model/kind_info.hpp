@@ -9,8 +9,8 @@ namespace linkwork {
 
 constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
 
-/// What a parameter may be: numbers from `least` on, or, with `above`, only those beyond it. A function of time may touch
-/// that, but not pass it.
+/// What a parameter may be: numbers from `least` on, or, with `above`, only those beyond it. A function of time may
+/// touch that, but not pass it.
 struct Bound {
   std::string parameter;
   double least = 0.0;

@@ -289,8 +289,8 @@ void Model::add_joint_force(const std::string& name, int joint, const std::strin
   const Element& element = joints()[static_cast<std::size_t>(joint)];
   const FreeCoordinate* found = find_coordinate(joint_info(element.kind), coordinate);
   if (!found)
-    throw ModelError("coordinate", "joint force '" + name + "': joint '" + joint_name(joint) +
-                                       "' has no coordinate '" + coordinate + "'");
+    throw ModelError("coordinate", "joint force '" + name + "': joint '" + joint_name(joint) + "' has no coordinate '" +
+                                       coordinate + "'");
   own_force_names_.own().add(name);
   joint_forces_.own().push_back({name, element.i, element.j, element.at, found, std::move(law)});
 }

@@ -86,7 +86,7 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
 
     OptionError: the limit is too small for two frames.
     """
-    if not isinstance(labels, Iterable) or isinstance(labels, np.ndarray):
+    if not isinstance(labels, Iterable) or isinstance(labels, np.ndarray | str):
         raise OptionError(f"labels {labels!r:.80} are no names of runs", code="labels")
     if not is_number(limit):
         raise OptionError(f"limit {limit!r:.80} is not a finite number of bytes", code="limit")

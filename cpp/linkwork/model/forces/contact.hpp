@@ -16,8 +16,8 @@ inline std::vector<std::string> contact_parameters(std::vector<std::string> own)
   return own;
 }
 
-/// What they may be. Below an exponent of 1 the stiffness K n d^(n-1) is infinite where contact begins: no step is small
-/// enough there, and there is no material that does so.
+/// What they may be. Below an exponent of 1 the stiffness K n d^(n-1) is infinite where contact begins: no step is
+/// small enough there, and there is no material that does so.
 inline std::vector<Bound> contact_bounds(std::vector<Bound> own) {
   for (Bound bound : {positive("stiffness"), at_least(1.0, "exponent"), not_negative("hysteresis"),
                       not_negative("friction"), positive("transition")})
