@@ -21,7 +21,7 @@ MANY_STEPS = 1e6
 EVALUATIONS, WATCHED = 3, 5e-3
 
 #: What is told, and what nobody waits for [s].
-LONG, ABSURD = 3600.0, 30 * 86400.0
+LONG, ABSURD = 6 * 3600.0, 30 * 86400.0
 
 
 def announce(

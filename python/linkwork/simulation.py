@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import time
@@ -12,8 +13,9 @@ from numpy.typing import ArrayLike
 
 from linkwork import checks, duration, integrators, recording, schedule
 from linkwork.assembly import Assembly
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, unwritable
 from linkwork.events import Event, compile_events
+from linkwork.given import path as path_of
 from linkwork.header import Header
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.interrupts import Interrupts
@@ -118,6 +120,7 @@ def simulate(
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
     }
+    _check_folder(output)
     duration.announce(system.model, options, method, plan.least_steps(t_start), start)
     header = Header.of(
         system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes,
@@ -159,6 +162,12 @@ def _system(
         return system, None
     assembly = checks.consistent(model, system.compiled(), correct=assemble)
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
+
+
+def _check_folder(output: str | os.PathLike[str] | None) -> None:
+    """FileError: there is no folder for it, which is told before how long the run would take."""
+    if output is not None and not path_of(output, "result").absolute().parent.is_dir():
+        raise unwritable("result", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 
 def _listed(chosen: Mapping[str, Any]) -> str:

@@ -122,8 +122,8 @@ def test_a_run_of_months_is_refused_before_its_first_step() -> None:
 
 def test_a_run_of_hours_is_told_and_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(duration, "MANY_STEPS", 10)
-    monkeypatch.setattr(duration, "_evaluation", lambda system, start: 450.0)
-    with pytest.warns(lw.LinkworkWarning, match=r"the run takes 10 steps, about 5 hours on this machine"):
+    monkeypatch.setattr(duration, "_evaluation", lambda system, start: 720.0)
+    with pytest.warns(lw.LinkworkWarning, match=r"the run takes 10 steps, about 8 hours on this machine"):
         assert run(0.1, 1e-2).finished
     monkeypatch.setattr(duration, "_evaluation", lambda system, start: 1.0)
     run(0.1, 1e-2)
@@ -186,7 +186,7 @@ def test_what_a_result_does_not_have_is_refused(ask: Callable[[lw.Result], Any])
 # --- functions of the user's own ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("given", ["much", None, (1.0, 2.0), "1.5", object(), b"1", [1.0]], ids=repr)
+@pytest.mark.parametrize("given", ["much", None, (1.0, 2.0), "1.5", ..., b"1", [1.0]], ids=repr)
 def test_a_function_of_time_that_returns_no_number_is_named(given: Any) -> None:
     model = mechanisms.rod_pendulum()
     model.force("rod", force=(lambda t: given if t > 0 else 1.0, 0, 0), name="push")

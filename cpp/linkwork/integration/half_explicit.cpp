@@ -196,8 +196,8 @@ class HalfExplicit final : public Integrator {
     char angle[32];
     std::snprintf(angle, sizeof angle, "%.2g rad", turn);
     const std::string why =
-        turn > far ? std::string("a body turns by ") + angle +
-                         " within a stage, as the step is too long for the motion, or for stiff force elements, whose "
+        turn > far ? std::string("a body turns too far (") + angle +
+                         ") within a stage, as the step is too long for the motion, or for stiff force elements, whose "
                          "vibration it lets grow"
                    : "the equations of its loops are nearly dependent there";
     throw NotConvergedError(
