@@ -263,7 +263,8 @@ def _vector(kind: str, what: str, value: ArrayLike, size: int) -> Floats:
 
 def _positive(kind: str, what: str, value: Any) -> float:
     if not is_number(value) or not value > 0:
-        raise ModelError(f"{kind}: {what} {value!r:.80} is not a positive number", code="shape")
+        shown = value.item() if isinstance(value, np.number) else value
+        raise ModelError(f"{kind}: {what} {shown!r:.80} is not a positive number", code="shape")
     return float(value)
 
 

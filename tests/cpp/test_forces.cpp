@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "linkwork/math/error.hpp"
 #include "support.hpp"
 
 using namespace support;

@@ -115,7 +115,10 @@ def kinematics(
 
 def _times(times: ArrayLike) -> Floats:
     """OptionError: not two or more increasing finite numbers from 0 on."""
-    t = array(times, "times")
+    try:
+        t = array(times, "times")
+    except OptionError as error:
+        raise OptionError(f"times {times!r:.80} are not numbers [s]", code="times") from error
     if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or t[0] < 0 or (np.diff(t) <= 0).any():
         raise OptionError(
             f"times of shape {t.shape} must be two or more finite numbers [s] that increase, from 0 on",
