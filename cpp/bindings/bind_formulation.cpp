@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "bindings.hpp"
 #include "linkwork/constraints/initial_conditions.hpp"
 #include "linkwork/formulation/dynamics.hpp"
@@ -14,6 +16,18 @@ void check_size(const ConstVector& vector, Eigen::Index size, const char* name) 
         "shape", std::string(name) + " has " + std::to_string(vector.size()) + " entries, not " + std::to_string(size));
 }
 
+/// OptionError: a time that is none. NotFiniteError: what is no state.
+void check_moment(const System& system, double t, const ConstVector& q, const ConstVector& v) {
+  if (!std::isfinite(t)) throw OptionError("not_finite", "t = " + std::to_string(t) + " is not finite");
+  if (q.allFinite() && v.allFinite()) return;
+  int body = 0;
+  while (q.segment<7>(7 * body).allFinite() && v.segment<6>(6 * body).allFinite()) ++body;
+  ErrorDetails details;
+  details.bodies = {system.model().body_name(body)};
+  throw NotFiniteError("not_finite", "body '" + details.bodies.front() + "': its state in q and v is not finite",
+                       details);
+}
+
 /// y = (q, v, 0) of the drivers from y = (q, v) of Python.
 VectorXd with_work(const Dynamics& dynamics, const ConstVector& y) {
   check_size(y, dynamics.y_size() - 1, "y");
@@ -22,9 +36,10 @@ VectorXd with_work(const Dynamics& dynamics, const ConstVector& y) {
   return out;
 }
 
-VectorXd state(const Dynamics& dynamics, const ConstVector& q, const ConstVector& v) {
+VectorXd state(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   check_size(q, dynamics.system().q_size(), "q");
   check_size(v, dynamics.system().v_size(), "v");
+  check_moment(dynamics.system(), t, q, v);
   VectorXd out(dynamics.y_size());
   out << q, v, 0.0;
   return out;
@@ -69,6 +84,7 @@ py::array_t<double> mass_blocks(const System& system) {
 py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   check_size(q, dynamics.system().q_size(), "q");
   check_size(v, dynamics.system().v_size(), "v");
+  check_moment(dynamics.system(), t, q, v);
   const System& system = dynamics.system();
   Evaluation at = system.make_evaluation();
   system.evaluate(t, q, v, at);
@@ -87,7 +103,7 @@ py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, cons
 
 py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   VectorXd v_dot(dynamics.system().v_size()), lambda(dynamics.system().row_count());
-  const VectorXd y = state(dynamics, q, v);
+  const VectorXd y = state(dynamics, t, q, v);
   {
     const py::gil_scoped_release release;
     dynamics.evaluate(t, y);
@@ -98,6 +114,8 @@ py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, cons
 
 VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y) {
   const VectorXd full = with_work(dynamics, y);
+  check_moment(dynamics.system(), t, full.head(dynamics.system().q_size()),
+               full.segment(dynamics.system().q_size(), dynamics.system().v_size()));
   VectorXd y_dot(dynamics.y_size());
   {
     const py::gil_scoped_release release;

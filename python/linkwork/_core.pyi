@@ -13,6 +13,7 @@ import numpy.typing
 __all__ = [
     "AdaptiveSimulation",
     "Assembler",
+    "Bound",
     "CoupledCoordinate",
     "Dynamics",
     "EmbeddedPair",
@@ -116,6 +117,19 @@ class Assembler:
         """
     @property
     def iterations(self) -> int: ...
+
+class Bound:
+    """
+    What a parameter may be: from `least` on, or above it.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def above(self) -> bool: ...
+    @property
+    def least(self) -> float: ...
+    @property
+    def parameter(self) -> str: ...
 
 class CoupledCoordinate:
     """
@@ -326,6 +340,8 @@ class KindInfo:
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @property
+    def bounds(self) -> list[Bound]: ...
+    @property
     def constants(self) -> list[str]: ...
     @property
     def coordinates(self) -> list[str]: ...
@@ -412,6 +428,12 @@ class Model:
         """
         Adds force elements; returns the first index.
         """
+    def add_joint_force(
+        self, name: str, joint: typing.SupportsInt | typing.SupportsIndex, coordinate: str, law: typing.Any
+    ) -> None:
+        """
+        A function of (t, x, x_dot), or of time alone, along a free coordinate of a joint.
+        """
     def add_joints(
         self,
         kind: str,
@@ -458,6 +480,10 @@ class Model:
         """
         Index of a name, -1 where there is none.
         """
+    def find_user_force(self, name: str) -> int:
+        """
+        Index of the name of one of the user's own forces, -1 where there is none.
+        """
     def force_arrays(self) -> dict:
         """
         kind, bodies, origin, frame, first_parameter, parameters, signals: what add_forces took.
@@ -473,6 +499,10 @@ class Model:
         """
     def joint_kind(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def joint_name(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def limited(self) -> list[tuple[str, int, float, int, float, str]]:
+        """
+        Functions of time that must not pass a bound: (what, its signal or -1, its number, signal and number of the bound, what that is).
+        """
     def poses(
         self, bodies: typing.Annotated[numpy.typing.ArrayLike, numpy.int32]
     ) -> numpy.typing.NDArray[numpy.float64]:
@@ -499,6 +529,11 @@ class Model:
     def inertia(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def joint_count(self) -> int: ...
+    @property
+    def joint_forces(self) -> list[tuple[str, str]]:
+        """
+        (name, coordinate) of the laws along coordinates.
+        """
     @property
     def joint_rows(self) -> numpy.typing.NDArray[numpy.int32]: ...
     @property
@@ -723,12 +758,13 @@ class TimeFunction:
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @staticmethod
     def callback(
-        value: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex],
-        rate: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex] = None,
-        acceleration: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex] = None,
+        value: typing.Any,
+        rate: typing.Any = None,
+        acceleration: typing.Any = None,
+        what: str = "function of time",
     ) -> TimeFunction:
         """
-        Python functions of t.
+        Python functions of t; `what` they are, in messages.
         """
     @staticmethod
     def characteristic(function: TimeFunction) -> TimeFunction:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwork import _core, branches
 from linkwork.errors import ModelError, NotConvergedError
+from linkwork.given import is_number
 from linkwork.handles import BodiesLike, BodyLike
 from linkwork.model import Model, check_model
 
@@ -102,7 +103,7 @@ def assemble(
     check_model(model)
     core, held = model.compiled(), model.indices(hold)
     held = held[held >= 0]
-    assembler = _core.Assembler(core, _weights(model, weights or {}), held.tolist())
+    assembler = _core.Assembler(core, _weights(model, {} if weights is None else weights), held.tolist())
     q0, v0 = core.q0, core.v0
     given = assembler.residuals(q0, v0)
 
@@ -174,13 +175,17 @@ def _conflict(
 
 def _weights(model: Model, weights: Mapping[BodyLike, float]) -> Floats:
     """One for each body, or none at all. ModelError: not positive and finite."""
+    if not isinstance(weights, Mapping):
+        raise ModelError(
+            f"assemble: weights {weights!r:.80} are no mapping of bodies to numbers", code="weight"
+        )
     if not weights:
         return np.zeros(0)
     out = np.ones(model.body_count)
     for body, weight in weights.items():
         (index,) = model.indices(body)
         name = model.compiled().body_name(int(index))
-        if index < 0 or not (np.isfinite(weight) and weight > 0):
+        if index < 0 or not (is_number(weight) and weight > 0):
             why = (
                 "the ground has no weight" if index < 0 else f"weight {weight!r} must be positive and finite"
             )

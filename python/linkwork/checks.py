@@ -13,6 +13,8 @@ from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.extent import extent
+from linkwork.functions import Callback
+from linkwork.given import array, number
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model, check_model
 from linkwork.result import Snapshot
@@ -44,6 +46,12 @@ CONTRADICTION = 1e-6
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
 
+#: Times at which functions of time are looked at before a run.
+SAMPLES = 257
+
+#: Of the length of Euler parameters at the start, as in a model.
+UNIT_TOLERANCE = 1e-6
+
 #: How many objects a message lists.
 LISTED = 5
 
@@ -68,6 +76,27 @@ def check_tables(model: Model, t_end: float) -> None:
                 "extend the table or shorten the run",
                 code="time_function_range",
             )
+    _check_limits(model, t_end)
+
+
+def _check_limits(model: Model, t_end: float) -> None:
+    """OptionError: a function of time passes the bound of its parameter, such as a negative stiffness.
+
+    Looked for at many times of the run; of the user's own functions, which may be dear or have a memory, at
+    its start only. The run itself looks in every evaluation.
+    """
+    functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist()
+    for what, signal, constant, least_signal, least, than in model.compiled().limited():
+        given = [functions[place] for place in (signal, least_signal) if place >= 0]
+        for t in times[:1] if any(isinstance(it, Callback) for it in given) else times:
+            value = functions[signal].evaluate(t)[0] if signal >= 0 else constant
+            bound = functions[least_signal].evaluate(t)[0] if least_signal >= 0 else least
+            if value < bound:
+                named = f", which is {than}" if than else ""
+                raise OptionError(
+                    f"{what} is {value:g} at t = {t:g} s, and must not be below {bound:g}{named}; correct it",
+                    code="out_of_bounds",
+                )
 
 
 def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
@@ -129,9 +158,12 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
 
 def start_time(start: Snapshot | None) -> float:
     """Where a run begins [s]. OptionError: what is no Snapshot."""
-    if start is not None and not isinstance(start, Snapshot):
-        raise OptionError(f"start {start!r} is no linkwork.Snapshot(t, q, v)", code="start")
-    return 0.0 if start is None else float(start.t)
+    if start is None:
+        return 0.0
+    if not isinstance(start, Snapshot):
+        raise OptionError(f"start {start!r:.80} is no linkwork.Snapshot(t, q, v)", code="start")
+    t = start.t
+    return number(t, "start: t", code="start")
 
 
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
@@ -139,12 +171,22 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
 
     LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
     """
-    core, y = model.compiled(), start.y
-    if len(y) != 13 * model.body_count or not np.isfinite(y).all():
+    core, count = model.compiled(), model.body_count
+    q, v = array(start.q, "start: q"), array(start.v, "start: v")
+    if q.size != 7 * count or v.size != 6 * count or not (np.isfinite(q).all() and np.isfinite(v).all()):
         raise OptionError(
-            f"start: q {np.shape(start.q)} and v {np.shape(start.v)} are no finite state of the "
-            f"{model.body_count} bodies of model '{model.name}'",
+            f"start: q {q.shape} and v {v.shape} are no finite state of the {count} bodies of model "
+            f"'{model.name}': ({count}, 7) and ({count}, 6) are",
             code="start",
+        )
+    length = np.linalg.norm(q.reshape(-1, 7)[:, 3:], axis=1)
+    if not (np.abs(length - 1.0) <= UNIT_TOLERANCE).all():
+        body = int(np.argmax(np.abs(length - 1.0)))
+        raise OptionError(
+            f"start: body '{core.body_name(body)}': its Euler parameters have norm {length[body]:g}, not 1: "
+            "divide them by it",
+            code="start",
+            bodies=[core.body_name(body)],
         )
     size, _ = extent(core)
     speed = max(1.0, float(np.abs(start.v).max(initial=0.0))) * max(1.0, size)
@@ -155,18 +197,32 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
-    if len(start.memory):
+    memory = _memory(start)
+    if len(memory):
         remembered = len(dynamics.memory)
-        if len(start.memory) != remembered:
+        if len(memory) != remembered:
             raise OptionError(
-                f"start: its memory has {len(start.memory)} numbers, but the springs, stops, contacts and "
+                f"start: its memory has {len(memory)} numbers, but the springs, stops, contacts and "
                 f"couplers of model '{model.name}' remember {remembered}: start from a run of the same "
                 "model, or leave the memory out (start._replace(memory=()))",
                 code="start",
             )
-        dynamics.memory = list(start.memory)
+        dynamics.memory = memory
     elif start.t > 0:
         _check_remembered(core)
+
+
+def _memory(start: Snapshot) -> list[float]:
+    """OptionError: not finite numbers."""
+    memory = array(start.memory, "start: memory")
+    if memory.ndim != 1 or not np.isfinite(memory).all():
+        raise OptionError(
+            f"start: its memory {start.memory!r:.80} is not made of finite numbers: take that of a "
+            "snapshot, or ()",
+            code="start",
+        )
+    found: list[float] = memory.tolist()
+    return found
 
 
 def _check_remembered(core: _core.Model) -> None:
@@ -176,6 +232,10 @@ def _check_remembered(core: _core.Model) -> None:
     for what in sorted(set(filter(None, of_force))):
         names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
+    laws = [name for name, coordinate in core.joint_forces if coordinate != "displacement"]
+    if laws:
+        turns = REMEMBERING["rotational_stop"]
+        warn(f"start: {_listed(len(laws), laws.__getitem__)}: {turns}")
 
 
 def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str, float]:

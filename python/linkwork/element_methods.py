@@ -98,11 +98,7 @@ def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
         if name in ("length", "free_length"):
             yield name, False, "a number or a function of time [m]; without it the initial distance"
             continue
-        meaning = "a number or a function of time"
-        if name in kind.constants:
-            meaning = "a whole number" if name in kind.whole_numbers else "a number, not zero"
-        if name in kind.functions:
-            meaning = "a characteristic, or a number for a linear one"
+        meaning = _meaning(kind, name)
         default = _default(kind, name)
         yield name, default is None, meaning if default is None else f"{meaning}; {default:g}"
 
@@ -110,6 +106,21 @@ def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
 def _of_time(kind: _core.KindInfo) -> bool:
     """Whether it has parameters that can be functions of time."""
     return any(name not in (*kind.constants, *kind.functions) for name in kind.parameters)
+
+
+def _meaning(kind: _core.KindInfo, name: str) -> str:
+    """What a parameter may be."""
+    if name in kind.functions:
+        return "a characteristic, or a number for a linear one"
+    bounds = [bound for bound in kind.bounds if bound.parameter == name]
+    if name in kind.whole_numbers:
+        meaning = "a whole number"
+    elif name in kind.constants:
+        meaning = "a number" if bounds else "a number, not zero"
+    else:
+        meaning = "a number or a function of time"
+    limits = (f", {'above' if bound.above else 'at least'} {bound.least:g}" for bound in bounds)
+    return meaning + "".join(limits)
 
 
 def _signature(kind: _core.KindInfo) -> Signature:

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.errors import ModelError
+from linkwork.given import UNREADABLE, array, number
 
 __all__ = [
     "TimeFunction",
@@ -79,7 +80,7 @@ class TimeFunction(ABC):
 
     def evaluate(self, t: float) -> tuple[float, float, float]:
         """(f, df/dt, d2f/dt2) at t [s]; derivatives that are not known are NaN."""
-        value, rate, acceleration = self.compiled().evaluate(t)
+        value, rate, acceleration = self.compiled().evaluate(number(t, "t", ModelError))
         return value, rate, acceleration
 
 
@@ -189,6 +190,7 @@ class Callback(TimeFunction):
     value: Callable[[float], float]
     rate: Callable[[float], float] | None = None
     acceleration: Callable[[float], float] | None = None
+    what: str = "function of time"  #: that it is for, in messages
 
     @property
     def has_derivatives(self) -> bool:
@@ -196,8 +198,8 @@ class Callback(TimeFunction):
 
     def compiled(self) -> _core.TimeFunction:
         if self.rate is None or self.acceleration is None:
-            return _core.TimeFunction.callback(self.value)
-        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration)
+            return _core.TimeFunction.callback(self.value, what=self.what)
+        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration, self.what)
 
     def fingerprint(self) -> bytes:
         return " ".join(
@@ -334,7 +336,9 @@ class Expression(TimeFunction):
         from linkwork.expressions import Formula
 
         formula = Formula(self.text)
-        return _core.TimeFunction.callback(*(partial(formula.derivative, order=k) for k in range(3)))
+        return _core.TimeFunction.callback(
+            *(partial(formula.derivative, order=k) for k in range(3)), what=f"expression '{self.text}'"
+        )
 
 
 def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
@@ -344,7 +348,9 @@ def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
     defined between the first and the last time only: a run that goes beyond is refused.
     ModelError: fewer than two samples, unequal lengths, times not increasing, values not finite.
     """
-    breaks, samples = np.array(t, dtype=float), np.array(values, dtype=float)
+    breaks, samples = (
+        array(x, f"table: {what}", ModelError).copy() for x, what in ((t, "t"), (values, "values"))
+    )
     _check_samples(breaks, samples)
     from scipy.interpolate import CubicSpline
 
@@ -358,7 +364,8 @@ def piecewise_polynomial(breaks: ArrayLike, coefficients: ArrayLike) -> TimeFunc
     first and the last time only. ModelError: breaks that do not increase, no row for each interval, not
     finite.
     """
-    times, rows = np.array(breaks, dtype=float), np.array(coefficients, dtype=float)
+    times = array(breaks, "piecewise_polynomial: breaks", ModelError).copy()
+    rows = array(coefficients, "piecewise_polynomial: coefficients", ModelError).copy()
     _check_samples(times, times)
     if rows.ndim != 2 or len(rows) != len(times) - 1 or not rows.size:
         shape = f"breaks {times.shape} and coefficients {rows.shape}"
@@ -384,7 +391,7 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
             _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
         if len(x) == 3:
             _check_derivatives(*x, what)
-        return Callback(*x)
+        return Callback(*x, what=what)
     return _finite(x, what)
 
 
@@ -397,35 +404,26 @@ def _at_zero(function: Callable[[float], Any], what: str) -> Any:
         raise
 
 
-#: Where derivatives are compared with differences [s], and by what they may differ, relative.
-_CHECKED_AT, _DIFFERENCE, _AGREE = (0.0, 0.173, 1.31), 1e-4, 1e-3
-
-
 def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
-    """ModelError: `df` or `ddf` is not the derivative of what comes before it, at some times."""
+    """ModelError: `df` or `ddf` is not the derivative of what comes before it."""
+    from linkwork.derivatives import disagreement
+
     for name, function, derivative in (("first", f, df), ("second", df, ddf)):
-        for t in _CHECKED_AT:
-            try:
-                samples = [float(function(t + k * _DIFFERENCE)) for k in (0, 1, 2)]
-                given = float(derivative(t))
-            except Exception:
-                continue  # not defined there: the run will tell
-            slope = (-3 * samples[0] + 4 * samples[1] - samples[2]) / (2 * _DIFFERENCE)
-            size = max(abs(slope), abs(given), 1e-3 * max(map(abs, samples)), 1e-6)
-            if abs(slope - given) > _AGREE * size:
-                found = f"is {given:g}, but differences give {slope:g}"
-                raise ModelError(
-                    f"{what}: the {name} derivative at t = {t:g} s {found}",
-                    code="derivatives",
-                )
+        if found := disagreement(function, derivative):
+            before = "value" if name == "first" else "first derivative"
+            raise ModelError(
+                f"{what}: the {name} derivative adds up to {found.integral:.6g} from t = {found.start:g} to "
+                f"{found.end:g} s, where the {before} changes by {found.change:.6g}; correct it",
+                code="derivatives",
+            )
 
 
 def _finite(x: Any, what: str) -> float:
     try:
         value = float(x)
-    except (TypeError, ValueError) as error:
+    except UNREADABLE as error:
         choices = "a number, a function of time, or a tuple of functions (f, df, ddf)"
-        raise ModelError(f"{what}: {x!r} is not {choices}", code="not_a_number") from error
+        raise ModelError(f"{what}: {x!r:.80} is not {choices}", code="not_a_number") from error
     if not math.isfinite(value):
         raise ModelError(f"{what}: {value} is not finite", code="not_finite")
     return value

@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core, functions
+from linkwork import _core, functions, given
 from linkwork.bodies import Bodies
 from linkwork.element_methods import ForceMethods, JointMethods
 from linkwork.elements import Elements, Role, kind_info, placed, with_parameters
@@ -21,7 +21,6 @@ from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
-from linkwork.joint_force import along_coordinate
 from linkwork.placement import Attachment, Frames, Place, Subject
 from linkwork.shapes import Shape, Shapes, ShapesLike
 from linkwork.special_joints import CouplerData, CurveData, SpecialJointMethods
@@ -44,6 +43,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
 
     def __init__(self, gravity: ArrayLike = (0.0, 0.0, -9.81), name: str = "") -> None:
         """`gravity`: acceleration (3,), inertial [m/s2]. ModelError: not three finite numbers."""
+        if not isinstance(name, str):
+            raise ModelError(f"model: name {name!r:.80} is no text", code="name")
         self.name = name
         self._core = _core.Model(_numbers(gravity, [(3,)], "model", "gravity"))
         self._bodies = Bodies(self, self._core)
@@ -51,7 +52,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         self._signals: list[tuple[str, TimeFunction]] = []
         self._drivers: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[TimeFunction] = []
-        self._user_forces: list[tuple[str, Any]] = []
+        self._user_forces: list[tuple[str, Any, str]] = []  # name, law, joint and coordinate of one
         self._shapes = Shapes()
         self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
         self._special: dict[int, CouplerData | CurveData] = {}  # by joint
@@ -69,7 +70,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         from linkwork import model_file
 
-        return model_file.read(path).model
+        return model_file.read(given.path(path, "model file")).model
 
     def save(self, path: str | os.PathLike[str], *, simulation: Mapping[str, Any] | None = None) -> None:
         """Write the model to a file (.yaml, .yml, .json), exactly: what is loaded has the same bits.
@@ -80,7 +81,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         from linkwork import model_file
 
-        model_file.write(self, path, simulation or {})
+        if simulation is not None and not isinstance(simulation, Mapping):
+            raise OptionError(
+                f"simulation {simulation!r:.80} is no mapping of names to values", code="option"
+            )
+        model_file.write(self, given.path(path, "model file"), {} if simulation is None else simulation)
 
     # --- bodies ---------------------------------------------------------------------------------------------
 
@@ -228,8 +233,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
         if which not in ("angle", "displacement"):
             raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
-        given = {"position": position, "velocity": velocity, "acceleration": acceleration}
-        motions = [(what, motion) for what, motion in given.items() if motion is not None]
+        named = {"position": position, "velocity": velocity, "acceleration": acceleration}
+        motions = [(what, motion) for what, motion in named.items() if motion is not None]
         if len(motions) != 1:
             raise ModelError(f"drive '{text}': give one of position, velocity, acceleration", code="drive")
         arrays = self._core.joint_arrays()
@@ -395,47 +400,50 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         times = functions.check_breaks(breaks, f"user force '{name}'")
         self._core.add_user_force(name, whole)
         self._core.add_breaks(times)
-        self._user_forces.append((name, function))
+        self._user_forces.append((name, function, ""))
 
     def joint_force(
         self,
         joint: Joint | str,
-        function: Callable[[float, float, float], ArrayLike],
+        function: Callable[[float, float, float], float] | TimeFunction | float,
         *,
         coordinate: str | None = None,
         breaks: ArrayLike = (),
         name: str | None = None,
     ) -> None:
-        """Let a Python function act along a free coordinate of a joint: a controller, a clutch, friction.
+        """Let a law of your own act along a free coordinate of a joint: a controller, a clutch, friction.
 
-        function    of t [s], the coordinate x and its rate, which returns the force [N] or torque [N m]
-                    Q that does the work Q dx: it acts on b, and back on a
+        function    a Python function of t [s], the coordinate x and its rate, which returns the force [N] or
+                    torque [N m] Q that does the work Q dx: it acts on b, and back on a. Or Q as a number or a
+                    function of time, such as linkwork.functions.table(t, torques)
         coordinate  as `Result.coordinate` names it; not needed where the joint has only one. Angles are
-                    within half a turn of zero
+                    within half a turn of zero at the initial pose and go on over full turns
         breaks      times [s] at which it is not smooth: steps that follow tolerances end there
 
-        All its power counts as work. For compiled laws see the force elements and `compiled_force`.
+        All its power counts as work. A Python function costs about a microsecond an evaluation, a function of
+        time much less. For compiled laws see the force elements and `compiled_force`.
 
-        ModelError: no such joint or coordinate, not a function; at run time: it returned no number.
+        ModelError: no such joint or coordinate, no law; at run time: it returned no number.
         """
         index, text = self._joint_named(joint, "joint_force")
         name = self._named(name, "joint force", len(self._user_forces))
-        if not callable(function):
-            raise ModelError(f"joint force '{name}': {function!r} is not a function", code="not_callable")
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
-        arrays = self._core.joint_arrays()
-        a, b = arrays["bodies"][index].tolist()
-        whole = along_coordinate(
-            function, which, (a, b), arrays["origin"][index], arrays["frame"][index], name
-        )
+        law, compiled = function, function
+        if not callable(function):
+            law = _effort(function, name)
+            compiled = law.compiled()
         times = functions.check_breaks(breaks, f"joint force '{name}'")
-        self._core.add_user_force(name, whole)
+        self._core.add_joint_force(name, index, which, compiled)
         self._core.add_breaks(times)
-        self._user_forces.append((name, function))
+        self._user_forces.append((name, law, f"{index} {which}"))
+        if isinstance(law, TimeFunction):
+            self._signals.append((f"joint force '{name}'", law))
 
     def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
         text = joint.name if isinstance(joint, Joint) else joint
         index = self._core.find_joint(text) if isinstance(text, str) else -1
+        if isinstance(joint, Joint) and index >= 0 and self._joint(index) != joint:
+            raise ModelError(f"{who}: joint '{text}' belongs to another model", code="unknown_joint")
         if index < 0:
             known = [self._core.joint_name(k) for k in range(min(self.joint_count, 10_000))]
             raise ModelError(
@@ -458,10 +466,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         ModelError: nothing that has an address.
         """
         name = self._named(name, "compiled force", len(self._user_forces))
+        data = given.whole(data, 0, f"compiled force '{name}': data", ModelError)
         times = functions.check_breaks(breaks, f"compiled force '{name}'")
         self._core.add_compiled_force(name, _address(function, name), data)
         self._core.add_breaks(times)
-        self._user_forces.append((name, function))
+        self._user_forces.append((name, function, ""))
 
     def bushing(
         self,
@@ -490,7 +499,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
-        subject = Subject("bushing", name or "bushing", False, 1)
+        subject = Subject("bushing", name if isinstance(name, str) else "bushing", False, 1)
         own: dict[str, Any] = {}
         for what, values in (
             ("stiffness", stiffness),
@@ -612,8 +621,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             digest.update(f"{joint} {special.arguments()}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
-        for name, own in self._user_forces:
-            digest.update(f"{name} {getattr(own, '__qualname__', '')}".encode())
+        for name, own, place in self._user_forces:
+            digest.update(f"{name} {getattr(own, '__qualname__', '')} {place}".encode())
         return digest.hexdigest()
 
     def describe(self) -> str:
@@ -644,11 +653,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """Add one element or a group; `arguments` are those of the placement and the parameters."""
         info = kind_info(role, kind)
         _choose("frames", frames, ("space", "body"))
-        given = name if group and name is not None and not isinstance(name, str) else None
-        name = kind if given is not None else self._named(name, kind, self._counts[kind])
+        several = name if group and name is not None and not isinstance(name, str) else None
+        name = kind if several is not None else self._named(name, kind, self._counts[kind])
         pairs = self._bodies.pairs if group else self._bodies.pair
         bodies = pairs(a, b, Subject(kind, name, False, 1))
-        each = [] if given is None else _names_of_all(kind, given, len(bodies))
+        each = [] if several is None else _names_of_all(kind, several, len(bodies))
         subject = Subject(kind, name, group, len(bodies), each)
         first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
         arguments = dict(arguments)
@@ -681,7 +690,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             if not isinstance(name, str) or not name.isprintable():
                 raise ModelError(f"{kind}: name {name!r} is not printable text", code="name")
             return name
-        finders = (self._core.find_body, self._core.find_joint, self._core.find_force)
+        core = self._core
+        finders = (core.find_body, core.find_joint, core.find_force, core.find_user_force)
         while any(
             find(kind_and_number) >= 0 for find in finders for kind_and_number in _names(kind, count + 1)
         ):
@@ -709,9 +719,9 @@ def check_model(model: object) -> None:
         raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
 
 
-def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
+def _motion(what: str, motion: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
     """A coordinate over time from its position, velocity or acceleration."""
-    function = as_time_function(given, f"{who}: {what}")
+    function = as_time_function(motion, f"{who}: {what}")
     function = function if isinstance(function, TimeFunction) else functions.constant(function)
     value, rate = float(start.value[0]), float(start.rate[0])
     if what == "position":
@@ -721,21 +731,37 @@ def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str
     return Sum((functions.polynomial(value, rate), function.integral().integral()))
 
 
+def _effort(law: object, name: str) -> TimeFunction:
+    """A law that is a function of time alone. ModelError: it is none."""
+    if isinstance(law, TimeFunction):
+        return law
+    if isinstance(law, int | float | np.number):
+        return functions.constant(as_time_function(law, f"joint force '{name}'"))
+    wanted = "not a function of (t, x, x_dot), a function of time, or a number"
+    raise ModelError(f"joint force '{name}': {law!r:.80} is {wanted}", code="not_callable")
+
+
 def _on_bodies(
     function: Callable[..., ArrayLike], bodies: NDArray[np.int32], single: bool, name: str
 ) -> Callable[..., Floats]:
     """A force on some bodies as one on all."""
-    if len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
-        raise ModelError(f"user force '{name}': its bodies must differ, without the ground", code="bodies")
+    if not len(bodies) or len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
+        why = "must be one or more that differ, without the ground"
+        raise ModelError(f"user force '{name}': its bodies {why}", code="bodies")
     chosen: Any = int(bodies[0]) if single else bodies
 
     def whole(t: float, q: Floats, v: Floats) -> Floats:
         out = np.zeros_like(v)
-        given = np.asarray(function(t, q[chosen], v[chosen]), dtype=float)
-        if given.shape != out[chosen].shape:
-            wanted = f"returned shape {given.shape}, not {out[chosen].shape}"
+        returned = function(t, q[chosen], v[chosen])
+        try:
+            force = np.asarray(returned, dtype=float)
+        except given.UNREADABLE as error:
+            why = f"returned {returned!r:.80} at t = {t:g} s, not an array of numbers"
+            raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error
+        if force.shape != out[chosen].shape:
+            wanted = f"returned shape {force.shape}, not {out[chosen].shape}"
             raise ModelError(f"user force '{name}': {wanted}", code="shape")
-        out[chosen] = given
+        out[chosen] = force
         return out
 
     return whole
@@ -743,8 +769,8 @@ def _on_bodies(
 
 def _address(function: Any, name: str) -> int:
     """Of a C function: a number, a numba.cfunc, or a function of ctypes."""
-    if isinstance(function, int) and function > 0:
-        return function
+    if isinstance(function, int):
+        return given.whole(function, 1, f"compiled force '{name}': address", ModelError)
     if isinstance(getattr(function, "address", None), int):
         return int(function.address)
     try:
@@ -763,10 +789,7 @@ def _names(kind: str, number: int) -> tuple[str, str]:
 
 def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:
     """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{who}: {what} {value!r} is not made of numbers", code="not_a_number") from error
+    array = given.array(value, f"{who}: {what}", ModelError)
     for shape in shapes:
         if len(shape) == array.ndim and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True)):
             return array
@@ -775,7 +798,4 @@ def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> F
 
 
 def _choose(what: str, value: str, known: Sequence[str]) -> None:
-    if value not in known:
-        raise OptionError(
-            f"{what} '{value}' does not exist{nearest(str(value), known)}", code="unknown_option"
-        )
+    given.one_of(value, known, what)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, checks
 from linkwork.errors import OptionError
+from linkwork.given import array
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.options import check_number
 from linkwork.recording import PythonStep
@@ -45,6 +46,9 @@ class Fixed:
 
     def expected_frames(self, run: _core.Run) -> int:
         return run.steps_total // self.record_every + 2
+
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.step
 
     def chosen(self) -> dict[str, Any]:
         return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
@@ -95,6 +99,9 @@ class Adaptive:
 
     def expected_frames(self, run: _core.Run) -> int | None:
         return None if self.record_every else len(self.times) + 1
+
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.largest_step
 
     def chosen(self) -> dict[str, Any]:
         return {
@@ -187,6 +194,14 @@ def _fixed(
             "times needs steps that follow tolerances: give rtol, or record_every instead of times",
             code="conflict",
         )
+    if t_start > t_end:
+        raise OptionError(f"the start, at {t_start:g} s, is after t_end {t_end:g} s", code="start")
+    if t_start < t_end and step > (t_end - t_start) * (1 + SAME_TIME):
+        raise OptionError(
+            f"step {step:g} s is longer than the run, from {t_start:g} to {t_end:g} s: give a step of "
+            f"{t_end - t_start:g} s or less",
+            code="step",
+        )
     every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
     return Fixed(t_end, step, int(every))
 
@@ -223,10 +238,7 @@ def _adaptive(
 
 
 def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np.float64]:
-    try:
-        asked = np.atleast_1d(np.asarray(times, dtype=float))
-    except (TypeError, ValueError) as error:
-        raise OptionError(f"times {times!r} are not numbers", code="times") from error
+    asked = np.atleast_1d(array(times, "times"))
     if asked.ndim != 1 or not len(asked) or not np.isfinite(asked).all() or (np.diff(asked) <= 0).any():
         raise OptionError("times must be finite and ascending, one at least", code="times")
     if asked[0] < t_start or asked[-1] > t_end:
@@ -238,7 +250,7 @@ def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np
 
 
 def _check_record_every(given: Any) -> None:
-    if not isinstance(given, int | np.integer) or given < 1:
+    if isinstance(given, bool) or not isinstance(given, int | np.integer) or not 1 <= given < 2**63:
         raise OptionError(
             f"record_every {given!r} is not a positive whole number of steps", code="record_every"
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import time
@@ -10,10 +11,11 @@ from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
-from linkwork import break_points, checks, integrators, recording, schedule
+from linkwork import break_points, checks, duration, integrators, recording, schedule
 from linkwork.assembly import Assembly
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, unwritable
 from linkwork.events import Event, compile_events
+from linkwork.given import path as path_of
 from linkwork.header import Header
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.interrupts import Interrupts
@@ -53,7 +55,9 @@ def simulate(
 ) -> Result:
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
 
-    step          fixed, or with rtol or atol the largest that is taken (None: no limit)
+    step          fixed, not longer than the run, or with rtol or atol the largest that is taken (None: no
+                  limit). What would take hours is told before the first step by a LinkworkWarning, what would
+                  take more than a month is refused
     integrator    a name in linkwork.integrators.METHODS, a method as data, or step(system, t, y, h);
                   None: "rk4", or "dopri5" with rtol or atol
     rtol, atol    bounds of the error of each step, rtol * size + atol, for each body's position [m],
@@ -104,6 +108,8 @@ def simulate(
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
+    if not isinstance(assemble, bool):
+        raise OptionError(f"assemble {assemble!r:.80} is not True or False", code="assemble")
     checks.check_tables(model, t_end)
     known = break_points.of_run(model, breaks, t_start, t_end)
     break_points.check_drivers(model, t_start, t_end, adaptive=isinstance(plan, schedule.Adaptive))
@@ -122,6 +128,8 @@ def simulate(
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
     }
+    _check_folder(output)
+    duration.announce(system.model, options, method, plan.least_steps(t_start), start)
     header = Header.of(
         system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes,
         system.model.curves,
@@ -163,6 +171,12 @@ def _system(
         return system, None
     assembly = checks.consistent(model, system.compiled(), correct=assemble)
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
+
+
+def _check_folder(output: str | os.PathLike[str] | None) -> None:
+    """FileError: there is no folder for it, which is told before how long the run would take."""
+    if output is not None and not path_of(output, "result").absolute().parent.is_dir():
+        raise unwritable("result", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 
 def _listed(chosen: Mapping[str, Any]) -> str:

@@ -51,11 +51,11 @@ std::string choose_form(const FormulationInfo& info, const Options& options, boo
   return redundant || solver.positive_definite || solver.name == "dense" ? "schur" : "kkt";
 }
 
-/// "block" needs a regular mass matrix, which `standard` provides, and is asked for no form in particular.
+/// "block" needs a regular mass matrix, which `standard` provides, and takes redundant rows in every form that it has.
 std::string choose_solver(const std::string& form, const Options& options, const System& system) {
   if (options.linear_solver != "auto") return linear_solver_info(options.linear_solver).name;
   const bool regular = system.massless_bodies().empty() || options.formulation == "standard";
-  if (options.system == "auto" && regular) return "block";
+  if (form != "schur" && regular) return "block";
   const int size = form == "schur" ? system.row_count() : system.v_size() + (form == "kkt" ? system.row_count() : 0);
   if (size <= dense_rows) return "dense";
   if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
@@ -70,6 +70,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
       kind_(stabilization_kind(options.stabilization)),
       at_(system_.make_evaluation()) {
   const FormulationInfo& info = formulation_info(options.formulation);
+  check_options(options);
   rank_ = examine_rank(system_);
   dropped_ = DroppedRows(system_, rank_.redundant_rows);
   options_.system = choose_form(info, options, !dropped_.empty());
@@ -438,6 +439,16 @@ int user_force_not_finite(const System& system, double t, const VectorXd& y) {
   return -1;
 }
 
+/// The first of the user's own laws along coordinates that is not finite, or -1.
+int joint_force_not_finite(const System& system, double t, const VectorXd& y) {
+  const auto q = y.head(system.q_size()), v = y.segment(system.q_size(), system.v_size());
+  for (std::size_t k = 0; k < system.model().joint_forces().size(); ++k) {
+    double memory = 0.0;
+    if (!std::isfinite(system.joint_force(k, t, q, v, &memory).power)) return static_cast<int>(k);
+  }
+  return -1;
+}
+
 /// The first force element that gives something not finite, or -1.
 int force_not_finite(const System& system, double t, const VectorXd& y) {
   for (std::size_t k = 0; k < system.model().forces().size(); ++k) {
@@ -483,6 +494,8 @@ void throw_not_finite(const System& system, const VectorXd& y, double t, int sta
     if (force >= 0) details.forces = {model.force_names().name(force)};
     else if (force = user_force_not_finite(system, t, y); force >= 0)
       details.forces = {model.user_force_name(static_cast<std::size_t>(force))};
+    else if (force = joint_force_not_finite(system, t, y); force >= 0)
+      details.forces = {model.joint_forces()[static_cast<std::size_t>(force)].name};
     if (force >= 0) {
       throw NotFiniteError("not_finite",
                            "force '" + details.forces.front() + "' became infinite or undefined" + when +

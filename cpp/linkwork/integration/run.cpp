@@ -7,7 +7,9 @@
 namespace linkwork {
 namespace {
 
-constexpr std::size_t listed = 8;  // joints in a message
+constexpr std::size_t listed = 8;        // joints in a message
+constexpr double unit_tolerance = 1e-6;  // of |p| - 1 at the start, as in Model
+constexpr double unit_roundoff = 1e-14;  // below, p stays as it is: a run goes on with the bits of the one before
 
 // Contradictions, relative to the size and the speed of the mechanism, that end a run: of positions; of velocities
 // where that of positions is `certain`. What is less may be the inaccuracy of tables, and is told at the end.
@@ -153,6 +155,15 @@ void Run::begin_at(double t, double t_end, const VectorXd& q_and_v) {
     throw OptionError("start", "the state at the start has " + std::to_string(q_and_v.size()) + " numbers, not " +
                                    std::to_string(y_.size() - 1) + ", or one that is not finite");
   y_.head(q_and_v.size()) = q_and_v;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    auto p = y_.segment<4>(7 * body + 3);
+    const double off = std::abs(p.norm() - 1.0);
+    if (!(off <= unit_tolerance))
+      throw OptionError("start", "start: body '" + dynamics_.system().model().body_name(body) +
+                                     "': its Euler parameters have norm " + std::to_string(p.norm()) +
+                                     ", not 1: divide them by it");
+    if (off > unit_roundoff) p.normalize();
+  }
 }
 
 }  // namespace linkwork

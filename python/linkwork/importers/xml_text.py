@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 from xml.parsers import expat
 
 from linkwork.errors import Fault, FileError, ModelFileError, cause
+from linkwork.given import path as path_of
 
 #: Largest file [bytes], and levels of elements in each other.
 SIZE, DEPTH = 2**26, 100
@@ -53,7 +54,7 @@ class Reader:
 
     def __init__(self, path: str | os.PathLike[str], root_tag: str | None) -> None:
         """FileError: it cannot be read. ModelFileError: no XML, or another root than one of this tag."""
-        self.path = os.fspath(path)
+        self.path = str(path_of(path, f"<{root_tag}> file" if root_tag else "XML file"))
         self.faults: list[Fault] = []
         self.root = self._parse()
         if root_tag is not None and self.root.tag != root_tag:
