@@ -213,15 +213,24 @@ class Selection {
   VectorXd preferred_;        ///< per row of the core: 1 for joints that close loops, else 0
 };
 
+/// Numbers for rows next to each other that have the same bodies.
+std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
+  std::vector<int> groups, bodies, last;
+  for (int row = 0; row < A.rows(); ++row) {
+    bodies.clear();
+    for (SparseRows::InnerIterator it(A, row); it; ++it)
+      if (const int body = static_cast<int>(it.col()) / velocity_size; bodies.empty() || bodies.back() != body)
+        bodies.push_back(body);
+    groups.push_back(groups.empty() ? 0 : groups.back() + (bodies != last));
+    last = bodies;
+  }
+  return groups;
+}
+
 }  // namespace
 
 Places dependent_rows(const SparseRows& A, double tolerance) {
-  std::vector<Entry> entries;
-  entries.reserve(static_cast<std::size_t>(A.nonZeros()));
-  for (int row = 0; row < A.rows(); ++row)
-    for (SparseRows::InnerIterator it(A, row); it; ++it)
-      entries.push_back({static_cast<int>(it.col()), row, it.value()});
-  return dependent_columns(static_cast<int>(A.cols()), static_cast<int>(A.rows()), std::move(entries), tolerance);
+  return dependent_columns(A.transpose(), tolerance, neighbors_on_same_bodies(A));
 }
 
 CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance, double t)
