@@ -12,19 +12,93 @@ namespace linkwork {
 namespace {
 
 using qr::RowMatrix;
+using ColumnMatrix = Eigen::SparseMatrix<double>;
 
 constexpr double most_dense = 4e7;  // numbers in dense rows
 
-double largest_column(const RowMatrix& A) {
-  VectorXd squares = VectorXd::Zero(A.cols());
-  for (int row = 0; row < A.rows(); ++row)
-    for (RowMatrix::InnerIterator it(A, row); it; ++it) squares[it.col()] += it.value() * it.value();
-  return squares.size() > 0 ? std::sqrt(squares.maxCoeff()) : 0.0;
+double largest_column(const ColumnMatrix& A) {
+  double squares = 0.0;
+  for (int column = 0; column < A.cols(); ++column) squares = std::max(squares, A.col(column).squaredNorm());
+  return std::sqrt(squares);
 }
+
+/// Columns with one entry are eliminated with its row, one after the other: the first rows of R, without arithmetic.
+/// What is left of A is a matrix of its own.
+class Reduction {
+ public:
+  Reduction(const ColumnMatrix& A, double tolerance)
+      : A_(A),
+        tolerance_(tolerance),
+        by_rows_(A),
+        row_left_(static_cast<std::size_t>(A.rows()), 1),
+        column_left_(static_cast<std::size_t>(A.cols()), 1),
+        count_(static_cast<std::size_t>(A.cols())) {
+    for (int column = 0; column < A.cols(); ++column) {
+      count(column) = A.outerIndexPtr()[column + 1] - A.outerIndexPtr()[column];
+      if (count(column) <= 1) next_.push_back(column);
+    }
+    while (!next_.empty()) {
+      const int column = next_.back();
+      next_.pop_back();
+      eliminate(column);
+    }
+  }
+
+  const std::vector<int>& dead() const { return dead_; }
+
+  /// The rest, and the columns of A that it has.
+  RowMatrix rest(std::vector<int>& columns) const {
+    std::vector<int> number(column_left_.size(), -1);
+    for (std::size_t column = 0; column < number.size(); ++column)
+      if (column_left_[column]) {
+        number[column] = static_cast<int>(columns.size());
+        columns.push_back(static_cast<int>(column));
+      }
+    const auto rows = static_cast<Eigen::Index>(std::count(row_left_.begin(), row_left_.end(), 1));
+    RowMatrix out(rows, static_cast<Eigen::Index>(columns.size()));
+    out.reserve(A_.nonZeros());
+    int place = 0;
+    for (int row = 0; row < A_.rows(); ++row) {
+      if (!row_left_[static_cast<std::size_t>(row)]) continue;
+      out.startVec(place);
+      for (RowMatrix::InnerIterator it(by_rows_, row); it; ++it)
+        if (const int column = number[static_cast<std::size_t>(it.col())]; column >= 0)
+          out.insertBack(place, column) = it.value();
+      ++place;
+    }
+    out.finalize();
+    return out;
+  }
+
+ private:
+  int& count(int column) { return count_[static_cast<std::size_t>(column)]; }
+
+  void eliminate(int column) {
+    column_left_[static_cast<std::size_t>(column)] = 0;
+    for (ColumnMatrix::InnerIterator it(A_, column); it; ++it) {
+      auto& row_left = row_left_[static_cast<std::size_t>(it.row())];
+      if (!row_left) continue;
+      if (!(std::abs(it.value()) > tolerance_)) break;
+      row_left = 0;
+      for (RowMatrix::InnerIterator other(by_rows_, it.row()); other; ++other)
+        if (const int c = static_cast<int>(other.col()); column_left_[static_cast<std::size_t>(c)] && --count(c) == 1)
+          next_.push_back(c);
+      return;
+    }
+    dead_.push_back(column);
+  }
+
+  const ColumnMatrix& A_;
+  const double tolerance_;
+  const RowMatrix by_rows_;
+  std::vector<char> row_left_, column_left_;
+  std::vector<int> count_;  ///< of each column that is left: entries in rows that are left
+  std::vector<int> next_, dead_;
+};
 
 /// Rows with more entries than this are dense: their square would be work.
 int dense_row(Eigen::Index columns) {
-  return static_cast<int>(std::clamp(10.0 * std::sqrt(static_cast<double>(columns)), 200.0, 1000.0));
+  return static_cast<int>(std::clamp(4.0 * std::sqrt(static_cast<double>(columns)), 100.0, 400.0));
 }
 
 /// Ascending; the longest ones where there are many.
@@ -42,33 +116,25 @@ std::vector<int> dense_rows(const RowMatrix& A) {
   return rows;
 }
 
-/// A without some of its rows, and these.
-std::pair<RowMatrix, MatrixXd> split(const RowMatrix& A, const std::vector<int>& dense) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(A.nonZeros()));
-  MatrixXd full = MatrixXd::Zero(static_cast<Eigen::Index>(dense.size()), A.cols());
-  auto next = dense.begin();
-  for (int row = 0; row < A.rows(); ++row) {
-    const bool is_dense = next != dense.end() && *next == row;
-    for (RowMatrix::InnerIterator it(A, row); it; ++it) {
-      if (is_dense) full(next - dense.begin(), it.col()) = it.value();
-      else entries.emplace_back(row, static_cast<int>(it.col()), it.value());
-    }
-    if (is_dense) ++next;
-  }
-  RowMatrix rest(A.rows(), A.cols());
-  rest.setFromTriplets(entries.begin(), entries.end());
-  return {std::move(rest), std::move(full)};
+/// Takes rows out of A, which become rows of a full matrix.
+MatrixXd take_out(const std::vector<int>& rows, RowMatrix& A) {
+  MatrixXd out = MatrixXd::Zero(static_cast<Eigen::Index>(rows.size()), A.cols());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (RowMatrix::InnerIterator it(A, rows[k]); it; ++it) out(static_cast<Eigen::Index>(k), it.col()) = it.value();
+  if (!rows.empty())
+    A.prune([&](Eigen::Index row, Eigen::Index, double) {
+      return !std::binary_search(rows.begin(), rows.end(), static_cast<int>(row));
+    });
+  return out;
 }
 
 /// Dense rows would fill R. Of A = [S; F], F the dense rows, the sparse ones decide first: of the columns of S the
 /// candidates S_c depend on the others, S_c = S_o L. Those are independent in A where F_c - F_o L is, which is what
 /// eliminating F by the rows of R leaves of it.
-std::vector<int> dead_columns(const RowMatrix& A, const std::vector<int>& groups, const std::vector<int>& dense,
-                              double tolerance) {
-  auto [S, F] = split(A, dense);
-  std::vector<int> candidates = qr::dependent_columns(S, groups, tolerance, F);
-  if (candidates.empty()) return candidates;
+std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, double tolerance) {
+  MatrixXd F = take_out(dense_rows(A), A);
+  std::vector<int> candidates = qr::dependent_columns(A, groups, tolerance, F);
+  if (candidates.empty() || F.rows() == 0) return candidates;
   std::sort(candidates.begin(), candidates.end());
   MatrixXd rest(F.rows(), static_cast<Eigen::Index>(candidates.size()));
   for (std::size_t k = 0; k < candidates.size(); ++k) rest.col(static_cast<Eigen::Index>(k)) = F.col(candidates[k]);
@@ -81,19 +147,28 @@ std::vector<int> dead_columns(const RowMatrix& A, const std::vector<int>& groups
   return dead;
 }
 
+/// Those of some columns, without gaps; one for each column where there are none.
+std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<int>& groups) {
+  std::vector<int> out(columns.size(), 0);
+  for (std::size_t k = 1; k < columns.size(); ++k) {
+    const bool same = !groups.empty() && groups[static_cast<std::size_t>(columns[k])] ==
+                                             groups[static_cast<std::size_t>(columns[k - 1])];
+    out[k] = out[k - 1] + (same ? 0 : 1);
+  }
+  return out;
+}
+
 }  // namespace
 
-std::vector<int> dependent_columns(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, double tolerance,
-                                   std::vector<int> groups) {
-  if (groups.empty()) {
-    groups.resize(static_cast<std::size_t>(A.cols()));
-    std::iota(groups.begin(), groups.end(), 0);
-  }
-  std::vector<int> dead(static_cast<std::size_t>(A.cols()));
-  std::iota(dead.begin(), dead.end(), 0);
-  const double largest = largest_column(A);
-  if (!(largest > 0.0)) return dead;
-  dead = dead_columns(A, groups, dense_rows(A), tolerance * largest);
+std::vector<int> dependent_columns(const Eigen::SparseMatrix<double>& A, double tolerance,
+                                   const std::vector<int>& groups) {
+  const double least = tolerance * largest_column(A);
+  const Reduction reduction(A, least);
+  std::vector<int> dead = reduction.dead(), columns;
+  RowMatrix rest = reduction.rest(columns);
+  if (!columns.empty())
+    for (const int k : dead_columns(rest, groups_of(columns, groups), least))
+      dead.push_back(columns[static_cast<std::size_t>(k)]);
   std::sort(dead.begin(), dead.end());
   return dead;
 }
@@ -101,7 +176,7 @@ std::vector<int> dependent_columns(const Eigen::SparseMatrix<double, Eigen::RowM
 std::vector<int> dependent_columns(int rows, int columns, const std::vector<Entry>& entries, double tolerance) {
   std::vector<Eigen::Triplet<double>> triplets;
   for (const Entry& entry : entries) triplets.emplace_back(entry.row, entry.column, entry.value);
-  RowMatrix A(rows, columns);
+  ColumnMatrix A(rows, columns);
   A.setFromTriplets(triplets.begin(), triplets.end());
   return dependent_columns(A, tolerance);
 }

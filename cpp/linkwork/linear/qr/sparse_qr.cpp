@@ -14,6 +14,9 @@ namespace {
 
 using Numbers = std::vector<int>;
 
+constexpr double weak_pivot = 1e-4;         // relative to the dense rows
+constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense
+
 template <class Container>
 auto& at(Container& container, int k) {
   return container[static_cast<std::size_t>(k)];
@@ -50,7 +53,12 @@ struct Contribution {
 class Elimination {
  public:
   Elimination(const RowMatrix& A, const Numbers& groups, double tolerance, MatrixXd& dense)
-      : A_(A), tolerance_(tolerance), dense_(dense), tree_(block::order_joint_graph(group_graph(A, groups))) {
+      : A_(A),
+        tolerance_(tolerance),
+        weak_(std::max(weak_pivot * (dense.size() > 0 ? dense.cwiseAbs().maxCoeff() : 0.0), tolerance)),
+        dense_(dense),
+        most_rows_(dense.rows() + spare_rows),
+        tree_(block::order_joint_graph(group_graph(A, groups))) {
     order_columns(groups);
     sort_rows();
     children_.resize(tree_.supernodes.size());
@@ -65,10 +73,13 @@ class Elimination {
       list_columns(tree_.supernodes[s]);
       assemble(static_cast<int>(s));
       factor_(front_);
-      reduce_dense_rows();
+      contribute(contributions_[s]);
+      if (dense_.rows() > 0) {
+        postpone_weak_pivots();
+        reduce_dense_rows();
+      }
       for (int k = 0; k < front_.pivots; ++k)
         if (at(row_, k) < 0) dead_.push_back(at(column_, at(columns_, k)));
-      contribute(contributions_[s]);
     }
     return std::move(dead_);
   }
@@ -162,9 +173,22 @@ class Elimination {
     }
   }
 
+  /// Rows of R that would be taken from the dense ones many times over become dense rows, and their columns wait.
+  void postpone_weak_pivots() {
+    for (int j = 0; j < front_.pivots; ++j) {
+      if (at(row_, j) < 0 || dense_.rows() >= most_rows_) continue;
+      const double* R = front_.entries + at(row_, j);
+      if (std::abs(R[front_.stride * j]) > weak_) continue;
+      dense_.conservativeResize(dense_.rows() + 1, Eigen::NoChange);
+      dense_.bottomRows(1).setZero();
+      for (int k = j; k < front_.columns; ++k)
+        dense_(dense_.rows() - 1, at(column_, at(columns_, k))) = R[front_.stride * k];
+      at(row_, j) = -1;
+    }
+  }
+
   /// F_k -= (F_j / R_jj) R_jk for the columns k after each pivot j.
   void reduce_dense_rows() {
-    if (dense_.rows() == 0) return;
     for (int j = 0; j < front_.pivots; ++j) {
       if (at(row_, j) < 0) continue;
       const double* R = front_.entries + at(row_, j);
@@ -193,8 +217,9 @@ class Elimination {
   }
 
   const RowMatrix& A_;
-  const double tolerance_;
+  const double tolerance_, weak_;
   MatrixXd& dense_;
+  const Eigen::Index most_rows_;
   const block::Elimination tree_;
   const FactorFront factor_ = front_factorization();
   Numbers first_;               ///< position of the first column at each place of the order

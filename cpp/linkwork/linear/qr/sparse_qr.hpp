@@ -14,7 +14,8 @@ using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// that have much the same rows; they are ordered together.
 ///
 /// `dense`, rows over the columns of A that are not rows of A, become dense - X R with X R = dense in the independent
-/// columns: zero there, and in the dependent ones what A does not say about them.
+/// columns: zero there, and in the dependent ones what A does not say about them. With dense rows, columns that are
+/// barely independent count among the dependent ones, and the rows of R that say so are added to the dense ones.
 ///
 /// Multifrontal Householder QR on the elimination tree of A^T A (J. W. H. Liu, On general row merging schemes for sparse
 /// Givens transformations, SIAM J. Sci. Stat. Comput. 7, 1986), dense fronts, neither Q nor R kept.
