@@ -15,7 +15,7 @@ constexpr double exact = 1e-15, roundoff = 1e-12;  // violations, relative to th
 constexpr double least_damping = 1e-10, most_damping = 1e8;
 constexpr double stationary = 1e-9;      // part of the violation that a step should take away
 constexpr double longest_step = 0.5;     // relative to the extent of the mechanism, or rad
-constexpr double least_mobility = 1e-2;  // of the largest of a joint
+constexpr double least_mobility = 1e-2;  // of a row of rotations, of its usual one
 constexpr double nearest = 1e-11;        // displacement that is none
 constexpr double shortest_part = 1e-4;   // of a step along the constraints
 constexpr double nudge = 0.05;           // [rad, or relative to the length of a body], off a saddle
@@ -62,13 +62,15 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
       extent_(extent_of(system, lengths_)),
       rounding_(std::max(1.0, farthest_position(system, system.model().initial_q()))) {
   this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, at_);
-  mobility_ = this->system().row_mobility(at_);
   row_lengths_ = row_lengths(system, at_);
-  const std::vector<int>& first = system.model().joint_rows();
-  for (std::size_t joint = 0; joint + 1 < first.size(); ++joint) {
-    auto rows = mobility_.segment(first[joint], first[joint + 1] - first[joint]);
-    const double most = rows.maxCoeff();
-    rows = rows.cwiseMax(most > 0.0 ? least_mobility * most : 1.0);  // a row may have none in one pose only
+  mobility_ = this->system().row_mobility(at_);
+  const std::vector<char> rotations = rows_of_rotations(system, at_);
+  VectorXd usual = VectorXd::Zero(system.row_count());  // of rows of rotations, which may have none in one pose only
+  for (const ConstraintBlock& block : this->system().blocks())
+    usual.segment(block.row, block.rows).array() += this->system().inverse_inertia(block.body).trace() / 3.0;
+  for (int row = 0; row < system.row_count(); ++row) {
+    if (rotations[static_cast<std::size_t>(row)]) mobility_[row] = std::max(mobility_[row], least_mobility * usual[row]);
+    if (!(mobility_[row] > 0.0)) mobility_[row] = 1.0;
   }
 }
 

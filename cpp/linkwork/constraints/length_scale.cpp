@@ -11,7 +11,7 @@ namespace linkwork {
 namespace {
 
 constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
-constexpr double least_row = 0.1;  // of the longest of a joint
+constexpr double least_row = 0.1;  // of natural size 1
 
 Vec3<double> point(const Body& body, const Vec3<double>& s) {
   return body.position + rotation_matrix<double>(body.orientation) * s;
@@ -109,13 +109,24 @@ VectorXd row_lengths(const System& system, const Evaluation& at) {
       squares[block.row + k] += row.cwiseProduct(scale.segment<velocity_size>(velocity_size * block.body)).squaredNorm();
     }
   VectorXd lengths = squares.cwiseSqrt();
-  const std::vector<int>& first = system.model().joint_rows();
-  for (std::size_t joint = 0; joint + 1 < first.size(); ++joint) {
-    auto own = lengths.segment(first[joint], first[joint + 1] - first[joint]);
-    const double longest = own.maxCoeff();
-    own = own.cwiseMax(longest > 0.0 ? least_row * longest : 1.0);
+  const std::vector<char> rotations = rows_of_rotations(system, at);
+  for (int row = 0; row < system.row_count(); ++row) {
+    if (rotations[static_cast<std::size_t>(row)]) lengths[row] = std::max(lengths[row], least_row);
+    else if (!(lengths[row] > 0.0)) lengths[row] = 1.0;
   }
   return lengths;
+}
+
+std::vector<char> rows_of_rotations(const System& system, const Evaluation& at) {
+  std::vector<char> out(static_cast<std::size_t>(system.row_count()), 1);
+  for (const ConstraintBlock& block : system.blocks()) {
+    const bool special = system.model().special_joint(block.joint) != nullptr;
+    for (int k = 0; k < block.rows; ++k) {
+      const double* row = at.D.data() + block.offset + velocity_size * k;
+      if (special || row[0] != 0.0 || row[1] != 0.0 || row[2] != 0.0) out[static_cast<std::size_t>(block.row + k)] = 0;
+    }
+  }
+  return out;
 }
 
 double farthest_position(const System& system, const ConstVector& q) {

@@ -14,9 +14,13 @@ VectorXd characteristic_lengths(const System& system);
 VectorXd velocity_scale(const System& system);
 
 /// Length of each row of D in velocities of natural size. What divides a residual of Phi [m or 1] by it is the way that
-/// satisfies the row, relative to the size of the mechanism; of Phi_dot, likewise, [1/s]. A row that has (almost) no
-/// length in this pose counts with a part of the longest one of its joint.
+/// satisfies the row, relative to the size of the mechanism; of Phi_dot, likewise, [1/s]. A row of rotations, of
+/// natural size 1, that has (almost) no length in this pose counts with a part of that.
 VectorXd row_lengths(const System& system, const Evaluation& at);
+
+/// True for rows that have no translations at an evaluation and are none of a special joint, which has factors of its
+/// own: they have natural size 1 and may vanish in a pose.
+std::vector<char> rows_of_rotations(const System& system, const Evaluation& at);
 
 /// Largest distance of a body from the origin, relative to its length.
 double farthest_position(const System& system, const ConstVector& q);

@@ -67,11 +67,15 @@ void find_redundancy(const System& given, const LoopCore& core, double tolerance
   MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   const auto row = [&](int place) { return core.rows()[static_cast<std::size_t>(place)]; };
-  report.q = pull_back(solver, core, report.q).q;
+  const ConsistentPose start = pull_back(solver, core, report.q);
+  report.q = start.q;
   tolerance = std::max(tolerance, tolerance_of_geometry(system, core, report.q));
   const CorePose assembled(system, core, report.q, tolerance);
   if (assembled.dependent.empty()) return;
-  const PerturbedPose found = perturb(solver, core, report.q, degrees_of_freedom(system, core, assembled.dependent));
+  std::vector<int> freedoms = degrees_of_freedom(system, core, assembled.dependent);
+  for (std::size_t c = 0; c < freedoms.size(); ++c)
+    if (!start.reached[c]) freedoms[c] = 0;  // its joints contradict each other: there is no other pose to look at
+  const PerturbedPose found = perturb(solver, core, report.q, freedoms);
   report.q = found.q;
   const CorePose perturbed(system, core, report.q, tolerance);
   const Places redundant = redundant_rows(solver, core, assembled, perturbed, found, tolerance);
