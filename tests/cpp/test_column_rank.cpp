@@ -23,7 +23,7 @@ std::vector<int> dependent(const MatrixXd& A) {
 
 int rank(const MatrixXd& A) {
   if (A.size() == 0) return 0;
-  const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(A).singularValues();
+  const VectorXd sigma = Eigen::BDCSVD<MatrixXd>(A).singularValues();
   return static_cast<int>((sigma.array() > tolerance * sigma[0]).count());
 }
 

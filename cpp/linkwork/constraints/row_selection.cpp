@@ -11,8 +11,15 @@ namespace linkwork {
 namespace {
 
 constexpr double no_choice = 1e-8;        // of the volume that a choice could keep
+constexpr double equal = 1e-6;            // relative difference of volumes that is none
 constexpr double most_selection = 5e6;    // flops of choosing rows in one component
 constexpr std::size_t longest_loop = 60;  // joints, for dense algebra
+
+/// Of numbers that are as large as the largest but for roundoff the first, so that units and processors choose alike.
+Eigen::Index first_of_largest(const VectorXd& x) {
+  const double least = (1.0 - equal) * x.maxCoeff();
+  return std::find_if(x.begin(), x.end(), [&](double value) { return value >= least; }) - x.begin();
+}
 
 /// Which `count` rows to leave out so that the rest spans as much as possible of all, at both poses: by Gram-Schmidt
 /// with pivoting on the rows of orthonormal bases of ker D^T, because the volume of the kept rows is, up to a factor,
@@ -23,8 +30,8 @@ Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& 
   for (int k = 0; k < count; ++k) {
     VectorXd score = VectorXd::Ones(bases.front().rows());
     for (const MatrixXd& N : bases) score.array() *= N.rowwise().squaredNorm().array();
-    Eigen::Index best = 0;
-    if (score.cwiseProduct(preferred).maxCoeff(&best) < no_choice * score.maxCoeff()) score.maxCoeff(&best);
+    const VectorXd among = score.cwiseProduct(preferred);
+    const Eigen::Index best = first_of_largest(among.maxCoeff() < no_choice * score.maxCoeff() ? score : among);
     chosen.push_back(static_cast<int>(best));
     for (MatrixXd& N : bases) {
       const VectorXd u = N.row(best).transpose().normalized();
