@@ -29,13 +29,14 @@ UNITS = {
 OFF = {"rounding": 1e-11, "little": 1e-5, "much": 3e-2}
 
 
-def function(value: Any, by: float, units: Units) -> Any:
-    """A number or the record of a function of time, multiplied; of a polynomial of a rate, too."""
+def function(value: Any, by: float, units: Units, of_speed: bool) -> Any:
+    """A number or the record of a function of time, multiplied; or of a polynomial of a speed [rad/s]."""
     if not isinstance(value, dict):
         return by * value
     ((kind, given),) = value.items()
-    if kind == "polynomial":  # of a speed [rad/s]
-        return {kind: [by * c * units.s**k for k, c in enumerate(given)]}
+    if kind == "polynomial":
+        argument = units.s if of_speed else 1 / units.s
+        return {kind: [by * c * argument**k for k, c in enumerate(given)]}
     scaled = {"amplitude": by, "offset": by, "frequency": 1 / units.s, "phase": 1.0}
     return {kind: {name: scaled[name] * x for name, x in given.items()}}
 
@@ -47,7 +48,8 @@ def element(record: dict[str, Any], units: Units) -> dict[str, Any]:
         if name == "attachment":
             out[name] = {**value, "origin": (units.m * np.array(value["origin"])).tolist()}
         elif name not in ("kind", "name", "a", "b"):
-            out[name] = function(value, factor(units, record["kind"], name, exponent), units)
+            by = factor(units, record["kind"], name, exponent)
+            out[name] = function(value, by, units, record["kind"] == "motor")
     return out
 
 
@@ -116,7 +118,8 @@ def test_rank_and_what_is_said_of_a_start_do_not_depend_on_units(name: str) -> N
     size = float(np.abs(model.compiled().joint_arrays()["origin"]).max(initial=0.1))
     starts = {what: off_by(model, part, size, 10.0) for what, part in OFF.items()}
     expected, answers = facts(model), {what: answer(start) for what, start in starts.items()}
-    for units in UNITS.values():
+    few = model.row_count > 500  # of the large ones the last two: all units at once
+    for units in [*UNITS.values()][-2 if few else 0 :]:
         assert facts(in_units(model, units)) == expected
         for what, start in starts.items():
             assert answer(in_units(start, units)) == answers[what], (what, units)
