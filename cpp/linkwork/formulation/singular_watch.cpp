@@ -70,12 +70,13 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
   const std::vector<char> all(static_cast<std::size_t>(core.component_count()), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
-  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance))
+  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance, false))
     rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
   for (const int row : redundant)
     if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
-  return near_rows(core, pose.D, rows, near).empty() ? rows : std::vector<int>();
+  const bool regular = rows.size() == redundant.size() && near_rows(core, pose.D, rows, near).empty();
+  return regular ? rows : std::vector<int>();
 }
 
 }  // namespace
@@ -121,6 +122,30 @@ void SingularWatch::begin(double t, double pivot, std::vector<int> joints) {
 void SingularWatch::change_rows(double t, double pivot, std::vector<int> joints) {
   row_changes_ += 1;
   keep(t, pivot, std::move(joints), true);
+}
+
+void SingularWatch::cross(double t, double pivot, std::vector<int> joints) {
+  if (!open_) {
+    singular_poses_ += 1;
+    keep(t, pivot, std::move(joints), false);
+  } else {
+    SingularPassage& passage = passages_.back();
+    passage.t = t;
+    passage.pivot = std::min(passage.pivot, std::max(pivot, 0.0) / level_);
+  }
+  open_ = false;
+}
+
+std::optional<SingularWatch::Trend> SingularWatch::trend() const {
+  const std::size_t count = std::min(next_sample_, samples_.size());
+  if (count < 2) return {};
+  Trend out;
+  out.last = out.other = out.least = samples_[(next_sample_ - 1) % samples_.size()];
+  for (std::size_t k = 0; k < count; ++k) {
+    if (std::abs(samples_[k].t - out.last.t) > std::abs(out.other.t - out.last.t)) out.other = samples_[k];
+    if (samples_[k].root < out.least.root) out.least = samples_[k];
+  }
+  return out;
 }
 
 /// The first passages are kept, and the last one, which may go on.
