@@ -408,7 +408,8 @@ void bind_formulation(py::module_& module) {
       .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"),
            "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.")
       .def("residual_scales", &residual_scales, py::arg("t"), py::arg("q"), py::arg("v"),
-           "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / rate "
+           "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
+           "rate "
            "are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
       .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"),
            "(v_dot, multipliers) of the mechanism itself, without stabilization.")

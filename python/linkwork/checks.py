@@ -269,7 +269,9 @@ def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: floa
     worst = worst[relative[worst] > rounding]
     if not len(worst):
         return ""
-    each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {found.value[worst[k]]:.3g}{unit}")
+    each = _listed(
+        len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {found.value[worst[k]]:.3g}{unit}"
+    )
     joints = "1 joint" if len(worst) == 1 else f"{len(worst)} joints"
     message = f"initial {found.level} do not satisfy {joints} (residual, m or 1): {each}"
     if relative[worst[0]] <= most:

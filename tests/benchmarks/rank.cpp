@@ -92,12 +92,12 @@ void measure(const char* name, int size, const Model& model) {
   std::size_t own_count = 0, reference_count = 0;
   for (int round = 0; round < (D.rows() > 100000 ? 1 : 3); ++round) {
     own = std::min(own, seconds([&] {
-                     for (int k = 0; k < repeats; ++k) own_count = dependent_rows(D, 1e-9).size();
-                   }) / repeats);
+                          for (int k = 0; k < repeats; ++k) own_count = dependent_rows(D, 1e-9).size();
+                        }) / repeats);
     reference = std::min(reference, seconds([&] {
-                           for (int k = 0; k < repeats; ++k)
-                             reference_count = spqr_dependent_columns(transposed, 1e-9).size();
-                         }) / repeats);
+                                      for (int k = 0; k < repeats; ++k)
+                                        reference_count = spqr_dependent_columns(transposed, 1e-9).size();
+                                    }) / repeats);
   }
   std::printf("%-14s %6d %8ld %8zu %8zu %10.6f %10.6f %8.2f\n", name, size, static_cast<long>(D.rows()), own_count,
               reference_count, own, reference, own / reference);

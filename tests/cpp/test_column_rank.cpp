@@ -151,7 +151,8 @@ MatrixXd chain_with_gaps(int blocks, int dense, int planted, double gap, Random&
   A.colwise().normalize();
   for (int k = 0; k < planted; ++k) {
     const int first = 3 * random.integer(1, blocks - 2);
-    A.col(first) = (A.col(first - 1) - 2.0 * A.col(first + 1)).normalized() + gap * random.vector(A.rows()).normalized();
+    A.col(first) =
+        (A.col(first - 1) - 2.0 * A.col(first + 1)).normalized() + gap * random.vector(A.rows()).normalized();
   }
   return A;
 }
@@ -163,7 +164,8 @@ TEST_CASE("gaps on both sides of the tolerance are decided as SPQR decides them"
   for (int repetition = 0; repetition < 90; ++repetition) {
     const int blocks = random.integer(4, 40), dense = repetition % 3 == 0 ? 4 : 0;
     const double gap = std::pow(10.0, -6.0 - 0.1 * random.integer(0, 60));
-    if (gap > 2e-10 && gap < 2e-8) continue;  // a choice between a few times the tolerance and less depends on the order
+    if (gap > 2e-10 && gap < 2e-8)
+      continue;  // a choice between a few times the tolerance and less depends on the order
     CAPTURE(gap);
     const MatrixXd A = chain_with_gaps(blocks, dense, random.integer(1, 3), gap, random);
     CHECK(dependent(A).size() == spqr_dependent_columns(A.sparseView(0.0, 0.0), tolerance).size());

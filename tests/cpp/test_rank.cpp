@@ -182,8 +182,8 @@ TEST_CASE("the rank does not change with masses, however thin the rods") {
   }
 }
 
-/// A door of this size on two hinges; on the ground the upper one is off by this part of the size. Both hold at first if
-/// `placed`, else the door is made for hinges that are not off.
+/// A door of this size on two hinges; on the ground the upper one is off by this part of the size. Both hold at first
+/// if `placed`, else the door is made for hinges that are not off.
 Model door(double size, const Vec3<double>& off, bool placed) {
   Model model;
   Body body = at({0.5 * size, 0, 0.5 * size});

@@ -69,7 +69,8 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
   for (const ConstraintBlock& block : this->system().blocks())
     usual.segment(block.row, block.rows).array() += this->system().inverse_inertia(block.body).trace() / 3.0;
   for (int row = 0; row < system.row_count(); ++row) {
-    if (rotations[static_cast<std::size_t>(row)]) mobility_[row] = std::max(mobility_[row], least_mobility * usual[row]);
+    if (rotations[static_cast<std::size_t>(row)])
+      mobility_[row] = std::max(mobility_[row], least_mobility * usual[row]);
     if (!(mobility_[row] > 0.0)) mobility_[row] = 1.0;
   }
 }

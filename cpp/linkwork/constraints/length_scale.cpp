@@ -106,7 +106,8 @@ VectorXd row_lengths(const System& system, const Evaluation& at) {
     for (int k = 0; k < block.rows; ++k) {
       const Eigen::Map<const Eigen::Matrix<double, velocity_size, 1>> row(at.D.data() + block.offset +
                                                                           velocity_size * k);
-      squares[block.row + k] += row.cwiseProduct(scale.segment<velocity_size>(velocity_size * block.body)).squaredNorm();
+      squares[block.row + k] +=
+          row.cwiseProduct(scale.segment<velocity_size>(velocity_size * block.body)).squaredNorm();
     }
   VectorXd lengths = squares.cwiseSqrt();
   const std::vector<char> rotations = rows_of_rotations(system, at);

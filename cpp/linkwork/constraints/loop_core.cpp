@@ -12,8 +12,8 @@ namespace {
 
 constexpr double zero_row = 1e-9;
 
-/// A row of rotations alone has natural size 1 and may vanish in a pose, such as that of axes at right angles where they
-/// are parallel. Translations have a size of their own, and so have the factors of special joints.
+/// A row of rotations alone has natural size 1 and may vanish in a pose, such as that of axes at right angles where
+/// they are parallel. Translations have a size of their own, and so have the factors of special joints.
 bool vanishes(const Model& model, int row, double translation, double rotation) {
   if (!(translation > 0.0 || rotation > 0.0)) return true;
   return translation == 0.0 && rotation <= zero_row && !model.special_joint(model.joint_of_row(row));
@@ -58,7 +58,8 @@ std::vector<char> peel_open_branches(const System& system, const VectorXd& scale
     leaves.pop_back();
     for (const int index : system.body_blocks(body)) {
       const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
-      if (removed[static_cast<std::size_t>(block.joint)] || !independent(system.model(), at, scale, block, tolerance)) continue;
+      if (removed[static_cast<std::size_t>(block.joint)] || !independent(system.model(), at, scale, block, tolerance))
+        continue;
       removed[static_cast<std::size_t>(block.joint)] = 1;
       for (const int other : system.joint_blocks(block.joint)) {
         const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;

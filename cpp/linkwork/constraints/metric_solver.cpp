@@ -25,7 +25,8 @@ Model with_masses(const System& system, const VectorXd& weights) {
     moment[b] = model.bodies()[static_cast<std::size_t>(b)].inertia.trace() / 3.0;
   }
   const double usual_mass = mean_of_positive(mass), usual_length = characteristic_lengths(system).mean();
-  const double usual_moment = moment.maxCoeff() > 0.0 ? mean_of_positive(moment) : usual_mass * usual_length * usual_length;
+  const double usual_moment =
+      moment.maxCoeff() > 0.0 ? mean_of_positive(moment) : usual_mass * usual_length * usual_length;
   std::vector<Body> bodies = model.bodies();
   for (Body& body : bodies) {
     const Vec3<double> moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.inertia).eigenvalues();

@@ -119,7 +119,8 @@ RankReport examine_rank(const System& given, double least_tolerance) {
   Evaluation at = given.make_evaluation();
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), at);
   const LoopCore core(given, at, tolerance);
-  const bool consistent = report.rows == 0 || at.Phi.cwiseQuotient(row_lengths(given, at)).cwiseAbs().maxCoeff() <= assembled;
+  const bool consistent =
+      report.rows == 0 || at.Phi.cwiseQuotient(row_lengths(given, at)).cwiseAbs().maxCoeff() <= assembled;
   if (core.row_count() > 0 && !(consistent && dependent_rows(core.scaled_D(at), tolerance).empty()))
     find_redundancy(given, core, tolerance, report);
   report.rank = report.rows - static_cast<int>(report.redundant_rows.size());

@@ -18,7 +18,8 @@ constexpr std::size_t longest_loop = 60;  // joints, for dense algebra
 /// Of numbers that are as large as the largest but for roundoff the first, so that units and processors choose alike.
 Eigen::Index first_of_largest(const VectorXd& x) {
   const double least = (1.0 - equal) * x.maxCoeff();
-  return std::find_if(x.begin(), x.end(), [&](double value) { return value >= least; }) - x.begin();
+  const auto found = std::find_if(x.begin(), x.end(), [&](double value) { return value >= least; });
+  return std::min(found - x.begin(), x.size() - 1);  // the last of what are no numbers
 }
 
 /// Which `count` rows to leave out so that the rest spans as much as possible of all, at both poses: by Gram-Schmidt

@@ -151,8 +151,8 @@ std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, doub
 std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<int>& groups) {
   std::vector<int> out(columns.size(), 0);
   for (std::size_t k = 1; k < columns.size(); ++k) {
-    const bool same = !groups.empty() && groups[static_cast<std::size_t>(columns[k])] ==
-                                             groups[static_cast<std::size_t>(columns[k - 1])];
+    const bool same = !groups.empty() &&
+                      groups[static_cast<std::size_t>(columns[k])] == groups[static_cast<std::size_t>(columns[k - 1])];
     out[k] = out[k - 1] + (same ? 0 : 1);
   }
   return out;

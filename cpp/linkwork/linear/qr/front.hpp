@@ -12,11 +12,11 @@ struct Front {
   double* entries;        ///< column-major
   std::ptrdiff_t stride;  ///< rows of memory from column to column
   int columns;
-  int pivots;           ///< the first columns, which are complete and may turn out to depend on those before them
-  const int* stair;     ///< per column
-  double tolerance;     ///< length of what is left of a column that depends on those before it
-  int* row;             ///< out, per column: its row of R, or -1 where it depends on those before it or has none
-  double* workspace;    ///< workspace_size of them
+  int pivots;         ///< the first columns, which are complete and may turn out to depend on those before them
+  const int* stair;   ///< per column
+  double tolerance;   ///< length of what is left of a column that depends on those before it
+  int* row;           ///< out, per column: its row of R, or -1 where it depends on those before it or has none
+  double* workspace;  ///< workspace_size of them
 };
 
 /// Columns that are gathered before the others follow them.

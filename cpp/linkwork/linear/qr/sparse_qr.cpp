@@ -14,7 +14,7 @@ namespace {
 
 using Numbers = std::vector<int>;
 
-constexpr double weak_pivot = 1e-4;         // relative to the dense rows
+constexpr double weak_pivot = 1e-4;       // relative to the dense rows
 constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense
 
 template <class Container>
@@ -63,7 +63,8 @@ class Elimination {
     sort_rows();
     children_.resize(tree_.supernodes.size());
     for (std::size_t s = 0; s < tree_.supernodes.size(); ++s)
-      if (const int parent = tree_.supernodes[s].parent; parent >= 0) at(children_, parent).push_back(static_cast<int>(s));
+      if (const int parent = tree_.supernodes[s].parent; parent >= 0)
+        at(children_, parent).push_back(static_cast<int>(s));
     contributions_.resize(tree_.supernodes.size());
     local_.resize(static_cast<std::size_t>(A.cols()));
   }
@@ -222,10 +223,10 @@ class Elimination {
   const Eigen::Index most_rows_;
   const block::Elimination tree_;
   const FactorFront factor_ = front_factorization();
-  Numbers first_;               ///< position of the first column at each place of the order
-  Numbers column_, supernode_;  ///< at each position
-  Numbers position_;            ///< of each column
-  Numbers lead_;                ///< first position in each row of A
+  Numbers first_;                            ///< position of the first column at each place of the order
+  Numbers column_, supernode_;               ///< at each position
+  Numbers position_;                         ///< of each column
+  Numbers lead_;                             ///< first position in each row of A
   std::vector<Numbers> rows_, children_;     ///< of each supernode
   std::vector<Contribution> contributions_;  ///< likewise, from when it is there until it is used
   Numbers dead_;

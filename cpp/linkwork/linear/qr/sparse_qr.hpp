@@ -17,8 +17,8 @@ using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// columns: zero there, and in the dependent ones what A does not say about them. With dense rows, columns that are
 /// barely independent count among the dependent ones, and the rows of R that say so are added to the dense ones.
 ///
-/// Multifrontal Householder QR on the elimination tree of A^T A (J. W. H. Liu, On general row merging schemes for sparse
-/// Givens transformations, SIAM J. Sci. Stat. Comput. 7, 1986), dense fronts, neither Q nor R kept.
+/// Multifrontal Householder QR on the elimination tree of A^T A (J. W. H. Liu, On general row merging schemes for
+/// sparse Givens transformations, SIAM J. Sci. Stat. Comput. 7, 1986), dense fronts, neither Q nor R kept.
 std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, double tolerance,
                                    MatrixXd& dense);
 
