@@ -214,10 +214,11 @@ double InitialConditions::rate(const VectorXd& v) const {
 bool InitialConditions::velocities(const VectorXd& q, VectorXd& v) {
   if (system().row_count() == 0) return true;
   VectorXd found = v;
-  double least = INFINITY, mu = most_velocity_damping;
+  double least = INFINITY, mu = most_velocity_damping, size = 0.0;  // the rate of the given velocities, or a larger one
   for (int k = 0; k < most_refinements; ++k) {
     evaluate(q, found);
-    const double size = rate(found), now = size > 0.0 ? relative(at_.Phi_dot) / size : 0.0;
+    size = std::max(size, rate(found));
+    const double now = size > 0.0 ? relative(at_.Phi_dot) / size : 0.0;
     const bool shrinking = now < 0.5 * least;
     if (now < least) {
       v = found;
