@@ -267,7 +267,7 @@ bool Dynamics::improve_rows() {
 bool Dynamics::cross(const VectorXd& y, double pivot) {
   PoseExamination found =
       examine_pose(system_, t_, y.head(system_.q_size()), dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
-  if (found.rows.empty() || choose_rows(found, pivot)) return false;
+  if (found.rows.empty() || choose_rows(found, pivot) || !found.singular) return false;
   watch_.cross(t_, pivot, std::move(found.joints));
   return true;
 }

@@ -290,6 +290,7 @@ void AdaptiveSimulation::record_in_leap(double t) {
 
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
+  if (!leapt_) dated(t_, h_, [&] { evaluated_ = !crossing_.look_back(t_, y_, t_new_, y_new_) && evaluated_; });
   t_ = t_new_;
   y_ = y_new_;
   accepted_ = false;

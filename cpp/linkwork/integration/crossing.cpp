@@ -20,6 +20,7 @@ constexpr double near = 0.3;            // of the usual root of the smallest piv
 constexpr double near_at_start = 0.02;  // the same before there is a usual one
 constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
+constexpr double stepped_over = 0.9;    // of the usual root: a step passed a pose only if its least is below
 constexpr double straight = 0.1;        // part of the gap between nodes by which a curve may correct a line
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
@@ -27,6 +28,7 @@ constexpr double at_pose = 0.1;          // root of the pivot in the pose, part 
 constexpr double tolerance = 1e-10;      // of the energy over a leap
 constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
+constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
 
 /// While it is there the watch does not look at evaluations.
@@ -155,9 +157,10 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   Leap best;
   double badness = INFINITY;
   GaussCollocation::Weights root;
+  if (!trend) begin_in_pose(t, y);
   {
     const Unwatched unwatched(dynamics_);
-    begin(t, y);
+    if (trend) begin(t, y);
     const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
     double pose = trend ? foreseen(t) : 0.0, least = std::max({usual, 2.0 * pose, h});
     for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
@@ -175,6 +178,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
         if (!(place > -0.5 && place < 1.5)) break;
         pose = place * leap_.h;
       }
+      if (!trend && quality.converged && quality.jump > no_branch) throw_no_branch(t);
       const bool beyond = place > 1.0 && leap_.h < most, clear = nearest_node(place) >= margin && !beyond;
       if ((quality.good() && clear) ||
           (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
@@ -196,18 +200,40 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   return true;
 }
 
-/// At the start of the leap: the state on the constraints, its rates, its energy.
-void Crossing::begin(double t, const VectorXd& y) {
+/// In or near a singular pose nothing can be projected; accelerations, for a beginning, are what the watch makes of
+/// them.
+void Crossing::begin_in_pose(double t, const VectorXd& y) {
+  allocate(t, y);
+  energy_before_ = energy(y);
+  dynamics_.rates(rates_before_);
+  v_dot_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
+}
+
+void Crossing::allocate(double t, const VectorXd& y) {
   const System& system = dynamics_.system();
   leap_ = {t, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
+  v_dot_.resize(system.v_size());
+  for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
+}
+
+void Crossing::throw_no_branch(double t) const {
+  ErrorDetails details;
+  details.time = t;
+  throw SingularSystemError("no_branch",
+                            "the mechanism is in a singular pose, where branches of motion meet, with velocities that "
+                            "belong to none of them; give velocities of one branch, or another pose",
+                            details);
+}
+
+/// At the start of the leap: the state on the constraints, its rates, its energy.
+void Crossing::begin(double t, const VectorXd& y) {
+  allocate(t, y);
   dynamics_.evaluate(t, leap_.y);
   projection_.positions(t, leap_.y);
   projection_.velocities(t, leap_.y);
   dynamics_.evaluate(t, leap_.y);
   energy_before_ = energy(leap_.y);
-  v_dot_.resize(system.v_size());
-  for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
-  VectorXd lambda(system.row_count());
+  VectorXd lambda(dynamics_.system().row_count());
   dynamics_.refined_accelerations(v_dot_, lambda);
   dynamics_.rates(v_dot_, lambda, rates_before_);
 }
@@ -231,7 +257,7 @@ bool Crossing::iterate() {
   double last = INFINITY;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
-    correction_ = 0.0;
+    correction_ = jump_ = 0.0;
     for (int i = 0; i < stages; ++i) change = std::max(change, node(i));
     if (!std::isfinite(change)) return false;
     if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
@@ -258,13 +284,14 @@ double Crossing::node(int i) {
     const double turn = 2.0 * (y_.segment<4>(7 * body + 3) - rates_.segment<4>(7 * body + 3)).norm();
     correction_ = std::max({correction_, shift, turn});
   }
+  const double speed = size(y_.segment(nq, nv)), before = size(rates_.segment(nq, nv));
+  if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
   dynamics_.evaluate(t, y_);
   dynamics_.refined_accelerations(v_dot_, leap_.lambda.col(i));
   root_[i] = dynamics_.root_of_pivot();
   dynamics_.rates(v_dot_, leap_.lambda.col(i), rates_);
   const double change = leap_.h * size(rates_.segment(nq, nv) - leap_.k.col(i).segment(nq, nv));
   leap_.k.col(i) = rates_;
-  const double speed = size(y_.segment(nq, nv));
   return speed > 0.0 ? change / speed : change;
 }
 
@@ -287,6 +314,7 @@ void Crossing::finish(Quality& quality) {
   const auto v = leap_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
   const VectorXd rest = leap_.k * gauss_.last_coefficient();
   quality.correction = correction_;
+  quality.jump = jump_;
   quality.resolution = leap_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
   quality.energy =
       std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
@@ -330,20 +358,82 @@ double Crossing::place_of_pose() const {
   return std::abs(refined - place) < straight * (gauss_.c[i + 1] - gauss_.c[i]) ? refined : place;
 }
 
+/// The root of the smallest pivot, 0 where the matrix has no factorization.
+double Crossing::root_at(double t, const VectorXd& y) {
+  const Unwatched unwatched(dynamics_);
+  try {
+    dynamics_.evaluate(t, y);
+    dynamics_.factorize();
+  } catch (const SingularSystemError&) {
+    return 0.0;
+  }
+  return dynamics_.root_of_pivot();
+}
+
 /// Lists the pose where there was one.
 void Crossing::report() {
   const double place = place_of_pose();
   if (!(place >= 0.0 && place <= 1.0)) return;
   interpolate(dynamics_.system(), place, y_);
-  const Unwatched unwatched(dynamics_);
-  double root = 0.0;
-  try {
-    dynamics_.evaluate(leap_.t + place * leap_.h, y_);
-    dynamics_.factorize();
-    root = dynamics_.root_of_pivot();
-  } catch (const SingularSystemError&) {
+  const double root = root_at(leap_.t + place * leap_.h, y_);
+  if (root > at_pose * root_.minCoeff()) return;
+  if (leap_.t + place * leap_.h > last_listed_) dynamics_.cross(y_, root * root);
+  last_listed_ = leap_.end();
+}
+
+// The least of the pivots of this step and the one before it has neighbors on both sides: between it and one of them
+// the roots change their sign, where there is a pose.
+bool Crossing::look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new) {
+  if (!prepared_) return false;
+  const bool follows = before_.t_new == t && before_.t < t;
+  const auto samples = dynamics_.watch().samples(follows ? before_.t : t, t_new);
+  const auto least =
+      std::min_element(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.root < b.root; });
+  bool evaluated = false;
+  if (samples.size() > 2 && least != samples.begin() && least + 1 != samples.end() &&
+      least->root < stepped_over * dynamics_.watch().root_of_level()) {
+    const auto a = *(least - 1), b = *least, c = *(least + 1);
+    const Piece piece{t, t_new, y, y_new};
+    const auto search = [&](const auto& left, const auto& right) {
+      return find_between(left.t < t && follows ? before_ : piece, left, right);
+    };
+    evaluated = true;
+    if (a.root < c.root ? !search(a, b) : !search(b, c)) a.root < c.root ? search(b, c) : search(a, b);
   }
-  if (root <= at_pose * root_.minCoeff()) dynamics_.cross(y_, root * root);
+  before_ = {t, t_new, y, y_new};
+  return evaluated;
+}
+
+// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
+void Crossing::interpolate(const Piece& piece, double t, VectorXd& y) const {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  const double h = piece.t_new - piece.t, s = (t - piece.t) / h;
+  VectorXd rates(nq), rates_new(nq);
+  system.position_rates(piece.y.head(nq), piece.y.segment(nq, nv), rates);
+  system.position_rates(piece.y_new.head(nq), piece.y_new.segment(nq, nv), rates_new);
+  y = piece.y;
+  y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * piece.y.head(nq) + s * s * (3 - 2 * s) * piece.y_new.head(nq) +
+               h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
+  system.normalize(y.head(nq));
+}
+
+/// By the secant method; true where a pose was listed.
+bool Crossing::find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b) {
+  const double smallest = std::min(a.root, b.root);
+  for (int k = 0; k < 5; ++k) {
+    const double pose = a.t + (b.t - a.t) * a.root / (a.root + b.root);
+    if (pose <= last_listed_ || pose < piece.t || pose > piece.t_new) return false;
+    interpolate(piece, pose, y_);
+    const double root = root_at(pose, y_);
+    if (root <= at_pose * smallest) {
+      last_listed_ = b.t;
+      return dynamics_.cross(y_, root * root);
+    }
+    if (root > 0.7 * smallest) return false;
+    (a.root / (pose - a.t) > b.root / (b.t - pose) ? a : b) = {pose, root};
+  }
+  return false;
 }
 
 void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {

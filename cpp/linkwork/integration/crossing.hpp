@@ -42,6 +42,10 @@ class Crossing final : public Interpolant {
   /// not beyond t + `most`. Leaves `dynamics` evaluated somewhere else.
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
 
+  /// After a usual step from (t, y) to (t_new, y_new): lists a pose that it stepped over. True where `dynamics` was
+  /// evaluated somewhere else.
+  bool look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new);
+
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.h; }
   /// The state in the last leap, with unit Euler parameters.
@@ -52,9 +56,15 @@ class Crossing final : public Interpolant {
  private:
   static constexpr int stages = GaussCollocation::stages;
 
+  /// A usual step.
+  struct Piece {
+    double t = 0.0, t_new = 0.0;
+    VectorXd y, y_new;
+  };
   struct Quality {
     bool converged = false;
     double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
+    double jump = 0.0;        ///< the same of their velocities, relative to them
     double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
     double nearest = 0.0;     ///< root of the smallest pivot of the nodes
@@ -66,7 +76,10 @@ class Crossing final : public Interpolant {
   bool starts_near();
   double foreseen(double t) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
+  void allocate(double t, const VectorXd& y);
   void begin(double t, const VectorXd& y);
+  void begin_in_pose(double t, const VectorXd& y);
+  [[noreturn]] void throw_no_branch(double t) const;
   Quality attempt();
   bool iterate();
   double node(int i);
@@ -76,6 +89,9 @@ class Crossing final : public Interpolant {
   double best_length(double pose, double grid, double least, double most) const;
   double place_of_pose() const;
   void report();
+  double root_at(double t, const VectorXd& y);
+  void interpolate(const Piece& piece, double t, VectorXd& y) const;
+  bool find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b);
   double rate(const Eigen::Matrix<double, 6, 1>& v) const;
   double size(const ConstVector& velocities) const;
 
@@ -89,7 +105,9 @@ class Crossing final : public Interpolant {
   double declined_ = 0.0;  ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
-  double correction_ = 0.0;
+  Piece before_;                    ///< the last usual step
+  double last_listed_ = -INFINITY;  ///< no pose before is listed any more
+  double correction_ = 0.0, jump_ = 0.0;
   double energy_before_ = 0.0;
   VectorXd y_, v_dot_, rates_, rates_before_;
 };

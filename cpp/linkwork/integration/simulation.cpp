@@ -113,6 +113,7 @@ void Simulation::finish_step() {
   if (!y_.allFinite()) dated(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
   system.normalize(y_.head(system.q_size()));
   if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
+  dated(t_new, next_step(), [&] { crossing_.look_back(t(), kept_y_, t_new, y_); });
   steps_done_ += 1;
   evaluated_ = false;
 }
