@@ -2,6 +2,7 @@
 
 #include "bindings.hpp"
 #include "linkwork/constraints/initial_conditions.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
@@ -301,6 +302,15 @@ py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& 
   return out;
 }
 
+py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+  const System& system = dynamics.system();
+  check_size(q, system.q_size(), "q");
+  check_size(v, system.v_size(), "v");
+  Evaluation at = system.make_evaluation();
+  system.evaluate(t, q, v, at);
+  return py::make_tuple(row_lengths(system, at), characteristic_rate(system, at, v), roundoff_of_positions(system, q));
+}
+
 /// A system with the correction of its initial conditions.
 class Assembler {
  public:
@@ -331,6 +341,13 @@ class Assembler {
     return py::make_tuple(v, reached);
   }
 
+  VectorXd row_lengths(const ConstVector& q) const {
+    check_size(q, system_.q_size(), "q");
+    Evaluation at = system_.make_evaluation();
+    system_.evaluate_constraints(0.0, q, VectorXd::Zero(system_.v_size()), at);
+    return linkwork::row_lengths(system_, at);
+  }
+
   py::tuple residuals(const ConstVector& q, const ConstVector& v) const {
     check_size(q, system_.q_size(), "q");
     check_size(v, system_.v_size(), "v");
@@ -356,6 +373,8 @@ void bind_assembler(py::module_& module) {
            "(q, whether it is on the constraints): from `start`, near to `given`.")
       .def("velocities", &Assembler::velocities, py::arg("q"), py::arg("given"), "(v, whether it is consistent at q).")
       .def("residuals", &Assembler::residuals, py::arg("q"), py::arg("v"), "(Phi, Phi_dot).")
+      .def("row_lengths", &Assembler::row_lengths, py::arg("q"),
+           "What residuals are relative to: Phi [m or 1] / row length is part of the size of the mechanism.")
       .def("distance", &Assembler::distance, py::arg("given"), py::arg("q"),
            "Displacement of the mass, squared: integral |x - x_given|^2 w dm [kg m2].")
       .def_property_readonly("iterations", &Assembler::iterations);
@@ -414,6 +433,10 @@ void bind_formulation(py::module_& module) {
           "y = (q, v), 13 per body.")
       .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"),
            "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.")
+      .def("residual_scales", &residual_scales, py::arg("t"), py::arg("q"), py::arg("v"),
+           "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
+           "rate "
+           "are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
       .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"),
            "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", &derivative, py::arg("t"), py::arg("y"), "y_dot for y = (q, v).")

@@ -107,6 +107,12 @@ class Assembler:
         """
         (Phi, Phi_dot).
         """
+    def row_lengths(
+        self, q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        What residuals are relative to: Phi [m or 1] / row length is part of the size of the mechanism.
+        """
     def velocities(
         self,
         q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
@@ -228,6 +234,15 @@ class Dynamics:
     ) -> None:
         """
         So many right-hand sides at y = (q, v), reactions included, for others to time.
+        """
+    def residual_scales(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        (row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.
         """
     def right_hand_side_times(
         self,

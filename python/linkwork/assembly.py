@@ -111,7 +111,7 @@ def assemble(
     v, consistent = assembler.velocities(q, v0)
     found = assembler.residuals(q, v)
     if not consistent:
-        raise _conflict(model, "velocities", "/s", found[1], held)
+        raise _conflict(model, "velocities", "/s", found[1], assembler.row_lengths(q), held)
     pose, pose_given, change = q.reshape(-1, 7), q0.reshape(-1, 7), (v - v0).reshape(-1, 6)
     return Assembly(
         model=model.with_initial_state(q, v),
@@ -144,18 +144,19 @@ def _positions(
     if other_reached and (not reached or assembler.distance(given, other) < assembler.distance(given, q)):
         return other, branches.opposed(core, other)
     if not reached:
-        raise _conflict(model, "positions", "", assembler.residuals(q, np.zeros(len(core.v0)))[0], held)
+        left = assembler.residuals(q, np.zeros(len(core.v0)))[0]
+        raise _conflict(model, "positions", "", left, assembler.row_lengths(q), held)
     return q, opposed
 
 
 def _conflict(
-    model: Model, level: str, unit: str, residuals: Floats, held: NDArray[np.int32]
+    model: Model, level: str, unit: str, residuals: Floats, scales: Floats, held: NDArray[np.int32]
 ) -> NotConvergedError:
     """Where the violation is least, its residuals n satisfy D^T n = 0: those of the joints that conflict."""
     core = model.compiled()
-    each = _per_joint(core, residuals)
-    worst = np.argsort(-each, kind="stable")
-    worst = worst[each[worst] >= CONFLICTING * each[worst[0]]]
+    each, relative = _per_joint(core, residuals), _per_joint(core, residuals / scales)
+    worst = np.argsort(-relative, kind="stable")
+    worst = worst[relative[worst] >= CONFLICTING * relative[worst[0]]]
     names = [core.joint_name(int(joint)) for joint in worst]
     listed = [f"{name} {each[joint]:.3g}{unit}" for name, joint in zip(names[:LISTED], worst, strict=False)]
     more = f"; and {len(names) - LISTED} more" if len(names) > LISTED else ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,6 @@ from scipy.sparse import csr_array
 from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
 from linkwork.errors import ModelError, OptionError, warn
-from linkwork.extent import extent
 from linkwork.functions import Callback
 from linkwork.given import array, number
 from linkwork.integrators import HalfExplicit, Integrator
@@ -24,9 +24,6 @@ Floats = NDArray[np.float64]
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
-
-#: Of a coordinate, relative.
-ROUNDOFF = 1e-14
 
 #: Kinds of force elements that remember what no state holds, and how they begin at one.
 REMEMBERING = {
@@ -111,18 +108,45 @@ def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
     }
 
 
+@dataclass(frozen=True)
+class Residuals:
+    """Of one level, positions or velocities: the largest of each joint (joints,)."""
+
+    level: str  #: "poses" or "velocities"
+    value: Floats  #: [m] or [1], of velocities per second
+    relative: Floats  #: to the size of the mechanism, of velocities to its speed
+    rounding: float  #: what roundoff can make of a relative one
+
+    @property
+    def unit(self) -> str:
+        return "/s" if self.level == "velocities" else ""
+
+
+def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None) -> list[Residuals]:
+    """Of positions and of velocities; without `at` at t = 0."""
+    core = model.compiled()
+    t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
+    found = dynamics.evaluate(t, q, v)
+    lengths, rate, roundoff = dynamics.residual_scales(t, q, v)
+    starts = core.joint_rows[:-1]
+
+    def of(level: str, key: str, scale: Floats) -> Residuals:
+        values = np.abs(found[key])
+        if not len(starts):
+            return Residuals(level, np.zeros(0), np.zeros(0), 0.0)
+        relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > 0)
+        each = (np.maximum.reduceat(x, starts) for x in (values, relative))
+        return Residuals(level, *each, RESIDUAL_TOLERANCE + roundoff)
+
+    return [of("poses", "Phi", lengths), of("velocities", "Phi_dot", lengths * rate)]
+
+
 def joint_residuals(
     model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
 ) -> tuple[Floats, Floats]:
     """Largest of each joint (joints,), of Phi and of Phi_dot = D v + Phi_t; without `at` at t = 0."""
-    core = model.compiled()
-    t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
-    found = dynamics.evaluate(t, q, v)
-    starts = core.joint_rows[:-1]
-    if not len(starts):
-        return np.zeros(0), np.zeros(0)
-    position, velocity = (np.maximum.reduceat(np.abs(found[level]), starts) for level in ("Phi", "Phi_dot"))
-    return position, velocity
+    position, velocity = residuals(model, dynamics, at)
+    return position.value, velocity.value
 
 
 def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> Assembly | None:
@@ -133,15 +157,8 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
     NotConvergedError: joints contradict each other.
     """
     core = model.compiled()
-    size, reach = extent(core)
-    speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
-    position, velocity = joint_residuals(model, dynamics)
     small = SMALL_RESIDUAL if correct else np.inf
-    rounding = RESIDUAL_TOLERANCE * max(1.0, size) + ROUNDOFF * reach
-    remarks = [
-        _inaccuracy(core, "poses", position, "", rounding, small * size),
-        _inaccuracy(core, "velocities", velocity, "/s", RESIDUAL_TOLERANCE * speed, small * speed),
-    ]
+    remarks = (_inaccuracy(core, level, level.rounding, small) for level in residuals(model, dynamics))
     found = "; ".join(filter(None, remarks))
     if found and not correct:
         warn(found)
@@ -188,12 +205,8 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
             code="start",
             bodies=[core.body_name(body)],
         )
-    size, _ = extent(core)
-    speed = max(1.0, float(np.abs(start.v).max(initial=0.0))) * max(1.0, size)
-    position, velocity = joint_residuals(model, dynamics, start)
     remarks = [
-        _inaccuracy(core, "poses", position, "", SMALL_RESIDUAL * size, np.inf),
-        _inaccuracy(core, "velocities", velocity, "/s", SMALL_RESIDUAL * speed, np.inf),
+        _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
@@ -319,26 +332,31 @@ def _complex(value: complex) -> str:
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 
-def _inaccuracy(
-    core: _core.Model, level: str, residuals: Floats, unit: str, rounding: float, most: float
-) -> str:
-    """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much."""
-    worst = np.argsort(-residuals, kind="stable")
-    worst = worst[residuals[worst] > rounding]
+def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: float) -> str:
+    """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much.
+
+    Both are relative to the size or speed of the mechanism.
+    """
+    relative, unit = found.relative, found.unit
+    worst = np.argsort(-relative, kind="stable")
+    worst = worst[relative[worst] > rounding]
     if not len(worst):
         return ""
-    each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {residuals[worst[k]]:.3g}{unit}")
+    each = _listed(
+        len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {found.value[worst[k]]:.3g}{unit}"
+    )
     joints = "1 joint" if len(worst) == 1 else f"{len(worst)} joints"
-    message = f"initial {level} do not satisfy {joints} (residual, m or 1): {each}"
-    if residuals[worst[0]] <= most:
+    message = f"initial {found.level} do not satisfy {joints} (residual, m or 1): {each}"
+    if relative[worst[0]] <= most:
         return message
     names = [core.joint_name(int(joint)) for joint in worst]
+    allowed = most * found.value[worst[0]] / relative[worst[0]]
     raise ModelError(
-        f"{message}: more than {most:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
+        f"{message}: more than {allowed:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
         "linkwork.assemble(model).model gives",
-        code=f"inconsistent_{level}",
+        code=f"inconsistent_{found.level}",
         joints=names,
-        residuals=dict(zip(names, residuals[worst].tolist(), strict=True)),
+        residuals=dict(zip(names, found.value[worst].tolist(), strict=True)),
     )
 
 

@@ -9,7 +9,7 @@ namespace linkwork {
 
 /// ker D^T of the core at an evaluation, by its values at dependent rows d: with the others, k, independent,
 ///   n_k = -(D_k M^-1 D_k^T)^-1 D_k M^-1 D_d^T n_d.
-/// Vectors are over the core and refer to rows of unit length in the metric M^-1.
+/// Vectors are over the core and refer to rows of unit length in the solver's metric M^-1.
 class ConstraintKernel {
  public:
   /// `dependent` are constraint rows of the core. One kernel at a time may use a solver.

@@ -84,7 +84,7 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
 
 PoseExamination examine_pose(const System& given, double t, const VectorXd& q, const std::vector<int>& redundant,
                              double near) {
-  MetricSolver solver(given);
+  MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);

@@ -22,7 +22,7 @@ struct PoseExamination {
 };
 
 /// Looks at the loops by a rank-revealing factorization. A row is near the others when so small a part of its length,
-/// in the metric M^-1, is independent of them. `redundant` are the rows left out, ascending.
+/// in velocities of natural size, is independent of them. `redundant` are the rows left out, ascending.
 PoseExamination examine_pose(const System& system, double t, const VectorXd& q, const std::vector<int>& redundant,
                              double near);
 
