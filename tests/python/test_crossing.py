@@ -56,7 +56,12 @@ def flat_parallelogram(rocker: float) -> lw.Model:
 
     def bar(name: str, x: float, omega: float, velocity: float) -> lw.Body:
         return model.body(
-            name, mass=1.0, inertia=(0.1, 0.2, 0.25), position=(x, 0, 0), omega=(0, 0, omega), velocity=(0, velocity, 0)
+            name,
+            mass=1.0,
+            inertia=(0.1, 0.2, 0.25),
+            position=(x, 0, 0),
+            omega=(0, 0, omega),
+            velocity=(0, velocity, 0),
         )
 
     crank, rod = bar("crank", 0.5, 3.0, 1.5), bar("rod", 2.0, (rocker - 3.0) / 2, (rocker + 3.0) / 2)
@@ -77,7 +82,9 @@ CHOICES = [
 
 @pytest.mark.parametrize("options", CHOICES, ids=str)
 @pytest.mark.parametrize("rocker", [-1.0, 1.5])
-def test_velocities_of_no_branch_are_refused_in_a_singular_pose(rocker: float, options: dict[str, object]) -> None:
+def test_velocities_of_no_branch_are_refused_in_a_singular_pose(
+    rocker: float, options: dict[str, object]
+) -> None:
     with pytest.raises(lw.SingularSystemError, match="velocities that belong to none of them") as caught:
         lw.simulate(flat_parallelogram(rocker), 1.0, progress=False, **options)
     assert caught.value.code == "no_branch"

@@ -10,6 +10,8 @@
 namespace linkwork {
 namespace {
 
+constexpr double at_rest = 1e-12;  // [1/s]: slower, and nothing moves but by roundoff
+
 constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
 constexpr double least_row = 0.1;  // of natural size 1
 
@@ -152,8 +154,12 @@ double characteristic_rate(const System& system, const Evaluation& at, const Con
     force += at.g.segment<3>(velocity_size * body).norm();
     inertia += system.mass(body) * lengths[body];
   }
-  if (at.Phi_t.size() > 0) rate = std::max(rate, at.Phi_t.cwiseQuotient(row_lengths(system, at)).cwiseAbs().maxCoeff());
-  return inertia > 0.0 ? std::max(rate, std::sqrt(force / inertia)) : rate;
+  if (at.Phi_t.size() > 0) {
+    const VectorXd rows = row_lengths(system, at);
+    rate = std::max({rate, at.Phi_t.cwiseQuotient(rows).cwiseAbs().maxCoeff(),
+                     std::sqrt(at.gamma.cwiseQuotient(rows).cwiseAbs().maxCoeff())});
+  }
+  return std::max(at_rest, inertia > 0.0 ? std::max(rate, std::sqrt(force / inertia)) : rate);
 }
 
 }  // namespace linkwork
