@@ -109,7 +109,7 @@ void bind_runs(py::module_& module) {
           "last_state", [](const Run& run) { return VectorXd(run.last_state().head(run.last_state().size() - 1)); },
           "y = (q, v) at t, from which the run went on.")
       .def_property_readonly(
-          "memory", [](const Run& run) { return run.dynamics().evaluation().memory; }, "See Dynamics.memory.")
+          "history", [](const Run& run) { return run.dynamics().history(); }, "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
       .def("statistics", &statistics);

@@ -60,7 +60,8 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
       x_(system.v_size()),
       lambda_(system.row_count()),
       reach_(reach_of(system)) {
-  this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, at_);
+  history_ = this->system().initial_history();
+  this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, history_, at_);
   mobility_ = this->system().row_mobility(at_);
   const std::vector<int>& first = system.model().joint_rows();
   for (std::size_t joint = 0; joint + 1 < first.size(); ++joint) {
@@ -71,7 +72,8 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
 }
 
 void InitialConditions::evaluate(const VectorXd& q, const VectorXd& v) {
-  system().evaluate_constraints(0.0, q, v, at_);
+  system().evaluate_constraints(0.0, q, v, history_, at_);
+  history_ = at_.history;  // on the way to the constraints angles may turn far
   for (const int body : held_)
     for (const int place : system().body_blocks(body)) {
       const ConstraintBlock& block = system().blocks()[static_cast<std::size_t>(place)];

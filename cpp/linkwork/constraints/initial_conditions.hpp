@@ -40,7 +40,7 @@ class InitialConditions {
   MetricSolver solver_;
   std::vector<int> held_;
   Evaluation at_;
-  VectorXd mobility_, rest_, x_, lambda_;
+  VectorXd history_, mobility_, rest_, x_, lambda_;
   double reach_ = 1.0;  ///< size of the mechanism, at least 1 m
   int iterations_ = 0;
 };

@@ -45,12 +45,12 @@ void find_redundancy(const System& given, const LoopCore& core, double tolerance
   MetricSolver solver(given);
   const System& system = solver.system();
   const auto row = [&](int place) { return core.rows()[static_cast<std::size_t>(place)]; };
-  report.q = pull_back(solver, core, report.q).q;
-  const CorePose assembled(system, core, report.q, tolerance);
+  report.q = pull_back(solver, core, {0.0, report.q, system.initial_history()}).q;
+  const CorePose assembled(system, core, {0.0, report.q, system.initial_history()}, tolerance);
   if (assembled.dependent.empty()) return;
   const PerturbedPose found = perturb(solver, core, report.q);
   report.q = found.q;
-  const CorePose perturbed(system, core, report.q, tolerance);
+  const CorePose perturbed(system, core, {0.0, report.q, system.initial_history()}, tolerance);
   const Places redundant = redundant_rows(solver, core, assembled, perturbed, found, tolerance);
   for (const int place : redundant) report.redundant_rows.push_back(row(place));
 
@@ -103,7 +103,7 @@ RankReport examine_rank(const System& given, double least_tolerance) {
   report.q = given.model().initial_q();
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   Evaluation at = given.make_evaluation();
-  given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), at);
+  given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), given.initial_history(), at);
   const LoopCore core(given, at, tolerance);
   const bool consistent = report.rows == 0 || at.Phi.cwiseAbs().maxCoeff() <= assembled;
   if (core.row_count() > 0 && !(consistent && dependent_rows(core.scaled_D(at), tolerance).empty()))
@@ -119,7 +119,7 @@ std::vector<DependentGroup> dependent_groups(const System& given, const RankRepo
   MetricSolver solver(given);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   const LoopCore core(system, at, std::max(rank_tolerance, roundoff_of_positions(system, report.q)));
   const auto kernel = make_kernel(solver, core, at, report);
   for (std::size_t k = 0; k < std::min(most, report.redundant_rows.size()); ++k) {

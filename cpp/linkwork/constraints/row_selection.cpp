@@ -224,9 +224,9 @@ Places dependent_rows(const SparseRows& A, double tolerance) {
   return dependent_columns(static_cast<int>(A.cols()), static_cast<int>(A.rows()), std::move(entries), tolerance);
 }
 
-CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance, double t)
+CorePose::CorePose(const System& system, const LoopCore& core, const TimedPose& pose, double tolerance)
     : at(system.make_evaluation()) {
-  system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(pose.t, pose.q, VectorXd::Zero(system.v_size()), pose.history, at);
   D = core.scaled_D(at);
   dependent = dependent_rows(D, tolerance);
 }

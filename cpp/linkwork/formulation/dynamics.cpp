@@ -72,7 +72,9 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
-  system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
+  history_ = system_.initial_history();
+  system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
+  history_ = initial_history_ = at_.history;
   check_masses(info);
   check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
@@ -126,11 +128,11 @@ void Dynamics::check_kkt() const {
                                          "'block'");
 }
 
-void Dynamics::remember(const std::vector<double>& memory) {
-  if (memory.size() != at_.memory.size())
-    throw OptionError("memory", "the mechanism remembers " + std::to_string(at_.memory.size()) + " numbers, not " +
-                                    std::to_string(memory.size()));
-  at_.memory = memory;
+void Dynamics::set_history(const ConstVector& history) {
+  if (history.size() != history_.size())
+    throw OptionError("history", "the mechanism has " + std::to_string(history_.size()) + " history variables, not " +
+                                     std::to_string(history.size()));
+  history_ = history;
 }
 
 VectorXd Dynamics::initial_y() const {
@@ -172,7 +174,7 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   clocked_ = evaluations_on_the_clock();
   {
     const Stopwatch watch(statistics_.evaluate_time, clocked_);
-    system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
+    system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
     statistics_.evaluations += 1;
   }
   dropped_.take_out(at_);
@@ -211,7 +213,8 @@ double Dynamics::try_factorization(Work factorize) {
 }
 
 PoseExamination Dynamics::examine_here(double pivot) const {
-  return examine_pose(system_, t_, y_.head(system_.q_size()), dropped_.rows(), watch_.near(pivot));
+  const VectorXd q = y_.head(system_.q_size());
+  return examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(pivot));
 }
 
 /// A small pivot, or any inside a passage. False where the factorization is another one than before.
@@ -386,7 +389,7 @@ int force_not_finite(const System& system, double t, const VectorXd& y) {
       v.segment<6>(6 * place) = y.segment<6>(system.q_size() + 6 * bodies[b]);
     }
     Evaluation at = one.make_evaluation();
-    one.evaluate(t, q, v, at);
+    one.evaluate(t, q, v, one.initial_history(), at);
     if (!at.g.head(one.v_size()).allFinite() || !std::isfinite(at.power)) return static_cast<int>(k);
   }
   return -1;
@@ -407,7 +410,8 @@ void throw_not_finite(const System& system, const VectorXd& y, double t, int sta
   const double speed = y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
   if (details.bodies.empty() && speed < diverged) {
     Evaluation at = system.make_evaluation();
-    system.evaluate(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), at);
+    system.evaluate(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), system.initial_history(),
+                    at);
     if (const int joint = joint_not_finite(system, at); joint >= 0) {
       details.joints = {model.joint_name(joint)};
       throw NotFiniteError("not_finite",

@@ -49,8 +49,14 @@ class Dynamics {
   double assemble_time() const;                  ///< part of the factorize_time; see SaddleSolver
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
-  /// What force elements and special joints remember, see Evaluation, goes on from here; as many numbers as there are.
-  void remember(const std::vector<double>& memory);
+  // History variables (see history.hpp) are held while a step is tried, and go on when its end is accepted.
+  /// Those that evaluations take as of the last accepted state; at first those of the initial state.
+  const VectorXd& history() const { return history_; }
+  const VectorXd& initial_history() const { return initial_history_; }
+  /// OptionError: not as many numbers as there are history variables.
+  void set_history(const ConstVector& history);
+  /// Accepts the state where this is evaluated. What was evaluated there holds with the new history, too.
+  void advance_history() { history_ = at_.history; }
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.
@@ -125,6 +131,7 @@ class Dynamics {
   std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
   bool watched_ = false, taken_over_ = false, rank_needed_ = false;
   Evaluation at_;
+  VectorXd history_, initial_history_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
   double t_ = 0.0;

@@ -25,7 +25,7 @@ struct Batch {
   std::vector<int> body_i, body_j;
   std::vector<Attachment<double>> attachment;
   std::vector<Parameter> parameters;   ///< as many per element as the kind has
-  std::vector<std::ptrdiff_t> memory;  ///< place of remembered numbers
+  std::vector<std::ptrdiff_t> history;  ///< places of history variables
 
   std::size_t size() const { return body_i.size(); }
 };
