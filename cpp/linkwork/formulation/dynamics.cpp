@@ -15,6 +15,7 @@ constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be 
 constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
 constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
+constexpr int most_refinements = 20;
 constexpr double broken = -1.0;        // for a pivot of a factorization that broke down
 constexpr double diverged = 1e50;      // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
@@ -194,7 +195,9 @@ bool Dynamics::count_factorization(Work factorize) {
   factorized_ = true;
   statistics_.factorizations += 1;
   statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, std::max(pivot, 0.0));
-  return !watched_ || watch_.usual(pivot) || inspect(pivot);
+  if (!watched_ || !watching_) return true;
+  watch_.note(t_, pivot);
+  return watch_.usual(pivot) || inspect(pivot);
 }
 
 /// The smallest pivot; -1 where the matrix is singular. A state that is not finite makes it so: say which it is.
@@ -206,7 +209,7 @@ double Dynamics::try_factorization(Work factorize) {
     const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
     if (!pivots || !y_.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
       throw_not_finite(system_, y_, t_, stage_);
-    if (!rank_needed_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
+    if (!rank_needed_ || !watching_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
     return broken;
   }
   return formulation_->saddle().smallest_pivot();
@@ -237,6 +240,19 @@ bool Dynamics::inspect(double pivot) {
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
   return false;
+}
+
+bool Dynamics::cross(double t, const VectorXd& q, double pivot) {
+  PoseExamination found = examine_pose(system_, t, q, dropped_.rows(), watch_.near(pivot));
+  if (found.rows.empty()) return false;
+  const bool singular = found.better_choice.empty();
+  if (singular) {
+    watch_.cross(t, pivot, std::move(found.joints));
+  } else {
+    watch_.change_rows(t, pivot, std::move(found.joints));
+    change_redundant_rows(std::move(found.better_choice));
+  }
+  return singular;
 }
 
 void Dynamics::change_redundant_rows(std::vector<int> rows) {
@@ -274,6 +290,32 @@ ConstVector Dynamics::kept(const ConstVector& b) {
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {
   solve(at_.g.head(system_.v_size()), at_.gamma, v_dot, lambda);
+  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
+}
+
+// With the residuals r_1 = g - M v_dot + D^T lambda and r_2 = gamma - D v_dot the corrections satisfy
+//   M dv - D^T dlambda = r_1,   D dv = r_2,
+// whatever the formulation solves of it: the penalty method's own solution, too, becomes that of (12.3).
+void Dynamics::refined_accelerations(MutableVector v_dot, MutableVector lambda) {
+  const int nv = system_.v_size();
+  const auto g = at_.g.head(nv);
+  solve(g, at_.gamma, v_dot, lambda);
+  if (system_.row_count() == 0) return;
+  VectorXd r_1(nv), r_2(system_.row_count()), dv(nv), dlambda(system_.row_count());
+  double last = INFINITY;
+  for (int k = 0; k < most_refinements; ++k) {
+    system_.multiply_mass(v_dot, dv);
+    r_1 = g - dv;
+    system_.add_D_transposed(at_, lambda, r_1);
+    system_.multiply_D(at_, v_dot, r_2);
+    r_2 = at_.gamma - r_2;
+    solve(r_1, r_2, dv, dlambda);
+    const double change = dv.norm();
+    if (!(change < 0.5 * last)) break;
+    v_dot += dv;
+    lambda += dlambda;
+    last = change;
+  }
   if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
 }
 

@@ -124,6 +124,30 @@ void SingularWatch::change_rows(double t, double pivot, std::vector<int> joints)
   keep(t, pivot, std::move(joints), true);
 }
 
+void SingularWatch::cross(double t, double pivot, std::vector<int> joints) {
+  if (!open_) {
+    singular_poses_ += 1;
+    keep(t, pivot, std::move(joints), false);
+  } else {
+    SingularPassage& passage = passages_.back();
+    passage.t = t;
+    passage.pivot = std::min(passage.pivot, std::max(pivot, 0.0) / level_);
+  }
+  open_ = false;
+}
+
+std::optional<SingularWatch::Trend> SingularWatch::trend() const {
+  const std::size_t count = std::min(next_sample_, samples_.size());
+  if (count < 2) return {};
+  Trend out;
+  out.last = out.other = out.least = samples_[(next_sample_ - 1) % samples_.size()];
+  for (std::size_t k = 0; k < count; ++k) {
+    if (std::abs(samples_[k].t - out.last.t) > std::abs(out.other.t - out.last.t)) out.other = samples_[k];
+    if (samples_[k].root < out.least.root) out.least = samples_[k];
+  }
+  return out;
+}
+
 /// The first passages are kept, and the last one, which may go on.
 void SingularWatch::keep(double t, double pivot, std::vector<int> joints, bool rows_changed) {
   if (level_ == 0.0) raise(1.0);
