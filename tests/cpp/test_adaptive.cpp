@@ -139,7 +139,7 @@ TEST_CASE("projection takes positions and velocities to the constraints along M^
   projection.positions(0.0, y);
   projection.velocities(0.0, y);
   Evaluation at = system.make_evaluation();
-  system.evaluate(0.0, y.head<7>(), y.segment<6>(7), at);
+  system.evaluate(0.0, y.head<7>(), y.segment<6>(7), system.initial_history(), at);
   CHECK(at.Phi.cwiseAbs().maxCoeff() < 1e-14);
   CHECK(at.Phi_dot.cwiseAbs().maxCoeff() < 1e-13);
   const VectorXd impulse = dense_M(model) * (y.segment<6>(7) - v);

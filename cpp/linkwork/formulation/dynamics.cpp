@@ -76,6 +76,8 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   history_ = system_.initial_history();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
   history_ = initial_history_ = at_.history;
+  for (int k = 0; k < system_.history_size(); ++k)
+    if (system_.history_owners()[static_cast<std::size_t>(k)].kind == HistoryKind::onset) contacts_.push_back(k);
   check_masses(info);
   check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
@@ -169,6 +171,7 @@ int Dynamics::evaluations_on_the_clock() const {
 
 void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   poll();
+  observe_now();
   t_ = t;
   stage_ = stage;
   y_ = y;
@@ -180,6 +183,7 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   }
   dropped_.take_out(at_);
   factorized_ = taken_over_ = false;
+  if (!contacts_.empty()) look_for_contacts();
   if (traces_) look_for_nan(false);
 }
 
@@ -196,6 +200,7 @@ bool Dynamics::count_factorization(Work factorize) {
   statistics_.factorizations += 1;
   statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, std::max(pivot, 0.0));
   if (!watched_ || !watching_) return true;
+  if (looking_) return look_at(pivot);
   watch_.note(t_, pivot);
   return watch_.usual(pivot) || inspect(pivot);
 }
@@ -209,7 +214,7 @@ double Dynamics::try_factorization(Work factorize) {
     const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
     if (!pivots || !y_.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
       throw_not_finite(system_, y_, t_, stage_);
-    if (!rank_needed_ || !watching_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
+    if (!rank_needed_ || !watching_ || (!looking_ && !watch_.open() && examine_here(broken).rows.empty())) throw;
     return broken;
   }
   return formulation_->saddle().smallest_pivot();
@@ -239,11 +244,12 @@ bool Dynamics::inspect(double pivot) {
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
+  watch_.take_over();
   return false;
 }
 
 bool Dynamics::cross(double t, const VectorXd& q, double pivot) {
-  PoseExamination found = examine_pose(system_, t, q, dropped_.rows(), watch_.near(pivot));
+  PoseExamination found = examine_pose(system_, {t, q, history_}, dropped_.rows(), watch_.near(pivot));
   if (found.rows.empty()) return false;
   const bool singular = found.better_choice.empty();
   if (singular) {
@@ -269,10 +275,44 @@ void Dynamics::take_over() {
   if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_);
   tolerant_->factorize(at_);
   taken_over_ = true;
-  watch_.take_over();
+}
+
+/// As `inspect`, for an observer: the watch does not hear of it.
+bool Dynamics::look_at(double pivot) {
+  if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
+  take_over();
+  return false;
+}
+
+void Dynamics::observe(std::function<void()> look) {
+  if (factorized_ || system_.row_count() == 0) return look();
+  observer_ = std::move(look);
+}
+
+void Dynamics::observe_now() {
+  if (observer_) std::exchange(observer_, {})();
+}
+
+void Dynamics::return_to(const Place& place) {
+  looking_ = true;
+  evaluate(place.t, place.y);
+  if (place.factorized) factorize();
+  if (place.taken_over && !taken_over_) take_over();
+  looking_ = false;
+}
+
+void Dynamics::look_for_contacts() {
+  for (const int k : contacts_)
+    if (const double depth = at_.gauge[k]; depth != 0.0 && (depth > 0.0) != (history_[k] != 0.0))
+      contact_switched_ = true;
 }
 
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+  find_solution(a, b, v_dot, lambda);
+  if (observer_) observe_now();
+}
+
+void Dynamics::find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
   statistics_.solves += 1;
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
   if (!factorized_ && count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept(b), v_dot, lambda); }))

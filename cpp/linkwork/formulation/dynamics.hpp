@@ -3,9 +3,11 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/constraints/minimum_norm.hpp"
@@ -57,6 +59,14 @@ class Dynamics {
   void set_history(const ConstVector& history);
   /// Accepts the state where this is evaluated. What was evaluated there holds with the new history, too.
   void advance_history() { history_ = at_.history; }
+  /// A contact is found to begin or end in the state that is accepted next, be its depth zero or roundoff.
+  void begin_contact(int variable) { history_[variable] = std::numeric_limits<double>::quiet_NaN(); }
+  void end_contact(int variable) { history_[variable] = at_.history[variable] = 0.0; }
+  /// The contacts whose force depends on the speed at which they began.
+  const std::vector<int>& contacts() const { return contacts_; }
+  /// Whether an evaluation since the last call had one of them open that is closed by its history, or closed one that is
+  /// open.
+  bool take_contact_switched() { return std::exchange(contact_switched_, false); }
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
   /// Whether pivots tell singular poses, and there are loops that may come to some.
@@ -79,6 +89,24 @@ class Dynamics {
   void trace() { traces_ = true; }
   /// Factorizes ahead of the first solution, which else does both.
   void factorize();
+
+  // For observers, who change no bit of what follows.
+  /// Calls `look` when there has been a solution at this state: at once, or after the next one. What the step finds
+  /// first is then found in the same way with and without it.
+  void observe(std::function<void()> look);
+  /// Calls what still waits for a solution.
+  void observe_now();
+  /// The state of the last evaluation and factorization, to come back to after others that only served to look.
+  struct Place {
+    double t;
+    VectorXd y;
+    bool factorized, taken_over;
+  };
+  Place place() const { return {t_, y_, factorized_, taken_over_}; }
+  /// Evaluations from here on are not noted by the watch.
+  void begin_looking() { looking_ = true; }
+  void end_looking() { looking_ = false; }
+  void return_to(const Place& place);
 
   /// Accelerations and multipliers of the mechanism itself, without stabilization. The multipliers of redundant
   /// constraints are those of MinimumNorm.
@@ -123,6 +151,9 @@ class Dynamics {
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
   void take_over();
+  bool look_at(double pivot);
+  void look_for_contacts();
+  void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
   void check_masses(const FormulationInfo& info) const;
@@ -141,9 +172,12 @@ class Dynamics {
   std::unique_ptr<Formulation> formulation_;
   SingularWatch watch_;
   std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
-  bool watched_ = false, watching_ = true, taken_over_ = false, rank_needed_ = false;
+  bool watched_ = false, watching_ = true, looking_ = false, taken_over_ = false, rank_needed_ = false;
   Evaluation at_;
   VectorXd history_, initial_history_;
+  std::vector<int> contacts_;
+  bool contact_switched_ = false;
+  std::function<void()> observer_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
   double t_ = 0.0;

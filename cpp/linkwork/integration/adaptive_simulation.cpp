@@ -36,6 +36,8 @@ constexpr double shorter = 0.999, short_time = 1e-6;
 constexpr int most_tries = 6;
 constexpr double try_decrease = 0.1;
 
+constexpr double too_far = 1e3;  // error of a step in which full turns cannot be counted
+
 std::string scientific(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
@@ -51,7 +53,8 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       stepper_(pair),
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
-      watch_(std::move(events)) {
+      watch_(std::move(events)),
+      contacts_(dynamics) {
   check(schedule);
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = schedule.t_start;
@@ -74,6 +77,7 @@ void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
 void AdaptiveSimulation::begin() {
   begun_ = true;
   evaluate(t_, y_);
+  accept_history();
   dated(t_, NAN, [&] { keep_to_budget(t_); });
   record_if_due();
   finished_ = t_ >= schedule_.t_end;
@@ -118,10 +122,55 @@ void AdaptiveSimulation::attempt() {
     h = 0.5 * remaining;
     t_new_ = t_ + h;
   }
+  dynamics_.take_contact_switched();
   const BodyMaximum error = trial(h);
-  if (error.value <= 1.0) accept(h, error.value);
+  if (error.value <= 1.0 && TurnGuard::too_far(turns_.largest(h))) reject(h, {too_far, -1});
+  else if (error.value <= 1.0 && end_at_contact(h)) return;
+  else if (error.value <= 1.0) accept(h, error.value);
   else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
+}
+
+// The force of a contact may depend on the speed at which it began, which is known where it begins: the step is taken
+// again up to there. It also ends where the contact does, with which its force is not smooth.
+bool AdaptiveSimulation::end_at_contact(double h) {
+  if (!dynamics_.take_contact_switched()) return false;
+  const Dynamics::Place end = dynamics_.place();
+  if (stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
+  const auto found = contacts_.first(stepper_, t_, h);
+  if (!found) return false;
+  away_from_.reset();
+  evaluated_ = false;
+  dynamics_.release_correction();
+  evaluate(t_, y_);
+  const double part = found->theta * h;
+  if (part <= least_step * std::max(t_, schedule_.t_end)) {  // at the start: the step is tried again
+    switch_ = found;
+    settle_history();
+    return true;
+  }
+  t_new_ = t_ + part;
+  const BodyMaximum error = trial(part);
+  if (!(error.value <= 1.0)) {
+    reject(part, error);
+    return true;
+  }
+  accept(part, error.value);
+  switch_ = found;
+  if (stop_) switch_.reset();
+  step_ = std::max(step_, part + 0.5 * (h - part));
+  return true;
+}
+
+/// `dynamics` is evaluated at the state from which the run goes on.
+void AdaptiveSimulation::settle_history() {
+  if (switch_ && switch_->begins) {
+    dynamics_.begin_contact(switch_->variable);
+    evaluate(t_, y_);
+  }
+  accept_history();
+  if (switch_ && !switch_->begins) dynamics_.end_contact(switch_->variable);
+  switch_.reset();
 }
 
 bool AdaptiveSimulation::near_singular_pose() const { return dynamics_.watch().open() && usual_step_ > 0.0; }
@@ -165,6 +214,7 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
 
 void AdaptiveSimulation::accept(double h, double error) {
   accepted_ = evaluated_ = true;
+  switch_.reset();
   h_ = h;
   y_new_ = stepper_.y_new();
   statistics_.smallest = std::min(statistics_.smallest, h);
@@ -178,7 +228,8 @@ void AdaptiveSimulation::accept(double h, double error) {
 }
 
 void AdaptiveSimulation::look_for_events() {
-  if (stepper_.prepare_interpolation(dynamics_)) evaluated_ = false;
+  const Dynamics::Place end = dynamics_.place();
+  if (stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
   for (const EventWatch::Found& found : watch_.scan(stepper_, system, t_, h_)) {
@@ -190,6 +241,7 @@ void AdaptiveSimulation::look_for_events() {
     t_new_ = t;
     y_new_ = work_;
     evaluated_ = false;
+    away_from_.reset();
   }
 }
 
@@ -210,6 +262,7 @@ bool AdaptiveSimulation::apply(const Event& event) {
   projection().positions(t_, y_);
   projection().velocities(t_, y_);
   dynamics_.evaluate(t_, y_);
+  accept_history();
   y_[size] += energy() - before;
   of_step_.back().after = y_.head(size);
   return changed.ends;
@@ -244,13 +297,15 @@ bool AdaptiveSimulation::output_inside() const {
 
 void AdaptiveSimulation::record_inside() {
   const double t = schedule_.times[next_time_++];
+  if (evaluated_ && !away_from_) away_from_ = dynamics_.place();
+  dynamics_.begin_looking();
   dated(t, NAN, [&] {
     stepper_.prepare_interpolation(dynamics_);
     stepper_.interpolate(dynamics_.system(), (t - t_) / h_, work_);
     dynamics_.evaluate(t, work_);
     recorder_.record(t, work_);
   });
-  evaluated_ = false;
+  dynamics_.end_looking();
 }
 
 void AdaptiveSimulation::finish_step() {
@@ -259,11 +314,14 @@ void AdaptiveSimulation::finish_step() {
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
+  if (away_from_) dated(t_, NAN, [&] { dynamics_.return_to(*away_from_); });
+  away_from_.reset();
   if (projects()) {
     dated(t_, h_, [&] { projection().stabilize(t_, y_); });
     evaluated_ = false;
   }
   if (!evaluated_) evaluate(t_, y_);
+  settle_history();
   dated(t_, h_, [&] { keep_to_budget(t_); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
@@ -306,7 +364,11 @@ void AdaptiveSimulation::record_if_due() {
   const bool last = finished_ && stop_;
   bool due = schedule_.record_every > 0 && (finished_ || stop_ || steps_done_ % schedule_.record_every == 0);
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
-  if (due || last) dated(t_, NAN, [&] { recorder_.record(t_, y_); });
+  if (!due && !last) return;
+  dated(t_, NAN, [&] {
+    if (finished_) recorder_.record(t_, y_);
+    else recorder_.record_in_step(t_, y_);
+  });
 }
 
 }  // namespace linkwork

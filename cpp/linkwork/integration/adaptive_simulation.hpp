@@ -52,6 +52,8 @@ class AdaptiveSimulation final : public Run {
   void attempt();
   BodyMaximum trial(double h);
   void accept(double h, double error);
+  bool end_at_contact(double h);
+  void settle_history();
   void look_for_events();
   void finish_event();
   /// True where the change ends the run.
@@ -73,6 +75,8 @@ class AdaptiveSimulation final : public Run {
   StepController controller_;
   StepStatistics statistics_;
   EventWatch watch_;
+  ContactWatch contacts_;
+  std::optional<ContactWatch::Switch> switch_;  ///< that ends the current step
   std::vector<Occurrence> of_step_;        ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;    ///< of finished steps
   std::optional<EventWatch::Found> stop_;  ///< the event that ends the current step
@@ -88,6 +92,7 @@ class AdaptiveSimulation final : public Run {
   bool begun_ = false;
   bool accepted_ = false;   ///< the stepper holds the step from t_ to t_new_
   bool evaluated_ = false;  ///< `dynamics` is at the state that comes next: y_, or y_new when accepted
+  std::optional<Dynamics::Place> away_from_;  ///< or was, and only looked elsewhere since
   std::size_t next_time_ = 0;
   std::string last_failure_;  ///< of a stage of the last trial
   VectorXd work_, rates_;

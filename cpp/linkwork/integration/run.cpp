@@ -34,7 +34,7 @@ Frames Run::advance(std::int64_t max_frames, double max_seconds) {
     stop_at_singular_pose();
     if (std::chrono::duration<double>(Clock::now() - start).count() > max_seconds) break;
   }
-  return take_frames();
+  return recorder_.take();
 }
 
 void Run::stop_at_singular_pose() const {
@@ -65,6 +65,7 @@ void Run::keep_to_budget(double t) {
   projection().velocities(t, y_);
   projections_ += 1;
   dynamics_.evaluate(t, y_);
+  accept_history();
 }
 
 void Run::begin_at(double t, double t_end, const VectorXd& q_and_v) {
