@@ -85,7 +85,7 @@ class System:
 
     @property
     def initial_history(self) -> Floats:
-        """The history variables (h,) of the initial state, those of couplers first, then of force elements."""
+        """History variables (h,) of the initial state: those of couplers, then those of force elements."""
         history: Floats = self._dynamics.initial_history
         return history
 
@@ -117,9 +117,7 @@ class System:
         v_dot, multipliers = self._dynamics.accelerations(t, np.ravel(q), np.ravel(v), _given(history))
         return v_dot, multipliers
 
-    def evaluate(
-        self, t: float, q: ArrayLike, v: ArrayLike, history: ArrayLike | None = None
-    ) -> Evaluation:
+    def evaluate(self, t: float, q: ArrayLike, v: ArrayLike, history: ArrayLike | None = None) -> Evaluation:
         """The terms of the equations of motion at one state."""
         found = self._dynamics.evaluate(t, np.ravel(q), np.ravel(v), _given(history))
         D = found.pop("D")

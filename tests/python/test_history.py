@@ -1,4 +1,4 @@
-"""History variables against closed forms: what springs, stops, contacts, couplers and motors know of the past."""
+"""History variables against closed forms: what springs, stops, contacts and couplers know of the past."""
 
 from __future__ import annotations
 
@@ -31,6 +31,11 @@ def wheel(omega: float, inertia: float = 1.0) -> lw.Model:
     return model
 
 
+def rotated(angle: float) -> np.ndarray:
+    """Euler parameters of a rotation about z (1, 4)."""
+    return np.array([[np.cos(angle / 2), 0.0, 0.0, np.sin(angle / 2)]])
+
+
 class Motion:
     """A model and the angular velocity of its wheel in closed form."""
 
@@ -53,7 +58,9 @@ def spring() -> Motion:
 def stop() -> Motion:
     """An elastic stop after 4.8 turns: half a vibration in it, and back."""
     model = wheel(30.0)
-    model.rotational_stop("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), lower=-100.0, upper=30.0, stiffness=100.0)
+    model.rotational_stop(
+        "ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), lower=-100.0, upper=30.0, stiffness=100.0
+    )
 
     def rate(t: float) -> float:
         inside = min(max(t - 1.0, 0.0), np.pi / 10.0)
@@ -110,8 +117,10 @@ def test_adaptive_steps_meet_their_tolerance_whatever_is_recorded(name: str, int
 @pytest.mark.parametrize("name", ("spring", "belt", "motor"))
 def test_fixed_steps_keep_the_order_of_the_method(name: str, integrator: str) -> None:
     motion, order = MOTIONS[name](), min(METHODS[integrator].order, 5)
-    step = motion.t_end / (2000 if order == 1 else 1000 if order < 4 or integrator in MULTISTEP else 250)
-    errors = [motion.error(run(motion.model, motion.t_end, step=h, integrator=integrator)) for h in (step, step / 2)]
+    step = motion.t_end / (2000 if order == 1 or integrator in MULTISTEP else 1000 if order < 4 else 250)
+    errors = [
+        motion.error(run(motion.model, motion.t_end, step=h, integrator=integrator)) for h in (step, step / 2)
+    ]
     assert errors[1] < max(1.35 * 2.0**-order * errors[0], 1e-11)
     assert errors[0] < 0.1
 
@@ -120,11 +129,11 @@ def test_fixed_steps_keep_the_order_of_the_method(name: str, integrator: str) ->
 def test_a_stop_after_some_turns_sends_the_wheel_back_as_fast(integrator: str) -> None:
     motion = stop()
     error = motion.error(run(motion.model, motion.t_end, step=2e-4, integrator=integrator, record_every=10))
-    assert error < (5e-2 if METHODS[integrator].order == 1 else 1e-5)
+    assert error < {1: 5e-2, 2: 1e-4}.get(METHODS[integrator].order, 1e-5)
 
 
 def rebound(hysteresis: float) -> float:
-    """From v dv/dd = -(K / m) d^n (1 + c v / v_0): v - (v_0 / c) log(1 + c v / v_0) is the same at both ends."""
+    """v dv/dd = -(K / m) d^n (1 + c v / v_0): v - (v_0 / c) log(1 + c v / v_0) is the same at both ends."""
     side = lambda v: v - np.log1p(hysteresis * v) / hysteresis  # noqa: E731
     return float(brentq(lambda v: side(v) - side(1.0), -min(1.0, 1.0 / hysteresis) * (1 - 1e-12), -1e-3))
 
@@ -153,7 +162,7 @@ def test_a_hysteretic_contact_is_of_first_order_with_fixed_steps(integrator: str
         run(ball(0.8), 0.2, step=h, integrator=integrator).v[-1, 0, 2] / -2.0 for h in (2e-5, 1e-5, 5e-6)
     ]
     errors = np.abs(np.array(rebounds) - rebound(0.8))
-    assert errors[0] < 1e-3 and errors[2] < 0.6 * errors[0]
+    assert errors[0] < 5e-3 and errors[2] < 0.6 * errors[0]
 
 
 # --- the history is part of the state -----------------------------------------------------------------------
@@ -165,7 +174,9 @@ def test_a_restart_in_mid_turn_goes_on_to_the_last_bit(name: str, integrator: st
     motion = MOTIONS[name]()
     whole = run(motion.model, 0.3, step=1e-3, integrator=integrator, record_every=50)
     for frame in (1, 4):
-        rest = run(motion.model, 0.3, step=1e-3, integrator=integrator, start=whole.snapshot(frame), record_every=7)
+        rest = run(
+            motion.model, 0.3, step=1e-3, integrator=integrator, start=whole.snapshot(frame), record_every=7
+        )
         assert np.array_equal(rest.q[-1], whole.q[-1])
         assert np.array_equal(rest.v[-1], whole.v[-1])
         assert np.array_equal(rest.history[-1], whole.history[-1])
@@ -180,22 +191,24 @@ def test_an_adaptive_run_goes_on_from_any_frame(name: str, integrator: str, tmp_
     motion = MOTIONS[name]()
     rtol = 1e-5 if integrator == "bs32" else 1e-8
     path = tmp_path / "run.h5"
-    whole = run(motion.model, motion.t_end, rtol=rtol, integrator=integrator, times=np.linspace(0, motion.t_end, 11),
-                output=path)  # fmt: skip
+    options = {"rtol": rtol, "integrator": integrator}
+    times = np.linspace(0, motion.t_end, 11)
+    whole = run(motion.model, motion.t_end, times=times, output=path, **options)
     for frame in (3, 7):
         start = lw.Result.load(path).snapshot(frame)
-        assert motion.error(run(motion.model, motion.t_end, rtol=rtol, integrator=integrator, start=start)) < 10 * rtol
+        rest = run(motion.model, motion.t_end, start=start, **options)
+        assert motion.error(rest) < 10 * rtol
     assert motion.error(whole) < 10 * rtol
 
 
 def test_events_between_turns_do_not_disturb_the_count() -> None:
     motion = spring()
-    quarter = lw.Event(lambda t, state: state.q[0, 6], name="half turns")
+    full_turn = lw.Event(lambda t, state: state.q[0, 6], name="full turns")
     kick = lw.Event(lambda t, state: t - 0.377, name="nothing", change=lambda t, state: None)
-    result = run(motion.model, motion.t_end, rtol=1e-9, events=[quarter, kick])
+    result = run(motion.model, motion.t_end, rtol=1e-9, events=[full_turn, kick])
     assert motion.error(result) < 1e-8
-    turned = np.sin(2.0 * 0.785398) * 50.0 / np.pi  # half turns of p up to the first return
-    assert len([it for it in result.events if it.t < 0.785398 and it.name == "half turns"]) == int(turned / 2)
+    outward = [it for it in result.events if it.t < np.pi / 4 and it.name == "full turns"]
+    assert len(outward) == int(50.0 / (2 * np.pi))
 
 
 def test_a_model_that_begins_wound_up_is_kept_in_files_and_copies(tmp_path: Path) -> None:
@@ -209,7 +222,7 @@ def test_a_model_that_begins_wound_up_is_kept_in_files_and_copies(tmp_path: Path
         assert again.v[-1, 0, 5] == pytest.approx(100.0 * np.cos(2.0), abs=1e-5)
     assert lw.Model.load(tmp_path / "wound.yaml").hash() == model.hash() != motion.model.hash()
     model.rotational_spring_damper("ground", "wheel", axis=(0, 0, 1), stiffness=1.0)
-    with pytest.raises(lw.ModelError, match="1 history variables, but .* have 2"):
+    with pytest.raises(lw.ModelError, match=r"1 history variables, but .* have 2"):
         lw.System(model)
 
 
@@ -233,7 +246,9 @@ def everything() -> lw.Model:
     model.rotational_stop("wheel", "small", at=(0, 0, 0), axis=(0, 0, 1), lower=-3, upper=4, stiffness=10.0)
     model.nonlinear_rotational_spring_damper("ground", "small", at=(1, 0, 0), axis=(0, 0, 1), spring=2.0)
     at = ((0, 0, 0), (0, 0, 0.05))
-    model.sphere_plane_contact("ground", "wheel", at=at, normal=(0, 0, 1), radius=0.1, stiffness=1e4, hysteresis=0.5)
+    model.sphere_plane_contact(
+        "ground", "wheel", at=at, normal=(0, 0, 1), radius=0.1, stiffness=1e4, hysteresis=0.5
+    )
     bead = model.body("bead", mass=1.0, inertia=(1, 1, 1), position=(3, 0, 0))
     angle = np.linspace(0, 2 * np.pi, 20, endpoint=False)
     points = np.column_stack([3 * np.cos(angle), 3 * np.sin(angle), 0 * angle])
@@ -295,8 +310,15 @@ def test_recording_changes_no_bit_of_fixed_steps(name: str, integrator: str, tmp
         assert often.work[-1] == seldom.work[-1]
 
 
+CHOICES: list[dict[str, Any]] = [
+    {},
+    {"stabilization": "projection"},
+    {"formulation": "augmented_lagrangian"},
+]
+
+
 @pytest.mark.parametrize("integrator", ADAPTIVE)
-@pytest.mark.parametrize("choice", [{}, {"stabilization": "projection"}, {"formulation": "augmented_lagrangian"}])
+@pytest.mark.parametrize("choice", CHOICES)
 def test_recording_changes_no_step_of_adaptive_runs(choice: dict[str, Any], integrator: str) -> None:
     model = mechanisms.bricard()
     options = {"rtol": 1e-5, "integrator": integrator, **choice}
@@ -311,8 +333,17 @@ def test_recording_changes_no_step_of_adaptive_runs(choice: dict[str, Any], inte
 # --- what cannot be counted is refused ----------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("rtol", (1e-5, 1e-8, 1e-11))
+def test_a_free_wheel_turns_as_exactly_as_asked(rtol: float) -> None:
+    """Of dop853 the leading term of the estimate changes the length of Euler parameters alone."""
+    result = run(wheel(30.0), 1.0, rtol=rtol, integrator="dop853", times=[1.0])
+    found, exact = lw.rotation.matrix(result.q[-1, :, 3:]), lw.rotation.matrix(rotated(30.0))
+    assert np.abs(found - exact).max() < 10 * rtol
+
+
 def test_fixed_steps_of_half_a_turn_are_refused_by_name() -> None:
-    with pytest.raises(lw.StepSizeError, match=r"'mainspring': its angle turns by about .* rad in a step of 0\.03 s"):
+    said = r"'mainspring': its angle turns by about .* rad in a step of 0\.03 s"
+    with pytest.raises(lw.StepSizeError, match=said):
         run(spring().model, 1.0, step=0.03)
 
 

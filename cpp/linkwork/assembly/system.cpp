@@ -151,6 +151,9 @@ void System::compile_forces() {
     batch.body_j.push_back(element.j == ground ? n : element.j);
     batch.attachment.push_back(element.at);
     batch.history.push_back(history_size());
+    batch.switches.push_back(static_cast<std::ptrdiff_t>(switches_.size()));
+    const int contact = kind.history == HistoryKind::onset ? history_size() : -1;
+    switches_.insert(switches_.end(), static_cast<std::size_t>(kind.switches), contact);
     const auto first = model_.force_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
     batch.parameters.insert(batch.parameters.end(), first,
                             first + static_cast<std::ptrdiff_t>(kind.info.parameters.size()));
@@ -209,7 +212,8 @@ Evaluation System::make_evaluation() const {
   out.signals.resize(model_.signals().size());
   out.D.assign(static_cast<std::size_t>(D_size_) + velocity_size, 0.0);
   out.special.resize(most_bodies_);
-  for (VectorXd* variables : {&out.history, &out.gauge}) variables->setZero(history_size());
+  for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
+  out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
   out.g.setZero(v_size() + velocity_size);
   return out;
@@ -234,8 +238,8 @@ void System::evaluate_user_forces(double t, const ConstVector& q, const ConstVec
   }
 }
 
-void System::evaluate_gauges(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                             Evaluation& out) const {
+void System::evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                               Evaluation& out) const {
   evaluate_signals(t, out);
   if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
 }
@@ -269,7 +273,7 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
   std::fill_n(D, velocity_size * it.rows * static_cast<int>(bodies.size()), 0.0);
   for (VectorXd* x : {&out.Phi, &out.Phi_t, &out.gamma}) rows(*x).setZero();
   it.special->evaluate(out.special.data(), parameters.data(),
-                       {history.data() + it.history, out.history.data() + it.history, out.gauge.data() + it.history},
+                       {history.data() + it.history, out.history.data() + it.history, out.history_rate.data() + it.history},
                        {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
   rows(out.Phi_dot) = rows(out.Phi_t);
   for (const int index : joint_blocks(it.joint)) {
@@ -282,8 +286,8 @@ void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const
                                Evaluation& out) const {
   for (int b = 0; b < body_count(); ++b) out.bodies[static_cast<std::size_t>(b)] = moving(b, q, v);
   out.g.tail<velocity_size>().setZero();
-  const ForceArrays arrays{out.g.data(),     history.data(), out.history.data(), out.gauge.data(),
-                           &out.potential, &out.power};
+  const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
+                           out.switches.data(), &out.potential, &out.power};
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
     if (force_batches_[kind].size() > 0)
       force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), model_.signals().data(),

@@ -41,7 +41,8 @@ struct Evaluation {
   std::vector<Signal<double>> signals;
   std::vector<double> D;       ///< blocks of D, see ConstraintBlock
   VectorXd history;            ///< what it becomes where this state is accepted, see HistoryVariable
-  VectorXd gauge;              ///< of the history variables
+  VectorXd history_rate;       ///< of those that are angles
+  VectorXd switches;           ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
   VectorXd user;           ///< scratch of the user's own forces
   VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
@@ -79,13 +80,15 @@ class System {
   /// Only the constraints: Phi, Phi_t, Phi_dot, gamma, D, and the history of the joints.
   void evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                             Evaluation& out) const;
-  /// Only force elements: their history and its gauges.
-  void evaluate_gauges(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                       Evaluation& out) const;
+  /// Only force elements: their history and their switches.
+  void evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                         Evaluation& out) const;
 
   // History variables: those of special joints, then those of force elements.
   int history_size() const { return static_cast<int>(history_owners_.size()); }
   const std::vector<HistoryOwner>& history_owners() const { return history_owners_; }
+  /// Of each switch the history variable of the contact that begins where it becomes positive, or -1.
+  const std::vector<int>& switches() const { return switches_; }
   std::string history_name(int variable) const;  ///< such as "force 'mainspring'"
   /// That of the model, or of a motion that begins: angles within half a turn of zero, no contacts. Where a joint is
   /// placed is known, whether spheres touch is not: see Dynamics::initial_history.
@@ -172,6 +175,7 @@ class System {
   std::vector<int> body_block_list_, body_block_begin_;
   std::ptrdiff_t D_size_ = 0;
   std::vector<HistoryOwner> history_owners_;
+  std::vector<int> switches_;
   VectorXd initial_history_;
   bool time_dependent_constraints_ = false;
 };

@@ -76,8 +76,6 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   history_ = system_.initial_history();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
   history_ = initial_history_ = at_.history;
-  for (int k = 0; k < system_.history_size(); ++k)
-    if (system_.history_owners()[static_cast<std::size_t>(k)].kind == HistoryKind::onset) contacts_.push_back(k);
   check_masses(info);
   check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
@@ -183,7 +181,7 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   }
   dropped_.take_out(at_);
   factorized_ = taken_over_ = false;
-  if (!contacts_.empty()) look_for_contacts();
+  if (!sides_.empty()) look_for_switches();
   if (traces_) look_for_nan(false);
 }
 
@@ -301,10 +299,16 @@ void Dynamics::return_to(const Place& place) {
   looking_ = false;
 }
 
-void Dynamics::look_for_contacts() {
-  for (const int k : contacts_)
-    if (const double depth = at_.gauge[k]; depth != 0.0 && (depth > 0.0) != (history_[k] != 0.0))
-      contact_switched_ = true;
+void Dynamics::take_sides() {
+  sides_.resize(static_cast<std::size_t>(at_.switches.size()), 0);
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if (const double value = at_.switches[static_cast<Eigen::Index>(k)]; value != 0.0) sides_[k] = value > 0.0;
+}
+
+void Dynamics::look_for_switches() {
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if (const double value = at_.switches[static_cast<Eigen::Index>(k)]; value != 0.0 && (value > 0.0) != (sides_[k] != 0))
+      switched_ = true;
 }
 
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {

@@ -62,11 +62,13 @@ class Dynamics {
   /// A contact is found to begin or end in the state that is accepted next, be its depth zero or roundoff.
   void begin_contact(int variable) { history_[variable] = std::numeric_limits<double>::quiet_NaN(); }
   void end_contact(int variable) { history_[variable] = at_.history[variable] = 0.0; }
-  /// The contacts whose force depends on the speed at which they began.
-  const std::vector<int>& contacts() const { return contacts_; }
-  /// Whether an evaluation since the last call had one of them open that is closed by its history, or closed one that is
-  /// open.
-  bool take_contact_switched() { return std::exchange(contact_switched_, false); }
+  // Switches of force elements whose law is not smooth, see Wrenches: on which side of zero they are.
+  /// The sides of the state where this is evaluated are those of the step that begins there; what is zero keeps its side.
+  void take_sides();
+  void set_side(int which, bool positive) { sides_[static_cast<std::size_t>(which)] = positive; }
+  const std::vector<char>& sides() const { return sides_; }
+  /// Whether an evaluation since the last call had one on another side.
+  bool take_switched() { return std::exchange(switched_, false); }
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
   /// Whether pivots tell singular poses, and there are loops that may come to some.
@@ -152,7 +154,7 @@ class Dynamics {
   void change_redundant_rows(std::vector<int> rows);
   void take_over();
   bool look_at(double pivot);
-  void look_for_contacts();
+  void look_for_switches();
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
@@ -175,8 +177,8 @@ class Dynamics {
   bool watched_ = false, watching_ = true, looking_ = false, taken_over_ = false, rank_needed_ = false;
   Evaluation at_;
   VectorXd history_, initial_history_;
-  std::vector<int> contacts_;
-  bool contact_switched_ = false;
+  std::vector<char> sides_;  ///< empty until they are taken: positive or not
+  bool switched_ = false;
   std::function<void()> observer_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;

@@ -54,7 +54,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
       watch_(std::move(events)),
-      contacts_(dynamics) {
+      switches_(dynamics) {
   check(schedule);
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = schedule.t_start;
@@ -77,7 +77,7 @@ void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
 void AdaptiveSimulation::begin() {
   begun_ = true;
   evaluate(t_, y_);
-  accept_history();
+  settle_history();
   dated(t_, NAN, [&] { keep_to_budget(t_); });
   record_if_due();
   finished_ = t_ >= schedule_.t_end;
@@ -122,22 +122,22 @@ void AdaptiveSimulation::attempt() {
     h = 0.5 * remaining;
     t_new_ = t_ + h;
   }
-  dynamics_.take_contact_switched();
+  dynamics_.take_switched();
   const BodyMaximum error = trial(h);
   if (error.value <= 1.0 && TurnGuard::too_far(turns_.largest(h))) reject(h, {too_far, -1});
-  else if (error.value <= 1.0 && end_at_contact(h)) return;
+  else if (error.value <= 1.0 && end_at_switch(h)) return;
   else if (error.value <= 1.0) accept(h, error.value);
   else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
 }
 
-// The force of a contact may depend on the speed at which it began, which is known where it begins: the step is taken
-// again up to there. It also ends where the contact does, with which its force is not smooth.
-bool AdaptiveSimulation::end_at_contact(double h) {
-  if (!dynamics_.take_contact_switched()) return false;
+// Forces of contacts and stops are not smooth where they begin or end, and that of a contact depends on the speed at
+// which it began: the step is taken again up to there.
+bool AdaptiveSimulation::end_at_switch(double h) {
+  if (!dynamics_.take_switched()) return false;
   const Dynamics::Place end = dynamics_.place();
   if (stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
-  const auto found = contacts_.first(stepper_, t_, h);
+  const auto found = switches_.first(stepper_, t_, h);
   if (!found) return false;
   away_from_.reset();
   evaluated_ = false;
@@ -164,12 +164,15 @@ bool AdaptiveSimulation::end_at_contact(double h) {
 
 /// `dynamics` is evaluated at the state from which the run goes on.
 void AdaptiveSimulation::settle_history() {
-  if (switch_ && switch_->begins) {
-    dynamics_.begin_contact(switch_->variable);
+  const int contact = switch_ ? dynamics_.system().switches()[static_cast<std::size_t>(switch_->which)] : -1;
+  if (contact >= 0 && switch_->positive) {
+    dynamics_.begin_contact(contact);
     evaluate(t_, y_);
   }
   accept_history();
-  if (switch_ && !switch_->begins) dynamics_.end_contact(switch_->variable);
+  if (contact >= 0 && !switch_->positive) dynamics_.end_contact(contact);
+  dynamics_.take_sides();
+  if (switch_) dynamics_.set_side(switch_->which, switch_->positive);
   switch_.reset();
 }
 
@@ -263,6 +266,7 @@ bool AdaptiveSimulation::apply(const Event& event) {
   projection().velocities(t_, y_);
   dynamics_.evaluate(t_, y_);
   accept_history();
+  dynamics_.take_sides();
   y_[size] += energy() - before;
   of_step_.back().after = y_.head(size);
   return changed.ends;

@@ -52,7 +52,7 @@ class AdaptiveSimulation final : public Run {
   void attempt();
   BodyMaximum trial(double h);
   void accept(double h, double error);
-  bool end_at_contact(double h);
+  bool end_at_switch(double h);
   void settle_history();
   void look_for_events();
   void finish_event();
@@ -75,8 +75,8 @@ class AdaptiveSimulation final : public Run {
   StepController controller_;
   StepStatistics statistics_;
   EventWatch watch_;
-  ContactWatch contacts_;
-  std::optional<ContactWatch::Switch> switch_;  ///< that ends the current step
+  SwitchWatch switches_;
+  std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step
   std::vector<Occurrence> of_step_;        ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;    ///< of finished steps
   std::optional<EventWatch::Found> stop_;  ///< the event that ends the current step

@@ -11,8 +11,8 @@
 namespace linkwork {
 namespace {
 
-// A contact that begins and ends between two of them is not found; the force in it is that of a contact which begins
-// with the speed it has.
+// A contact that begins and ends between two of them is not found; the force in it is that of one which begins with the
+// speed it has.
 constexpr std::array<double, 8> places = {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
 constexpr double exact = 1e-14;  // of the place in a step
 
@@ -26,15 +26,15 @@ TurnGuard::TurnGuard(const Dynamics& dynamics) : dynamics_(dynamics) {
 }
 
 void TurnGuard::accept() {
-  if (!angles_.empty()) rates_ = dynamics_.evaluation().gauge;
+  if (!angles_.empty()) rates_ = dynamics_.evaluation().history_rate;
 }
 
 double TurnGuard::largest(double h) {
   double most = 0.0;
   const Evaluation& at = dynamics_.evaluation();
   for (const int k : angles_) {
-    if (at.gauge[k] == 0.0 && rates_[k] == 0.0) continue;
-    const double rate = std::max(std::abs(rates_[k]), std::abs(at.gauge[k]));
+    if (at.history_rate[k] == 0.0 && rates_[k] == 0.0) continue;
+    const double rate = std::max(std::abs(rates_[k]), std::abs(at.history_rate[k]));
     const double turned = std::max(std::abs(at.history[k] - dynamics_.history()[k]), h * rate);
     if (turned <= most) continue;
     most = turned;
@@ -60,33 +60,33 @@ void TurnGuard::refuse(double h, double angle) const {
                       details);
 }
 
-ContactWatch::ContactWatch(const Dynamics& dynamics) : dynamics_(dynamics) {
-  if (!dynamics.contacts().empty()) at_ = dynamics.system().make_evaluation();
+SwitchWatch::SwitchWatch(const Dynamics& dynamics) : dynamics_(dynamics) {
+  if (!dynamics.system().switches().empty()) at_ = dynamics.system().make_evaluation();
 }
 
-double ContactWatch::depth(const PairStepper& stepper, int variable, double t, double h, double theta) {
+double SwitchWatch::value(const PairStepper& stepper, int which, double t, double h, double theta) {
   const System& system = dynamics_.system();
   stepper.interpolate(system, theta, state_);
-  system.evaluate_gauges(t + theta * h, state_.head(system.q_size()),
-                         state_.segment(system.q_size(), system.v_size()), dynamics_.history(), at_);
-  return at_.gauge[variable];
+  system.evaluate_switches(t + theta * h, state_.head(system.q_size()),
+                           state_.segment(system.q_size(), system.v_size()), dynamics_.history(), at_);
+  return at_.switches[which];
 }
 
-// The side on which a contact is at the start is that of its history: its depth may be roundoff there.
-std::optional<ContactWatch::Switch> ContactWatch::first(const PairStepper& stepper, double t, double h) {
+// The side at the start is known: the value may be roundoff there.
+std::optional<SwitchWatch::Switch> SwitchWatch::first(const PairStepper& stepper, double t, double h) {
   double from = 0.0;
   for (const double to : places) {
-    depth(stepper, 0, t, h, to);
-    const VectorXd depths = at_.gauge;
+    value(stepper, 0, t, h, to);
+    const VectorXd values = at_.switches;
     std::optional<Switch> found;
-    for (const int k : dynamics_.contacts()) {
-      const bool open = dynamics_.history()[k] == 0.0;
-      if (depths[k] == 0.0 || (depths[k] > 0.0) != open) continue;
-      const auto at = [&](double theta) { return depth(stepper, k, t, h, theta); };
+    for (int k = 0; k < values.size(); ++k) {
+      const bool positive = values[k] > 0.0;
+      if (values[k] == 0.0 || positive == (dynamics_.sides()[static_cast<std::size_t>(k)] != 0)) continue;
+      const auto at = [&](double theta) { return value(stepper, k, t, h, theta); };
       const double before = at(from);
-      const bool there = before == 0.0 || (before > 0.0) == (depths[k] > 0.0);
-      const double theta = there ? from : brent(at, from, before, to, depths[k], exact);
-      if (!found || theta < found->theta) found = {k, theta, open};
+      const bool there = before == 0.0 || (before > 0.0) == positive;
+      const double theta = there ? from : brent(at, from, before, to, values[k], exact);
+      if (!found || theta < found->theta) found = {k, theta, positive};
     }
     if (found) return found;
     from = to;

@@ -31,21 +31,22 @@ class TurnGuard {
   int fastest_ = -1;
 };
 
-/// Finds where in a step contacts begin or end whose force depends on the speed at which they began.
-class ContactWatch {
+/// Finds where in a step contacts and stops begin or end. Their forces are not smooth there, and that of a contact
+/// depends on the speed at which it began.
+class SwitchWatch {
  public:
-  explicit ContactWatch(const Dynamics& dynamics);
+  explicit SwitchWatch(const Dynamics& dynamics);
 
   struct Switch {
-    int variable;
+    int which;
     double theta;  ///< place in the step, 0 to 1
-    bool begins;
+    bool positive;  ///< its side from there on
   };
   /// The first of the step from t to t + h; `stepper` can interpolate.
   std::optional<Switch> first(const PairStepper& stepper, double t, double h);
 
  private:
-  double depth(const PairStepper& stepper, int variable, double t, double h, double theta);
+  double value(const PairStepper& stepper, int which, double t, double h, double theta);
 
   const Dynamics& dynamics_;
   Evaluation at_;

@@ -27,7 +27,9 @@ void Recorder::record(double t, const VectorXd& y) {
 void Recorder::record_in_step(double t, const VectorXd& y) {
   waiting_t_ = t;
   waiting_y_ = y;
-  dynamics_.observe([this] { record(waiting_t_, waiting_y_); });
+  dynamics_.observe([this, here = std::weak_ptr<char>(here_)] {
+    if (!here.expired()) record(waiting_t_, waiting_y_);
+  });
 }
 
 void Recorder::finish() {

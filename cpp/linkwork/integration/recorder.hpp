@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,7 @@ class Recorder {
 
  private:
   Dynamics& dynamics_;
+  std::shared_ptr<char> here_ = std::make_shared<char>();  ///< `dynamics` may outlive what it was asked to call
   double waiting_t_ = 0.0;
   VectorXd waiting_y_;
   VectorXd v_dot_, lambda_, residual_;

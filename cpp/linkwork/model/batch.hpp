@@ -26,6 +26,7 @@ struct Batch {
   std::vector<Attachment<double>> attachment;
   std::vector<Parameter> parameters;   ///< as many per element as the kind has
   std::vector<std::ptrdiff_t> history;  ///< places of history variables
+  std::vector<std::ptrdiff_t> switches;  ///< places of the first switch
 
   std::size_t size() const { return body_i.size(); }
 };

@@ -23,7 +23,16 @@ struct Wrenches {
   Vec3<Real> force_j = Vec3<Real>::Zero(), torque_j = Vec3<Real>::Zero();
   Real potential = Real(0);  ///< stored energy [J]
   Real power = Real(0);      ///< power of the part without a potential [W]
+  /// Where the law is not smooth they pass through zero: of `static constexpr int switches` in the element, if any.
+  Real switches[2] = {Real(0), Real(0)};
 };
+
+/// How many switches a force element has.
+template <class Force>
+constexpr int switches_of() {
+  if constexpr (requires { Force::switches; }) return Force::switches;
+  else return 0;
+}
 
 /// The parameters of one element at the present time.
 template <class Real>
@@ -46,12 +55,12 @@ class ForceParameters {
   const TimeFunctionPtr* functions_;
 };
 
-/// Where the forces go: g (6 per body, ground included as the last), the sums of potential and power; and the history
-/// variables, see HistoryVariable.
+/// Where the forces go: g (6 per body, ground included as the last), the sums of potential and power; the history
+/// variables, see HistoryVariable, and the switches, see Wrenches.
 struct ForceArrays {
   double* g;
   const double* last;
-  double *next, *gauge;
+  double *next, *rate, *switches;
   double* potential;
   double* power;
 };
@@ -59,6 +68,7 @@ struct ForceArrays {
 struct ForceKind {
   KindInfo info;
   HistoryKind history = HistoryKind::none;
+  int switches = 0;
   void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals,
                    const TimeFunctionPtr* functions, ForceArrays);
 };
@@ -76,8 +86,9 @@ void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const 
     Force::template evaluate<double>(batch.attachment[k], parameters, bodies[i], bodies[j], history, wrenches);
     if constexpr (Force::history != HistoryKind::none) {
       out.next[batch.history[k]] = history.next;
-      out.gauge[batch.history[k]] = history.gauge;
+      out.rate[batch.history[k]] = history.rate;
     }
+    for (int s = 0; s < switches_of<Force>(); ++s) out.switches[batch.switches[k] + s] = wrenches.switches[s];
     Eigen::Map<Vec3<double>>(out.g + 6 * i) += wrenches.force_i;
     Eigen::Map<Vec3<double>>(out.g + 6 * i + 3) += wrenches.torque_i;
     Eigen::Map<Vec3<double>>(out.g + 6 * j) += wrenches.force_j;
@@ -89,7 +100,7 @@ void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const 
 
 template <class Force>
 ForceKind make_force_kind() {
-  return {Force::info(), Force::history, &evaluate_forces<Force>};
+  return {Force::info(), Force::history, switches_of<Force>(), &evaluate_forces<Force>};
 }
 
 /// All registered forces, in the order of forces.def.

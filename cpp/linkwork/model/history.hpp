@@ -24,7 +24,7 @@ template <class Real>
 struct HistoryVariable {
   Real last = Real(0);   ///< at the last accepted state
   Real next = Real(0);   ///< what it becomes where this state is accepted
-  Real gauge = Real(0);  ///< of an angle its rate [rad/s], of a contact its depth [m]; 0 where the law needs no history
+  Real rate = Real(0);  ///< of an angle [rad/s]; 0 where full turns do not matter
 };
 
 /// An angle in (-pi, pi], continued from the last.

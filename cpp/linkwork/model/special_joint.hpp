@@ -23,7 +23,7 @@ struct SpecialRows {
 /// History variables of one special joint, see HistoryVariable.
 struct SpecialHistory {
   const double* last;  ///< NaN: the motion begins in this state
-  double *next, *gauge;
+  double *next, *rate;
 };
 
 /// A constraint among any number of bodies, with data of its own. Few of them: each is evaluated alone.

@@ -24,7 +24,7 @@ void contact(const ForceParameters<Real>& parameters, int first, const BodyState
              const Vec3<Real>& C, const Vec3<Real>& n, Real depth, HistoryVariable<Real>& history,
              Wrenches<Real>& out) {
   const bool begins = std::isnan(history.last);
-  if (parameters[first + 2].value != Real(0)) history.gauge = depth;
+  out.switches[0] = depth;
   if (!(depth > Real(0)) && !begins) return;
   const Real stiffness = parameters[first].value, exponent = parameters[first + 1].value;
   const Real hysteresis = parameters[first + 2].value, friction = parameters[first + 3].value;

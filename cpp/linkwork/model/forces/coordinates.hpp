@@ -32,7 +32,7 @@ struct Angle {
                        HistoryVariable<Real>& history, Equation<Real>& row) {
     angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
     history.next = continued(row.Phi, history.last);
-    history.gauge = row.rate(i, j);
+    history.rate = row.rate(i, j);
     return history.next;
   }
 };
@@ -68,7 +68,7 @@ void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Rea
                            Wrenches<Real>& out) {
   Equation<Real> along;
   const Real x = Coordinate::evaluate(at, i, j, history, along) - parameters[2].value, rate = along.rate(i, j);
-  if (parameters.is_zero(0)) history.gauge = Real(0);
+  if (parameters.is_zero(0)) history.rate = Real(0);
   const Real pull = parameters.at(0, x) + parameters.at(1, rate);
   act(along, -pull, out);
   out.power = -pull * rate;
@@ -93,7 +93,9 @@ void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, c
           const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
   Equation<Real> along;
   const Real x = Coordinate::evaluate(at, i, j, history, along), rate = along.rate(i, j);
-  const bool above = x > parameters[1].value, below = x < parameters[0].value;
+  out.switches[0] = x - parameters[1].value;
+  out.switches[1] = parameters[0].value - x;
+  const bool above = out.switches[0] > Real(0), below = out.switches[1] > Real(0);
   if (!above && !below) return;
   const Signal<Real> limit = parameters[above ? 1 : 0];
   const Real depth = x - limit.value;  // negative below

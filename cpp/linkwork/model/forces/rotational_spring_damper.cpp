@@ -23,7 +23,7 @@ struct RotationalSpringDamper {
     Equation<Real> turn;
     const Real theta = Angle::evaluate(at, i, j, history, turn), rate = turn.rate(i, j);
     const Real stiffness = parameters[0].value, damping = parameters[1].value;
-    if (stiffness == Real(0)) history.gauge = Real(0);
+    if (stiffness == Real(0)) history.rate = Real(0);
     const Real deflection = theta - parameters[2].value;
     const Real dissipative = parameters[3].value - damping * rate;
     act(turn, dissipative - stiffness * deflection, out);

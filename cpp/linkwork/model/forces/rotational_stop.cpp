@@ -5,6 +5,7 @@ namespace linkwork {
 /// End stops of a hinge.
 struct RotationalStop {
   static constexpr HistoryKind history = Angle::history;
+  static constexpr int switches = 2;
 
   static KindInfo info() {
     return {.name = "rotational_stop",

@@ -5,6 +5,7 @@ namespace linkwork {
 /// A sphere of b on a plane of a.
 struct SpherePlaneContact {
   static constexpr HistoryKind history = HistoryKind::onset;
+  static constexpr int switches = 1;
 
   static KindInfo info() {
     return {.name = "sphere_plane_contact",

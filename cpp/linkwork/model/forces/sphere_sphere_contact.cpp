@@ -5,6 +5,7 @@ namespace linkwork {
 /// Two spheres.
 struct SphereSphereContact {
   static constexpr HistoryKind history = HistoryKind::onset;
+  static constexpr int switches = 1;
 
   static KindInfo info() {
     return {.name = "sphere_sphere_contact",

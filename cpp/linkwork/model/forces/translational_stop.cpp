@@ -5,6 +5,7 @@ namespace linkwork {
 /// End stops of a slider.
 struct TranslationalStop {
   static constexpr HistoryKind history = Displacement::history;
+  static constexpr int switches = 2;
 
   static KindInfo info() {
     return {.name = "translational_stop",

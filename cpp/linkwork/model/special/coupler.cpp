@@ -119,7 +119,7 @@ void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* pa
     if (term.history >= 0) {
       row.Phi = continued(row.Phi, begins ? 0.0 : history.last[term.history]);
       history.next[term.history] = row.Phi;
-      history.gauge[term.history] = row.rate(bodies[term.i], bodies[term.j]);
+      history.rate[term.history] = row.rate(bodies[term.i], bodies[term.j]);
     }
     out.Phi[0] += term.factor * row.Phi;
     out.gamma[0] += term.factor * row.gamma;

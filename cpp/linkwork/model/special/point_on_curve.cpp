@@ -139,7 +139,7 @@ void PointOnCurve::evaluate(const BodyState<double>* bodies, const Signal<double
   const Vec3<double> d = at_.C_i.transpose() * place;
   const double s = nearest(d, std::isnan(history.last[0]) ? nearest_of_all(d) : history.last[0]);
   history.next[0] = s;
-  history.gauge[0] = 0.0;
+  history.rate[0] = 0.0;
   const Point p = at(s);
   const Vec3<double> w = d - p.c, foot = at_.s_i + at_.C_i * p.c;
   const auto across = [&](const Vec3<double>& direction) {
