@@ -54,7 +54,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
       watch_(std::move(events)),
-      switches_(dynamics) {
+      switches_(dynamics, schedule.tolerances.absolute) {
   check(schedule);
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = schedule.t_start;
@@ -318,7 +318,7 @@ void AdaptiveSimulation::finish_step() {
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
-  if (away_from_) dated(t_, NAN, [&] { dynamics_.return_to(*away_from_); });
+  if (away_from_ && !projects()) dated(t_, NAN, [&] { dynamics_.return_to(*away_from_); });
   away_from_.reset();
   if (projects()) {
     dated(t_, h_, [&] { projection().stabilize(t_, y_); });

@@ -60,7 +60,7 @@ void TurnGuard::refuse(double h, double angle) const {
                       details);
 }
 
-SwitchWatch::SwitchWatch(const Dynamics& dynamics) : dynamics_(dynamics) {
+SwitchWatch::SwitchWatch(const Dynamics& dynamics, double least) : dynamics_(dynamics), least_(least) {
   if (!dynamics.system().switches().empty()) at_ = dynamics.system().make_evaluation();
 }
 
@@ -81,7 +81,7 @@ std::optional<SwitchWatch::Switch> SwitchWatch::first(const PairStepper& stepper
     std::optional<Switch> found;
     for (int k = 0; k < values.size(); ++k) {
       const bool positive = values[k] > 0.0;
-      if (values[k] == 0.0 || positive == (dynamics_.sides()[static_cast<std::size_t>(k)] != 0)) continue;
+      if (std::abs(values[k]) <= least_ || positive == (dynamics_.sides()[static_cast<std::size_t>(k)] != 0)) continue;
       const auto at = [&](double theta) { return value(stepper, k, t, h, theta); };
       const double before = at(from);
       const bool there = before == 0.0 || (before > 0.0) == positive;

@@ -35,7 +35,8 @@ class TurnGuard {
 /// depends on the speed at which it began.
 class SwitchWatch {
  public:
-  explicit SwitchWatch(const Dynamics& dynamics);
+  /// Values up to `least` in size are as good as zero [m or rad].
+  SwitchWatch(const Dynamics& dynamics, double least);
 
   struct Switch {
     int which;
@@ -49,6 +50,7 @@ class SwitchWatch {
   double value(const PairStepper& stepper, int which, double t, double h, double theta);
 
   const Dynamics& dynamics_;
+  double least_;
   Evaluation at_;
   VectorXd state_;
 };
