@@ -21,8 +21,9 @@ Indices = NDArray[np.integer]
 #: The texts of a header, one for each body, joint or force element.
 MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force_kinds")
 
-#: reactions(t (k,), q (k, 7n), multipliers (k, m), history (k, h)) -> force [N], torque [N m] (k, joints, 3).
-Reactions = Callable[[Floats, Floats, Floats, Floats | None], tuple[Floats, Floats]]
+#: reactions(t (k,), q (k, 7n), multipliers (k, m), history (k, h) where there is any) -> force [N] and
+#: torque [N m] (k, joints, 3).
+Reactions = Callable[..., tuple[Floats, Floats]]
 
 
 def _none(*shape: int) -> Callable[[], Any]:
@@ -182,9 +183,9 @@ def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[st
     force = torque = np.zeros((count, header.joint_count, 3))
     if header.joint_count and count:
         assert header.reactions is not None, "frames without reactions need the dynamics that compute them"
-        history = values["history"] if header.history_count else None
+        history = [values["history"]] if header.history_count else []
         q = values["q"].reshape(count, -1)
-        force, torque = header.reactions(values["t"], q, values["lambda"], history)
+        force, torque = header.reactions(values["t"], q, values["lambda"], *history)
     return {**values, "reaction_force": force, "reaction_torque": torque}
 
 
