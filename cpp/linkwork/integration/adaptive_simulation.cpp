@@ -79,8 +79,8 @@ void AdaptiveSimulation::begin() {
   evaluate(t_, y_);
   settle_history();
   dated(t_, NAN, [&] { keep_to_budget(t_); });
-  record_if_due();
   finished_ = t_ >= schedule_.t_end;
+  record_if_due();
   if (finished_) return;
   dated(t_, NAN, [&] {
     watch_.start(t_, y_);
