@@ -14,10 +14,12 @@ constexpr int dense_rows = 32;       // up to this size a dense factorization is
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
-constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
+constexpr int timed_evaluations = 17;   // the first ones, then one in so many: not always the same stage of a step
+constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
+constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
 constexpr int most_refinements = 20;
-constexpr double broken = -1.0;        // for a pivot of a factorization that broke down
-constexpr double diverged = 1e50;      // velocities of which nothing else is to blame for what follows
+constexpr double broken = -1.0;    // for a pivot of a factorization that broke down
+constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -246,17 +248,36 @@ bool Dynamics::inspect(double pivot) {
   return false;
 }
 
-bool Dynamics::cross(double t, const VectorXd& q, double pivot) {
-  PoseExamination found = examine_pose(system_, {t, q, history_}, dropped_.rows(), watch_.near(pivot));
-  if (found.rows.empty()) return false;
-  const bool singular = found.better_choice.empty();
-  if (singular) {
-    watch_.cross(t, pivot, std::move(found.joints));
-  } else {
-    watch_.change_rows(t, pivot, std::move(found.joints));
-    change_redundant_rows(std::move(found.better_choice));
+/// Takes the choice where it is one, and better than the present one.
+bool Dynamics::choose_rows(PoseExamination& found, double pivot) {
+  if (found.better_choice.empty()) return false;
+  const std::vector<int> before = dropped_.rows();
+  change_redundant_rows(std::move(found.better_choice));
+  if (root_of_pivot() < well_chosen * watch_.root_of_level()) {
+    change_redundant_rows(before);
+    return false;
   }
-  return singular;
+  watch_.change_rows(t_, pivot, std::move(found.joints));
+  return true;
+}
+
+bool Dynamics::improve_rows() {
+  if (dropped_.empty()) return false;
+  factorize();
+  const double pivot = formulation_->saddle().smallest_pivot();
+  PoseExamination found = examine_here(pivot);
+  if (!choose_rows(found, pivot)) return false;
+  watch_.forget_trend();
+  return true;
+}
+
+bool Dynamics::cross(const VectorXd& y, double pivot) {
+  const VectorXd q = y.head(system_.q_size());
+  PoseExamination found =
+      examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
+  if (found.rows.empty() || choose_rows(found, pivot) || !found.singular) return false;
+  watch_.cross(t_, pivot, std::move(found.joints));
+  return true;
 }
 
 void Dynamics::change_redundant_rows(std::vector<int> rows) {

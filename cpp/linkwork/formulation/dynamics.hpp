@@ -77,9 +77,12 @@ class Dynamics {
   void watch_evaluations(bool on) { watching_ = on; }
   /// Of the last factorization: the root of the smallest pivot, see SingularWatch.
   double root_of_pivot() const { return std::sqrt(std::max(formulation_->saddle().smallest_pivot(), 0.0)); }
-  /// At a pose that was stepped over: whether it is singular. It is listed then; and where it only seemed to be because
-  /// the wrong redundant rows are left out, others are from here on.
-  bool cross(double t, const VectorXd& q, double pivot);
+  /// At a pose that was stepped over, the state of the last evaluation: whether it is singular. It is listed then; and
+  /// where it only seemed to be because the wrong redundant rows are left out, others are from here on.
+  bool cross(const VectorXd& y, double pivot);
+  /// Where pivots are small: whether other redundant rows serve better at the present state; they are left out from
+  /// here on.
+  bool improve_rows();
   void forget_trend() { watch_.forget_trend(); }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.
   bool taken_over() const { return taken_over_; }
@@ -152,6 +155,7 @@ class Dynamics {
   PoseExamination examine_here(double pivot) const;
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
+  bool choose_rows(PoseExamination& found, double pivot);
   void take_over();
   bool look_at(double pivot);
   void look_for_switches();

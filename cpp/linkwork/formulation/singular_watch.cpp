@@ -16,6 +16,7 @@ constexpr double recovered = 4.0;          // times the suspicious pivot: the pa
 constexpr double trusted = 1e-10;          // pivots whose solutions keep half of the digits
 constexpr double trusted_relative = 1e-7;  // the same for models whose pivots are all small
 constexpr double less = 1e-2;
+constexpr std::size_t trend_samples = 8;
 constexpr std::size_t most_passages = 100;
 
 /// Places of the core that are not among `rows`.
@@ -70,12 +71,13 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
   const std::vector<char> all(static_cast<std::size_t>(core.component_count()), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
-  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance))
+  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance, false))
     rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
   for (const int row : redundant)
     if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
-  return near_rows(core, pose.D, rows, near).empty() ? rows : std::vector<int>();
+  const bool regular = rows.size() == redundant.size() && near_rows(core, pose.D, rows, near).empty();
+  return regular ? rows : std::vector<int>();
 }
 
 }  // namespace
@@ -94,6 +96,8 @@ PoseExamination examine_pose(const System& given, const TimedPose& here, const s
   out.rows = near_rows(core, pose.D, redundant, near);
   if (out.rows.empty()) return out;
   out.joints = involved_joints(solver, core, pose.at, redundant, out.rows);
+  out.singular = dependent_rows(pose.D, near).size() + kept_places(core, redundant).size() >
+                 static_cast<std::size_t>(core.row_count());
   out.better_choice = choose_here(solver, core, pose, redundant, near);
   return out;
 }
@@ -137,14 +141,25 @@ void SingularWatch::cross(double t, double pivot, std::vector<int> joints) {
 }
 
 std::optional<SingularWatch::Trend> SingularWatch::trend() const {
-  const std::size_t count = std::min(next_sample_, samples_.size());
+  const std::size_t count = std::min(next_sample_, trend_samples);
   if (count < 2) return {};
   Trend out;
-  out.last = out.other = out.least = samples_[(next_sample_ - 1) % samples_.size()];
-  for (std::size_t k = 0; k < count; ++k) {
-    if (std::abs(samples_[k].t - out.last.t) > std::abs(out.other.t - out.last.t)) out.other = samples_[k];
-    if (samples_[k].root < out.least.root) out.least = samples_[k];
+  out.last = out.other = samples_[(next_sample_ - 1) % samples_.size()];
+  for (std::size_t k = 2; k <= count; ++k) {
+    const Sample& sample = samples_[(next_sample_ - k) % samples_.size()];
+    if (std::abs(sample.t - out.last.t) > std::abs(out.other.t - out.last.t)) out.other = sample;
   }
+  return out;
+}
+
+std::vector<SingularWatch::Sample> SingularWatch::samples(double from, double to) const {
+  std::vector<Sample> out;
+  for (std::size_t k = 1; k <= std::min(next_sample_, samples_.size()); ++k) {
+    const Sample& sample = samples_[(next_sample_ - k) % samples_.size()];
+    const auto same = [&](const Sample& other) { return other.t == sample.t; };  // the newest counts
+    if (sample.t >= from && sample.t <= to && std::none_of(out.begin(), out.end(), same)) out.push_back(sample);
+  }
+  std::sort(out.begin(), out.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
   return out;
 }
 

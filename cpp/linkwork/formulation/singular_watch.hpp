@@ -18,6 +18,7 @@ struct PoseExamination {
   /// Redundant rows without which the others are independent here, where those that are left out now are the wrong
   /// ones; else empty.
   std::vector<int> better_choice;
+  bool singular = false;  ///< whatever is left out, the others nearly depend on each other
 };
 
 /// Looks at the loops by a rank-revealing factorization. A row is near the others when so small a part of its length,
@@ -57,12 +58,13 @@ class SingularWatch {
     double t = 0.0;
     double root = 0.0;  ///< of the smallest pivot: it falls linearly in time toward a singular pose
   };
-  /// The last value, the one of the last values that is farthest from it in time, and the smallest of them all; none
-  /// before there are two.
+  /// The last value, and the one of the last few that is farthest from it in time; none before there are two.
   struct Trend {
-    Sample last, other, least;
+    Sample last, other;
   };
   std::optional<Trend> trend() const;
+  /// The last values, between two times, by their times.
+  std::vector<Sample> samples(double from, double to) const;
   void forget_trend() { next_sample_ = 0; }
   double root_of_level() const { return std::sqrt(level_); }
 
@@ -91,7 +93,7 @@ class SingularWatch {
 
   double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-5;
   bool open_ = false;
-  std::array<Sample, 8> samples_;
+  std::array<Sample, 16> samples_;
   std::size_t next_sample_ = 0;
   std::vector<SingularPassage> passages_;
   std::int64_t singular_poses_ = 0, row_changes_ = 0;

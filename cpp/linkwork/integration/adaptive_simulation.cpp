@@ -53,6 +53,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       stepper_(pair),
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
+      crossing_(dynamics),
       watch_(std::move(events)),
       switches_(dynamics, schedule.tolerances.absolute) {
   check(schedule);
@@ -112,6 +113,7 @@ double AdaptiveSimulation::initial_step() {
 
 void AdaptiveSimulation::attempt() {
   if (!evaluated_) evaluate(t_, y_);
+  if (leap()) return;
   const double remaining = schedule_.t_end - t_;
   double h = std::min(step_, schedule_.largest_step);
   t_new_ = t_ + h;
@@ -176,6 +178,34 @@ void AdaptiveSimulation::settle_history() {
   switch_.reset();
 }
 
+/// Over a singular pose, where one is ahead; the step after it is as long as those before.
+bool AdaptiveSimulation::leap() {
+  leapt_ = false;
+  const double h = std::min(step_, schedule_.largest_step), remaining = schedule_.t_end - t_;
+  dated(t_, h, [&] {
+    if (!crossing_.due(t_, std::min(h, remaining), y_)) return;
+    leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
+    if (leapt_) stop_at_singular_pose();
+    else dynamics_.evaluate(t_, y_);
+  });
+  if (!leapt_) return false;
+  accepted_ = true;
+  evaluated_ = false;
+  h_ = crossing_.last().h;
+  t_new_ = h_ == remaining ? schedule_.t_end : crossing_.last().end();
+  y_new_ = crossing_.last().y_new;
+  stop_.reset();
+  switch_.reset();
+  away_from_.reset();
+  if (!watch_.empty()) dated(t_, h_, [&] { look_for_events(); });
+  return true;
+}
+
+const Interpolant& AdaptiveSimulation::interpolant() const {
+  if (leapt_) return crossing_;
+  return stepper_;
+}
+
 bool AdaptiveSimulation::near_singular_pose() const { return dynamics_.watch().open() && usual_step_ > 0.0; }
 
 // Two branches of motion cross in a singular pose: with theta along the one and z along the other the constraint is
@@ -232,11 +262,11 @@ void AdaptiveSimulation::accept(double h, double error) {
 
 void AdaptiveSimulation::look_for_events() {
   const Dynamics::Place end = dynamics_.place();
-  if (stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
+  if (!leapt_ && stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
-  for (const EventWatch::Found& found : watch_.scan(stepper_, system, t_, h_)) {
-    stepper_.interpolate(system, found.theta, work_);
+  for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_)) {
+    interpolant().interpolate(system, found.theta, work_);
     const double t = t_ + found.theta * h_;
     of_step_.push_back({found.event, t, work_.head(size), work_.head(size)});
     if (!watch_.event(found.event).stops()) continue;
@@ -304,16 +334,24 @@ void AdaptiveSimulation::record_inside() {
   if (evaluated_ && !away_from_) away_from_ = dynamics_.place();
   dynamics_.begin_looking();
   dated(t, NAN, [&] {
-    stepper_.prepare_interpolation(dynamics_);
-    stepper_.interpolate(dynamics_.system(), (t - t_) / h_, work_);
+    if (!leapt_) stepper_.prepare_interpolation(dynamics_);
+    interpolant().interpolate(dynamics_.system(), (t - t_) / h_, work_);
     dynamics_.evaluate(t, work_);
-    recorder_.record(t, work_);
+    if (leapt_) record_in_leap(t);
+    else recorder_.record(t, work_);
   });
   dynamics_.end_looking();
 }
 
+void AdaptiveSimulation::record_in_leap(double t) {
+  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+  crossing_.interpolate(crossing_.theta(t), v_dot, lambda);
+  recorder_.record(t, work_, v_dot, lambda);
+}
+
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
+  if (!leapt_) dated(t_, h_, [&] { evaluated_ = !crossing_.look_back(t_, y_, t_new_, y_new_) && evaluated_; });
   t_ = t_new_;
   y_ = y_new_;
   accepted_ = false;
@@ -339,6 +377,7 @@ void AdaptiveSimulation::finish_step() {
     watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
     step_ = initial_step();
   });
+  crossing_.restart();
   controller_.restart();
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/events.hpp"
 #include "linkwork/integration/run.hpp"
@@ -54,6 +55,8 @@ class AdaptiveSimulation final : public Run {
   void accept(double h, double error);
   bool end_at_switch(double h);
   void settle_history();
+  bool leap();
+  const Interpolant& interpolant() const;
   void look_for_events();
   void finish_event();
   /// True where the change ends the run.
@@ -65,6 +68,7 @@ class AdaptiveSimulation final : public Run {
   void check_accumulation();
   bool output_inside() const;
   void record_inside();
+  void record_in_leap(double t);
   void finish_step();
   void evaluate(double t, const VectorXd& y);
   void record_if_due();
@@ -74,6 +78,8 @@ class AdaptiveSimulation final : public Run {
   ErrorMeasure measure_;
   StepController controller_;
   StepStatistics statistics_;
+  Crossing crossing_;
+  bool leapt_ = false;  ///< the step that was accepted is a leap over a singular pose
   EventWatch watch_;
   SwitchWatch switches_;
   std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step

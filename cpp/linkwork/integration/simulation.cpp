@@ -105,7 +105,7 @@ void Simulation::begin_leap() {
 void Simulation::follow_leap() {
   steps_done_ += 1;
   leaping_ = t() < crossing_.last().end() - same_time * schedule_.step;
-  if (leaping_) crossing_.interpolate(t(), y_);
+  if (leaping_) crossing_.interpolate(dynamics_.system(), crossing_.theta(t()), y_);
   else y_ = crossing_.last().y_new;
   leapt_ = true;
   evaluated_ = false;
@@ -135,7 +135,7 @@ void Simulation::record() {
   if (!leaping_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t(), y_);
   if (!leaping_) return recorder_.record_in_step(t(), y_);
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
-  crossing_.interpolate(t(), v_dot, lambda);
+  crossing_.interpolate(crossing_.theta(t()), v_dot, lambda);
   recorder_.record(t(), y_, v_dot, lambda);
 }
 
@@ -145,6 +145,7 @@ void Simulation::finish_step() {
   if (!y_.allFinite()) dated(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
   system.normalize(y_.head(system.q_size()));
   if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
+  dated(t_new, next_step(), [&] { crossing_.look_back(t(), kept_y_, t_new, y_); });
   steps_done_ += 1;
   evaluated_ = false;
 }
