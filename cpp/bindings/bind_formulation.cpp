@@ -450,8 +450,7 @@ void bind_formulation(py::module_& module) {
            "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", &derivative, py::arg("t"), py::arg("y"), py::arg("history") = py::none(),
            "y_dot for y = (q, v).")
-      .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"),
-           py::arg("history") = py::none(),
+      .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"), py::arg("history") = py::none(),
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "
            "axes; (k, joints, 3) for k times, states and multipliers.")
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")

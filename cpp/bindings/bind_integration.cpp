@@ -102,7 +102,8 @@ void bind_events(py::module_& module) {
 void bind_runs(py::module_& module) {
   py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
       .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
-           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, history.")
+           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
+           "history.")
       .def("take_frames", [](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); })
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)

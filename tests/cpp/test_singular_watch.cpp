@@ -46,7 +46,8 @@ TEST_CASE("redundant rows that are well chosen need no other choice") {
   const System system(four_bar());
   const RankReport report = examine_rank(system);
   REQUIRE(report.redundant_rows.size() == 3);
-  const PoseExamination found = examine_pose(system, {0.0, report.q, system.initial_history()}, report.redundant_rows, 1e-6);
+  const PoseExamination found =
+      examine_pose(system, {0.0, report.q, system.initial_history()}, report.redundant_rows, 1e-6);
   CHECK(found.rows.empty());
   CHECK(found.better_choice.empty());
 }

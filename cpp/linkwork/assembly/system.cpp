@@ -272,9 +272,10 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
   double* D = out.D.data() + it.D;
   std::fill_n(D, velocity_size * it.rows * static_cast<int>(bodies.size()), 0.0);
   for (VectorXd* x : {&out.Phi, &out.Phi_t, &out.gamma}) rows(*x).setZero();
-  it.special->evaluate(out.special.data(), parameters.data(),
-                       {history.data() + it.history, out.history.data() + it.history, out.history_rate.data() + it.history},
-                       {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
+  it.special->evaluate(
+      out.special.data(), parameters.data(),
+      {history.data() + it.history, out.history.data() + it.history, out.history_rate.data() + it.history},
+      {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
   rows(out.Phi_dot) = rows(out.Phi_t);
   for (const int index : joint_blocks(it.joint)) {
     const ConstraintBlock& block = blocks_[static_cast<std::size_t>(index)];

@@ -39,10 +39,10 @@ struct Evaluation {
   std::vector<BodyState<double>> bodies;   ///< for force elements, empty where there are none; the last is the ground
   std::vector<BodyState<double>> special;  ///< scratch: the bodies of a special joint
   std::vector<Signal<double>> signals;
-  std::vector<double> D;       ///< blocks of D, see ConstraintBlock
-  VectorXd history;            ///< what it becomes where this state is accepted, see HistoryVariable
-  VectorXd history_rate;       ///< of those that are angles
-  VectorXd switches;           ///< of force elements whose law is not smooth, see Wrenches
+  std::vector<double> D;  ///< blocks of D, see ConstraintBlock
+  VectorXd history;       ///< what it becomes where this state is accepted, see HistoryVariable
+  VectorXd history_rate;  ///< of those that are angles
+  VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
   VectorXd user;           ///< scratch of the user's own forces
   VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
@@ -158,8 +158,7 @@ class System {
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               const ConstVector& history, Evaluation& out) const;
-  void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                         Evaluation& out) const;
+  void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
 
   Model model_;
   InstructionSet instructions_;

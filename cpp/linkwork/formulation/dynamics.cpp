@@ -328,7 +328,8 @@ void Dynamics::take_sides() {
 
 void Dynamics::look_for_switches() {
   for (std::size_t k = 0; k < sides_.size(); ++k)
-    if (const double value = at_.switches[static_cast<Eigen::Index>(k)]; value != 0.0 && (value > 0.0) != (sides_[k] != 0))
+    if (const double value = at_.switches[static_cast<Eigen::Index>(k)];
+        value != 0.0 && (value > 0.0) != (sides_[k] != 0))
       switched_ = true;
 }
 

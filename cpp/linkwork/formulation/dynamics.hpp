@@ -63,7 +63,8 @@ class Dynamics {
   void begin_contact(int variable) { history_[variable] = std::numeric_limits<double>::quiet_NaN(); }
   void end_contact(int variable) { history_[variable] = at_.history[variable] = 0.0; }
   // Switches of force elements whose law is not smooth, see Wrenches: on which side of zero they are.
-  /// The sides of the state where this is evaluated are those of the step that begins there; what is zero keeps its side.
+  /// The sides of the state where this is evaluated are those of the step that begins there; what is zero keeps its
+  /// side.
   void take_sides();
   void set_side(int which, bool positive) { sides_[static_cast<std::size_t>(which)] = positive; }
   const std::vector<char>& sides() const { return sides_; }

@@ -83,9 +83,9 @@ class AdaptiveSimulation final : public Run {
   EventWatch watch_;
   SwitchWatch switches_;
   std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step
-  std::vector<Occurrence> of_step_;        ///< found in the current step, which is not finished
-  std::vector<Occurrence> occurrences_;    ///< of finished steps
-  std::optional<EventWatch::Found> stop_;  ///< the event that ends the current step
+  std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
+  std::vector<Occurrence> occurrences_;        ///< of finished steps
+  std::optional<EventWatch::Found> stop_;      ///< the event that ends the current step
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;

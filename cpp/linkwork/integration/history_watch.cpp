@@ -55,8 +55,8 @@ void TurnGuard::refuse(double h, double angle) const {
   else details.forces = {system.model().force_names().name(owner.element)};
   throw StepSizeError("turns",
                       system.history_name(fastest_) + ": its angle turns by about " + numbers +
-                          ", and full turns cannot be counted in steps of nearly half a turn; use a step of " + shorter +
-                          " s or less, or rtol for steps that follow the motion",
+                          ", and full turns cannot be counted in steps of nearly half a turn; use a step of " +
+                          shorter + " s or less, or rtol for steps that follow the motion",
                       details);
 }
 

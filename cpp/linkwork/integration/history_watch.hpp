@@ -40,7 +40,7 @@ class SwitchWatch {
 
   struct Switch {
     int which;
-    double theta;  ///< place in the step, 0 to 1
+    double theta;   ///< place in the step, 0 to 1
     bool positive;  ///< its side from there on
   };
   /// The first of the step from t to t + h; `stepper` can interpolate.

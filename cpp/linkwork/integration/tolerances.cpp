@@ -8,9 +8,9 @@
 namespace linkwork {
 
 // The rotation that takes p to p + dp is conj(p) (p + dp) = |p|^2 + conj(p) dp: its angle is twice the vector part of
-// conj(p) dp / |p|^2. The other part, a change of length alone, is no rotation, but it counts: error estimates are powers
-// of the angle of a step, of which the even ones go into the length, and of dop853 that is the leading one. Without it a
-// free wheel is off by a thousand tolerances.
+// conj(p) dp / |p|^2. The other part, a change of length alone, is no rotation, but it counts: error estimates are
+// powers of the angle of a step, of which the even ones go into the length, and of dop853 that is the leading one.
+// Without it a free wheel is off by a thousand tolerances.
 BodyMaximum ErrorMeasure::of_change(const ConstVector& y, const ConstVector& y_new, const ConstVector& dy) const {
   BodyMaximum largest;
   const int nq = system_.q_size();

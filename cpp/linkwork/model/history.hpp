@@ -22,8 +22,8 @@ enum class HistoryKind {
 /// A history variable of one element in one evaluation.
 template <class Real>
 struct HistoryVariable {
-  Real last = Real(0);   ///< at the last accepted state
-  Real next = Real(0);   ///< what it becomes where this state is accepted
+  Real last = Real(0);  ///< at the last accepted state
+  Real next = Real(0);  ///< what it becomes where this state is accepted
   Real rate = Real(0);  ///< of an angle [rad/s]; 0 where full turns do not matter
 };
 
