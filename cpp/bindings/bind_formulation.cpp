@@ -82,13 +82,40 @@ py::array_t<double> mass_blocks(const System& system) {
   return out;
 }
 
-py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+/// Evaluations with another history than that of the run under way, if any; that is left as it was.
+class WithHistory {
+ public:
+  WithHistory(Dynamics& dynamics, const std::optional<VectorXd>& history)
+      : dynamics_(dynamics), kept_(history ? dynamics.history() : VectorXd()), changed_(history) {
+    if (history) dynamics.set_history(*history);
+  }
+  ~WithHistory() {
+    if (changed_) dynamics_.set_history(kept_);
+  }
+  WithHistory(const WithHistory&) = delete;
+  WithHistory& operator=(const WithHistory&) = delete;
+
+ private:
+  Dynamics& dynamics_;
+  VectorXd kept_;
+  bool changed_;
+};
+
+using History = std::optional<VectorXd>;
+
+const VectorXd& history_or_own(const Dynamics& dynamics, const History& history) {
+  if (history) check_size(*history, dynamics.system().history_size(), "history");
+  return history ? *history : dynamics.history();
+}
+
+py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v,
+                  const History& history) {
   check_size(q, dynamics.system().q_size(), "q");
   check_size(v, dynamics.system().v_size(), "v");
   check_moment(dynamics.system(), t, q, v);
   const System& system = dynamics.system();
   Evaluation at = system.make_evaluation();
-  system.evaluate(t, q, v, at);
+  system.evaluate(t, q, v, history_or_own(dynamics, history), at);
   py::dict out;
   out["M"] = mass_blocks(system);
   out["D"] = sparse_D(system, at);
@@ -99,10 +126,13 @@ py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, cons
   out["g"] = VectorXd(at.g.head(system.v_size()));
   out["potential"] = at.potential;
   out["force_power"] = at.power;
+  out["history"] = at.history;
   return out;
 }
 
-py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v,
+                        const History& history) {
+  const WithHistory held(dynamics, history);
   VectorXd v_dot(dynamics.system().v_size()), lambda(dynamics.system().row_count());
   const VectorXd y = state(dynamics, t, q, v);
   {
@@ -113,7 +143,8 @@ py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, cons
   return py::make_tuple(v_dot, lambda);
 }
 
-VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y) {
+VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y, const History& history) {
+  const WithHistory held(dynamics, history);
   const VectorXd full = with_work(dynamics, y);
   check_moment(dynamics.system(), t, full.head(dynamics.system().q_size()),
                full.segment(dynamics.system().q_size(), dynamics.system().v_size()));
@@ -127,7 +158,8 @@ VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y) {
 }
 
 /// Reactions of one frame or, with a leading axis, of many.
-py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q, const Doubles& multipliers) {
+py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q, const Doubles& multipliers,
+                    const std::optional<Doubles>& history) {
   const System& system = dynamics.system();
   const py::ssize_t frames = t.size(), joints = system.joint_count();
   if (q.size() != frames * system.q_size() || multipliers.size() != frames * system.row_count())
@@ -141,9 +173,15 @@ py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q
   const VectorXd rest = VectorXd::Zero(system.v_size());
   using Vector = Eigen::Map<const VectorXd>;
   using Columns = Eigen::Map<Eigen::Matrix3Xd>;
+  const py::ssize_t variables = system.history_size();
+  if (history && history->size() != frames * variables)
+    throw OptionError("shape", "history needs " + std::to_string(variables) + " numbers for each of the " +
+                                   std::to_string(frames) + " times");
   for (py::ssize_t k = 0; k < frames; ++k) {
     const Vector position(q.data() + k * system.q_size(), system.q_size());
-    system.evaluate_constraints(t.data()[k], position, rest, at);
+    if (history)
+      system.evaluate_constraints(t.data()[k], position, rest, Vector(history->data() + k * variables, variables), at);
+    else system.evaluate_constraints(t.data()[k], position, rest, system.initial_history(), at);
     system.reactions(at, position, Vector(multipliers.data() + k * system.row_count(), system.row_count()),
                      Columns(force.mutable_data() + 3 * k * joints, 3, joints),
                      Columns(torque.mutable_data() + 3 * k * joints, 3, joints));
@@ -307,7 +345,7 @@ py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector&
   check_size(q, system.q_size(), "q");
   check_size(v, system.v_size(), "v");
   Evaluation at = system.make_evaluation();
-  system.evaluate(t, q, v, at);
+  system.evaluate(t, q, v, dynamics.history(), at);
   return py::make_tuple(row_lengths(system, at), characteristic_rate(system, at, v), roundoff_of_positions(system, q));
 }
 
@@ -344,7 +382,7 @@ class Assembler {
   VectorXd row_lengths(const ConstVector& q) const {
     check_size(q, system_.q_size(), "q");
     Evaluation at = system_.make_evaluation();
-    system_.evaluate_constraints(0.0, q, VectorXd::Zero(system_.v_size()), at);
+    system_.evaluate_constraints(0.0, q, VectorXd::Zero(system_.v_size()), system_.initial_history(), at);
     return linkwork::row_lengths(system_, at);
   }
 
@@ -352,7 +390,7 @@ class Assembler {
     check_size(q, system_.q_size(), "q");
     check_size(v, system_.v_size(), "v");
     Evaluation at = system_.make_evaluation();
-    system_.evaluate_constraints(0.0, q, v, at);
+    system_.evaluate_constraints(0.0, q, v, system_.initial_history(), at);
     return py::make_tuple(at.Phi, at.Phi_dot);
   }
 
@@ -425,22 +463,43 @@ void bind_formulation(py::module_& module) {
       .def_property_readonly("system", [](const Dynamics& d) { return d.options().system; })
       .def_property_readonly("linear_solver", [](const Dynamics& d) { return d.options().linear_solver; })
       .def_property_readonly("options", &Dynamics::options)
-      .def_property(
-          "memory", [](const Dynamics& d) { return d.evaluation().memory; }, &Dynamics::remember,
-          "What force elements and couplers remember beside the state: full turns, speeds at which contacts began.")
+      .def_property_readonly("initial_history", &Dynamics::initial_history,
+                             "History variables of the initial state: full turns, speeds at which contacts began.")
+      .def_property("history", &Dynamics::history, &Dynamics::set_history,
+                    "Those of the last accepted state, which evaluations take where none are given.")
+      .def(
+          "beginning_history",
+          [](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v) {
+            check_size(q, d.system().q_size(), "q");
+            check_size(v, d.system().v_size(), "v");
+            return d.system().beginning_history(t, q, v);
+          },
+          py::arg("t"), py::arg("q"), py::arg("v"), "Of a motion that begins in this state.")
+      .def(
+          "advanced_history",
+          [](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v, const History& history) {
+            check_size(q, d.system().q_size(), "q");
+            check_size(v, d.system().v_size(), "v");
+            Evaluation at = d.system().make_evaluation();
+            d.system().evaluate(t, q, v, history_or_own(d, history), at);
+            return at.history;
+          },
+          py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
+          "What the history becomes where this state is accepted.")
       .def(
           "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
           "y = (q, v), 13 per body.")
-      .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"),
-           "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.")
+      .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
+           "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.")
       .def("residual_scales", &residual_scales, py::arg("t"), py::arg("q"), py::arg("v"),
            "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
            "rate "
            "are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
-      .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"),
+      .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
            "(v_dot, multipliers) of the mechanism itself, without stabilization.")
-      .def("derivative", &derivative, py::arg("t"), py::arg("y"), "y_dot for y = (q, v).")
-      .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"),
+      .def("derivative", &derivative, py::arg("t"), py::arg("y"), py::arg("history") = py::none(),
+           "y_dot for y = (q, v).")
+      .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"), py::arg("history") = py::none(),
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "
            "axes; (k, joints, 3) for k times, states and multipliers.")
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")

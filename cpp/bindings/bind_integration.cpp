@@ -39,6 +39,7 @@ py::dict to_dict(Frames&& frames, const System& system) {
   out["potential"] = to_numpy(std::move(frames.potential), {count});
   out["work"] = to_numpy(std::move(frames.work), {count});
   out["violation"] = to_numpy(std::move(frames.violation), {count, 3});
+  out["history"] = to_numpy(std::move(frames.history), {count, static_cast<py::ssize_t>(system.history_size())});
   return out;
 }
 
@@ -114,7 +115,8 @@ void bind_events(py::module_& module) {
 void bind_runs(py::module_& module) {
   py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
       .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
-           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.")
+           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
+           "history.")
       .def("take_frames", [](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); })
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
@@ -122,7 +124,7 @@ void bind_runs(py::module_& module) {
           "last_state", [](const Run& run) { return VectorXd(run.last_state().head(run.last_state().size() - 1)); },
           "y = (q, v) at t, from which the run went on.")
       .def_property_readonly(
-          "memory", [](const Run& run) { return run.dynamics().evaluation().memory; }, "See Dynamics.memory.")
+          "history", [](const Run& run) { return run.dynamics().history(); }, "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
       .def("statistics", &statistics);

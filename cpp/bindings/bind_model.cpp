@@ -502,7 +502,9 @@ void bind_model(py::module_& module) {
       .def_property_readonly("q0", &Model::initial_q)
       .def_property_readonly("v0", &Model::initial_v)
       .def("with_initial_state", &Model::with_initial_state, py::arg("q"), py::arg("v"),
+           py::arg("history") = std::vector<double>(),
            "A copy whose bodies are elsewhere at t = 0; joints stay where they are on the bodies.")
+      .def_property_readonly("initial_history", &Model::initial_history, "See with_initial_state.")
       .def(
           "joint_arrays", [](const Model& model) { return element_arrays(model.joints(), model.joint_parameters()); },
           "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_joints took.")

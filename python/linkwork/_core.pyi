@@ -162,13 +162,33 @@ class Dynamics:
         t: typing.SupportsFloat | typing.SupportsIndex,
         q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
         v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] | None = None,
     ) -> tuple:
         """
         (v_dot, multipliers) of the mechanism itself, without stabilization.
         """
+    def advanced_history(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] | None = None,
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        What the history becomes where this state is accepted.
+        """
     def analysis_time(self) -> float:
         """
         Time of one symbolic analysis, by a solver like the one in use [s].
+        """
+    def beginning_history(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Of a motion that begins in this state.
         """
     def dependent_groups(
         self, most: typing.SupportsInt | typing.SupportsIndex
@@ -180,6 +200,7 @@ class Dynamics:
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
         y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] | None = None,
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         y_dot for y = (q, v).
@@ -189,9 +210,10 @@ class Dynamics:
         t: typing.SupportsFloat | typing.SupportsIndex,
         q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
         v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] | None = None,
     ) -> dict:
         """
-        M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.
+        M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.
         """
     def factorization_cost(self) -> dict:
         """
@@ -213,6 +235,7 @@ class Dynamics:
         t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
         q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
         multipliers: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None,
     ) -> tuple:
         """
         Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes; (k, joints, 3) for k times, states and multipliers.
@@ -257,16 +280,21 @@ class Dynamics:
     @property
     def body_count(self) -> int: ...
     @property
+    def history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Those of the last accepted state, which evaluations take where none are given.
+        """
+    @history.setter
+    def history(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> None: ...
+    @property
+    def initial_history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        History variables of the initial state: full turns, speeds at which contacts began.
+        """
+    @property
     def joint_count(self) -> int: ...
     @property
     def linear_solver(self) -> str: ...
-    @property
-    def memory(self) -> list[float]:
-        """
-        What force elements and couplers remember beside the state: full turns, speeds at which contacts began.
-        """
-    @memory.setter
-    def memory(self, arg1: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]) -> None: ...
     @property
     def options(self) -> Options: ...
     @property
@@ -528,6 +556,7 @@ class Model:
         self,
         q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
         v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [],
     ) -> Model:
         """
         A copy whose bodies are elsewhere at t = 0; joints stay where they are on the bodies.
@@ -542,6 +571,11 @@ class Model:
     def gravity(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]: ...
     @property
     def inertia(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def initial_history(self) -> list[float]:
+        """
+        See with_initial_state.
+        """
     @property
     def joint_count(self) -> int: ...
     @property
@@ -666,21 +700,21 @@ class Run:
         max_seconds: typing.SupportsFloat | typing.SupportsIndex,
     ) -> dict:
         """
-        Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.
+        Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, history.
         """
     def statistics(self) -> dict: ...
     def take_frames(self) -> dict: ...
     @property
     def finished(self) -> bool: ...
     @property
+    def history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Of last_state; see Dynamics.history.
+        """
+    @property
     def last_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         y = (q, v) at t, from which the run went on.
-        """
-    @property
-    def memory(self) -> list[float]:
-        """
-        See Dynamics.memory.
         """
     @property
     def steps_done(self) -> int: ...

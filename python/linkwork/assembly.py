@@ -114,7 +114,7 @@ def assemble(
         raise _conflict(model, "velocities", "/s", found[1], assembler.row_lengths(q), held)
     pose, pose_given, change = q.reshape(-1, 7), q0.reshape(-1, 7), (v - v0).reshape(-1, 6)
     return Assembly(
-        model=model.with_initial_state(q, v),
+        model=model.with_initial_state(q, v, model.compiled().initial_history),
         moved=np.linalg.norm((pose - pose_given)[:, :3], axis=1),
         turned=_angles(pose[:, 3:], pose_given[:, 3:]),
         velocity_change=np.linalg.norm(change[:, :3], axis=1),

@@ -25,15 +25,18 @@ Floats = NDArray[np.float64]
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
 
-#: Kinds of force elements that remember what no state holds, and how they begin at one.
-REMEMBERING = {
+#: Of a coordinate, relative.
+ROUNDOFF = 1e-14
+
+#: Kinds of force elements with history variables, and how they begin at a state without.
+BEGINNING = {
     **dict.fromkeys(
         ("rotational_spring_damper", "nonlinear_rotational_spring_damper", "rotational_stop"),
-        "full turns are not in a state: its angle begins within half a turn of zero",
+        "full turns are not in the state: its angle begins within half a turn of zero",
     ),
     **dict.fromkeys(
         ("sphere_plane_contact", "sphere_sphere_contact"),
-        "the speed at which a contact began is not in a state: one that is under way begins anew",
+        "the speed at which a contact began is not in the state: one that is under way begins anew",
     ),
 }
 
@@ -205,43 +208,41 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
             code="start",
             bodies=[core.body_name(body)],
         )
+    _take_history(core, dynamics, start)
     remarks = [
         _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
-    memory = _memory(start)
-    if len(memory):
-        remembered = len(dynamics.memory)
-        if len(memory) != remembered:
-            raise OptionError(
-                f"start: its memory has {len(memory)} numbers, but the springs, stops, contacts and "
-                f"couplers of model '{model.name}' remember {remembered}: start from a run of the same "
-                "model, or leave the memory out (start._replace(memory=()))",
-                code="start",
-            )
-        dynamics.memory = memory
-    elif start.t > 0:
-        _check_remembered(core)
 
 
-def _memory(start: Snapshot) -> list[float]:
-    """OptionError: not finite numbers."""
-    memory = array(start.memory, "start: memory")
-    if memory.ndim != 1 or not np.isfinite(memory).all():
+def check_history(dynamics: _core.Dynamics, start: Snapshot) -> None:
+    """OptionError: that of another model."""
+    given, known = np.asarray(start.history, dtype=float), len(dynamics.initial_history)
+    if len(given) and (given.shape != (known,) or not np.isfinite(given).all()):
         raise OptionError(
-            f"start: its memory {start.memory!r:.80} is not made of finite numbers: take that of a "
-            "snapshot, or ()",
+            f"start: its history has {given.size} variables, or one that is not finite, but the springs, "
+            f"stops, contacts and couplers of the model have {known}: start from a run of the same model, or "
+            "leave the history out (start._replace(history=()))",
             code="start",
         )
-    found: list[float] = memory.tolist()
-    return found
 
 
-def _check_remembered(core: _core.Model) -> None:
+def _take_history(core: _core.Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
+    """OptionError: that of another model. LinkworkWarning: there is none."""
+    check_history(dynamics, start)
+    given = np.asarray(start.history, dtype=float)
+    if not len(given):
+        given = dynamics.beginning_history(start.t, np.ravel(start.q), np.ravel(start.v))
+        if start.t > 0:
+            _warn_of_beginnings(core)
+    dynamics.history = given
+
+
+def _warn_of_beginnings(core: _core.Model) -> None:
     """LinkworkWarning: what starts otherwise than it went on before."""
     kinds = [kind.name for kind in _core.force_kinds()]
-    of_force = [REMEMBERING.get(kinds[kind]) for kind in core.force_arrays()["kind"]]
+    of_force = [BEGINNING.get(kinds[kind]) for kind in core.force_arrays()["kind"]]
     for what in sorted(set(filter(None, of_force))):
         names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")

@@ -21,8 +21,9 @@ Indices = NDArray[np.integer]
 #: The texts of a header, one for each body, joint or force element.
 MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force_kinds")
 
-#: reactions(t (k,), q (k, 7n), multipliers (k, m)) -> force [N], torque [N m] (k, joints, 3).
-Reactions = Callable[[Floats, Floats, Floats], tuple[Floats, Floats]]
+#: reactions(t (k,), q (k, 7n), multipliers (k, m), history (k, h) where there is any) -> force [N] and
+#: torque [N m] (k, joints, 3).
+Reactions = Callable[..., tuple[Floats, Floats]]
 
 
 def _none(*shape: int) -> Callable[[], Any]:
@@ -62,6 +63,7 @@ class Header:
     force_origin: Floats = field(default_factory=_none(0, 2, 3))
     force_first_parameter: Indices = field(default_factory=_none(1))  # (F + 1,)
     force_parameters: Floats = field(default_factory=_none(0))
+    history_count: int = 0  # history variables; none in files of version 0.1
     expected_frames: int | None = None
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
     curves: Mapping[int, Floats] = field(default_factory=dict, compare=False)  # by joint: points (m, 3) in a
@@ -102,6 +104,7 @@ class Header:
             force_frame=forces["frame"],
             force_origin=forces["origin"],
             **_parameters("force", forces),
+            history_count=len(dynamics.initial_history),
             expected_frames=expected_frames,
             shapes=shapes or Shapes(),
             curves=curves or {},
@@ -136,11 +139,11 @@ class Header:
 
     def frame_shapes(self) -> dict[str, tuple[int, ...]]:
         """Shape of one frame of every recorded field; `t` comes last, as in the file."""
-        return frame_shapes(self.body_count, self.joint_count, self.row_count)
+        return frame_shapes(self.body_count, self.joint_count, self.row_count, self.history_count)
 
 
-def frame_shapes(bodies: int, joints: int, rows: int) -> dict[str, tuple[int, ...]]:
-    """As `Header.frame_shapes`, of so many bodies, joints and constraint rows."""
+def frame_shapes(bodies: int, joints: int, rows: int, history: int = 0) -> dict[str, tuple[int, ...]]:
+    """As `Header.frame_shapes`, of so many bodies, joints, constraint rows and history variables."""
     return {
         "q": (bodies, 7),
         "v": (bodies, 6),
@@ -150,6 +153,7 @@ def frame_shapes(bodies: int, joints: int, rows: int) -> dict[str, tuple[int, ..
         "potential": (),
         "work": (),
         "violation": (3,),
+        "history": (history,),
         "reaction_force": (joints, 3),
         "reaction_torque": (joints, 3),
         "t": (),
@@ -179,7 +183,9 @@ def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[st
     force = torque = np.zeros((count, header.joint_count, 3))
     if header.joint_count and count:
         assert header.reactions is not None, "frames without reactions need the dynamics that compute them"
-        force, torque = header.reactions(values["t"], values["q"].reshape(count, -1), values["lambda"])
+        history = [values["history"]] if header.history_count else []
+        q = values["q"].reshape(count, -1)
+        force, torque = header.reactions(values["t"], q, values["lambda"], *history)
     return {**values, "reaction_force": force, "reaction_torque": torque}
 
 

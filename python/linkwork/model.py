@@ -580,18 +580,22 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """Of each point_on_curve, by the index of the joint: points along it (m, 3), in body a [m]."""
         return {joint: it.line() for joint, it in self._special.items() if isinstance(it, CurveData)}
 
-    def with_initial_state(self, q: ArrayLike, v: ArrayLike) -> Model:
+    def with_initial_state(self, q: ArrayLike, v: ArrayLike, history: ArrayLike = ()) -> Model:
         """The same mechanism from another state, such as a frame of a result: `result.q[-1], result.v[-1]`.
 
         q  position and Euler parameters of each body (n, 7)
         v  velocity (inertial) and angular velocity (body axes) of each body (n, 6)
+        history  history variables of couplers and force elements (h,), such as `result.history[-1]`: full
+                 turns, speeds at which contacts began, see linkwork.System; without, they begin anew
 
         Joints and forces stay where they are on the bodies. ModelError: another shape, or no possible state.
+        Elements with history variables that are added later make another number of them necessary.
         """
         n = self.body_count
         q, v = _numbers(q, [(n, 7), (7 * n,)], "model", "q"), _numbers(v, [(n, 6), (6 * n,)], "model", "v")
         out = Model(self._core.gravity, self.name)
-        out._core = self._core.with_initial_state(q.ravel(), v.ravel())
+        past = np.asarray(history, dtype=float).ravel().tolist()
+        out._core = self._core.with_initial_state(q.ravel(), v.ravel(), past)
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
         out._drivers = self._drivers.copy()
@@ -615,7 +619,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         core = self._core
         elements = [*core.joint_arrays().values(), *core.force_arrays().values()]
         digest = hashlib.blake2b(digest_size=16)
-        for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements):
+        for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements, _history(core)):
             digest.update(np.ascontiguousarray(array).data)
         for joint, special in self._special.items():
             digest.update(f"{joint} {special.arguments()}".encode())
@@ -799,3 +803,7 @@ def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> F
 
 def _choose(what: str, value: str, known: Sequence[str]) -> None:
     given.one_of(value, known, what)
+
+
+def _history(core: _core.Model) -> Floats:
+    return np.asarray(core.initial_history, dtype=float)

@@ -144,8 +144,7 @@ def _abandon(run: _core.Run, to: Recorder, labels: Sequence[str], error: BaseExc
     finally:
         result = to.abandon()
         if isinstance(error, LinkworkError):
-            memory = run.memory if np.isfinite(run.memory).all() else ()
-            error.state, error.result = Snapshot.of(run.t, run.last_state, memory), result
+            error.state, error.result = Snapshot.of(run.t, run.last_state, run.history), result
             if result is not None:
                 result.statistics.update(run.statistics(), failed=True)
         elif isinstance(error, Exception):  # of the user's own function

@@ -65,15 +65,20 @@ class Snapshot(NamedTuple):
     t: float  #: [s]
     q: Floats  #: (n, 7) position [m] and Euler parameters of each body
     v: Floats  #: (n, 6) velocity, inertial [m/s], and angular velocity, body axes [rad/s]
-    #: what springs, stops, contacts and couplers remember: full turns, speeds at which contacts began; none:
-    #: they begin anew
-    memory: Sequence[float] = ()
+    #: (h,) history variables of springs, stops, contacts and couplers: full turns, speeds at which contacts
+    #: began, see linkwork.System; none: they begin anew
+    history: Sequence[float] | Floats = ()
 
     @classmethod
-    def of(cls, t: float, y: Floats, memory: Sequence[float] = ()) -> Snapshot:
+    def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:
         """From y = (q, v) (13n,)."""
         split = 7 * (len(y) // 13)
-        return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), memory)
+        return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), history)
+
+    @property
+    def memory(self) -> Sequence[float] | Floats:
+        """The name that `history` had in version 0.1."""
+        return self.history
 
     @property
     def y(self) -> Floats:
@@ -247,10 +252,15 @@ class Result:
             for it in self.statistics.get("excesses", ())
         )
 
-    def snapshot(self, frame: int = -1) -> Snapshot:
-        """The state of one frame, for simulate(..., start=...).
+    @property
+    def history(self) -> Floats:
+        """History variables (k, h) of couplers and force elements, see linkwork.System."""
+        return self._field("history") if "history" in self._frames else np.zeros((len(self), 0))
 
-        Only that of the last frame of a run that finished has what force elements and couplers remember.
+    def snapshot(self, frame: int = -1) -> Snapshot:
+        """The state of one frame, for simulate(..., start=...), with its history variables.
+
+        Files of version 0.1 do not have these: full turns and contacts then begin anew.
         OptionError: there is no such frame.
         """
         count = len(self)
@@ -261,9 +271,9 @@ class Result:
                 f"{count - 1}, or -1 for the last",
                 code="frame",
             )
-        last = self.finished and frame in (-1, count - 1)
-        memory = self.statistics.get("memory", ()) if last else ()
-        return Snapshot(float(self.t[frame]), self._field("q", frame), self._field("v", frame), memory)
+        return Snapshot(
+            float(self.t[frame]), self._field("q", frame), self._field("v", frame), self.history[frame]
+        )
 
     @property
     def singular_poses(self) -> tuple[SingularPose, ...]:

@@ -3,7 +3,7 @@
     /          attributes `format`, `version`, `run` (an identity), `manifest` (JSON), and after the end
                `statistics` (JSON)
     /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
-               violation (k, 3), reaction_force and reaction_torque (k, joints, 3), t (k,)
+               violation (k, 3), history (k, h), reaction_force and reaction_torque (k, joints, 3), t (k,)
     /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
                of joints, by their index
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
@@ -46,7 +46,7 @@ try:
 except ImportError:  # no such locks on Windows
     fcntl = None
 
-FORMAT, VERSION = "linkwork result", 2
+FORMAT, VERSION = "linkwork result", 3
 
 #: Together with the driver's chunk of frames, a kill loses at most the last second.
 FLUSH_SECONDS = 0.5

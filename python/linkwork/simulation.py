@@ -31,9 +31,6 @@ __all__ = ["PythonStep", "simulate"]
 
 log = logging.getLogger(__name__)
 
-#: So many numbers that force elements and couplers remember are kept with a result.
-MOST_REMEMBERED = 2000
-
 
 def simulate(
     model: Model,
@@ -73,10 +70,10 @@ def simulate(
     breaks        times [s] at which something is not smooth, beside those that functions of time and forces
                   declare: steps that follow tolerances end there; of fixed ones the summary says how many
                   contain one
-    start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
-                  `state` of an error. The work and multistep methods begin anew, and so do full turns
-                  of rotational springs and contacts that are under way where the state is not the last
-                  of its run: a LinkworkWarning names them
+    start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot(frame)` or the
+                  `state` of an error. The work and multistep methods begin anew; with a fixed step other
+                  methods go on to the last bit. Where a state has no history variables (of a file of
+                  version 0.1), full turns and contacts under way begin anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
                   of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
@@ -145,10 +142,8 @@ def simulate(
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
-    memory = run.memory
-    kept = {"memory": memory} if 0 < len(memory) <= MOST_REMEMBERED else {}
     broken = plan.steps_with_breaks(known, t_start)
-    result = recorder.result({**run.statistics(), **times_spent, **broken, **kept})
+    result = recorder.result({**run.statistics(), **times_spent, **broken})
     checks.warn_of_contradiction(result.statistics)
     return result
 

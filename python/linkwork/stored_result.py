@@ -114,6 +114,8 @@ def _read_header(file: h5py.File) -> Header:
         {name: [text.decode() for text in model[name][()]] for name in MODEL_NAMES if name in model}
     )
     curves = {int(joint): line[()] for joint, line in model.get("curves", {}).items()}
+    if "history" in file["frames"]:  # not before version 3
+        values["history_count"] = file["frames"]["history"].shape[1]
     manifest = json.loads(file.attrs["manifest"])
     return Header(manifest=manifest, shapes=read_shapes(model), curves=curves, **values)
 

@@ -35,6 +35,7 @@ class Evaluation:
     g: Floats  # (6n,) forces (inertial) and torques (body axes), gyroscopic ones included
     potential: float  # of gravity and springs [J]
     force_power: float  # of the forces without a potential [W]
+    history: Floats  # (h,) what the history variables become where this state is accepted
 
 
 class System:
@@ -45,6 +46,18 @@ class System:
 
         system = lw.System(model)
         solve_ivp(system.derivative, (0, 1), system.initial_state(), rtol=1e-9)
+
+    Full turns of rotational springs, stops and couplers, and speeds at which contacts began, are history
+    variables: numbers beside q and v that belong to the state of a motion. They are held while a step is
+    tried and go on when its end is accepted, so that everything here is a function of its arguments. Without
+    `history` they are those of the initial state; an integrator that takes many steps hands them on:
+
+        history = system.initial_history
+        for ...:
+            y = step(lambda t, y: system.derivative(t, y, history), t, y, h)
+            history = system.advance_history(t + h, y, history)
+
+    A step may turn an angle by less than half a turn.
 
     ModelError, OptionError; SingularSystemError where a massless motion is held by nothing.
     """
@@ -68,33 +81,52 @@ class System:
         return found | {"violation_limit": {level: x for level, x in limits if math.isfinite(x)} or None}
 
     def initial_state(self) -> Floats:
-        """y (13n,) at t = 0, as described in the model; what force elements remember begins anew."""
+        """y (13n,) at t = 0, as described in the model."""
         state: Floats = self._dynamics.initial_state()
-        self._dynamics.memory = [0.0] * len(self._dynamics.memory)
         return state
 
-    def derivative(self, t: float, y: ArrayLike) -> Floats:
+    @property
+    def initial_history(self) -> Floats:
+        """History variables (h,) of the initial state: those of couplers, then those of force elements."""
+        history: Floats = self._dynamics.initial_history
+        return history
+
+    def advance_history(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:
+        """What the history (h,) becomes where the state y (13n,) at t [s] is accepted as the end of a step.
+
+        OptionError: another number of variables.
+        """
+        state = np.asarray(y, dtype=float)
+        split = 7 * self.model.body_count
+        advanced: Floats = self._dynamics.advanced_history(t, state[:split], state[split:], _given(history))
+        return advanced
+
+    def derivative(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:
         """y_dot (13n,) at t [s], continuous stabilization included; the Euler parameters need not be unit.
 
-        Rotational springs and stops count full turns, and contacts the speed at which they began, from one
-        call to the next: a new motion with those begins with `initial_state`.
+        history  (h,) at the last accepted state; None: of the initial state, or, in an integrator of your own
+                 that `simulate` runs, at the beginning of the step
 
         SingularSystemError, NotConvergedError, NotFiniteError: where there is no acceleration.
         """
-        rates: Floats = self._dynamics.derivative(_time(t), _numbers(y, "y", 13, self.model.body_count))
+        rates: Floats = self._dynamics.derivative(
+            _time(t), _numbers(y, "y", 13, self.model.body_count), _given(history)
+        )
         return rates
 
-    def accelerations(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
+    def accelerations(
+        self, t: float, q: ArrayLike, v: ArrayLike, history: ArrayLike | None = None
+    ) -> tuple[Floats, Floats]:
         """(v_dot (6n,), multipliers (m,)) of the mechanism itself, without stabilization.
 
         t [s], q (n, 7) or (7n,), v (n, 6) or (6n,). OptionError: another shape, no numbers, no finite time.
         """
-        v_dot, multipliers = self._dynamics.accelerations(*self._moment(t, q, v))
+        v_dot, multipliers = self._dynamics.accelerations(*self._moment(t, q, v), _given(history))
         return v_dot, multipliers
 
-    def evaluate(self, t: float, q: ArrayLike, v: ArrayLike) -> Evaluation:
+    def evaluate(self, t: float, q: ArrayLike, v: ArrayLike, history: ArrayLike | None = None) -> Evaluation:
         """The terms of the equations of motion at one state, which is given as in `accelerations`."""
-        found = self._dynamics.evaluate(*self._moment(t, q, v))
+        found = self._dynamics.evaluate(*self._moment(t, q, v), _given(history))
         D = found.pop("D")
         return Evaluation(D=(D["data"], D["indices"], D["indptr"]), **found)
 
@@ -121,3 +153,7 @@ def _numbers(given: ArrayLike, what: str, each: int, bodies: int) -> Floats:
         f"{what} has shape {numbers.shape}, not ({each * bodies},) or ({bodies}, {each}), of {bodies} bodies",
         code="shape",
     )
+
+
+def _given(history: ArrayLike | None) -> Floats | None:
+    return None if history is None else np.ravel(array(history, "history"))

@@ -160,7 +160,7 @@ inline Model random_chain(Random& random, int bodies, const std::string& kind) {
 
 inline Evaluation evaluate_initially(const System& system) {
   Evaluation at = system.make_evaluation();
-  system.evaluate(0.0, system.model().initial_q(), system.model().initial_v(), at);
+  system.evaluate(0.0, system.model().initial_q(), system.model().initial_v(), system.initial_history(), at);
   return at;
 }
 

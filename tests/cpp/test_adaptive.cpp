@@ -104,7 +104,7 @@ TEST_CASE("the controller does not let the step grow right after a rejection, an
   for (const double error : {double(NAN), double(INFINITY)}) CHECK(controller.after_rejected(1.0, error) == 0.1);
 }
 
-TEST_CASE("an error of a rotation is measured by its angle, whatever its axis, and a change of length by nothing") {
+TEST_CASE("an error of a rotation is measured by its angle, whatever its axis, and a change of length like one") {
   Random random(9);
   Model model;
   model.add_body("body", random_body(random));
@@ -120,7 +120,7 @@ TEST_CASE("an error of a rotation is measured by its angle, whatever its axis, a
     dy.segment<4>(3) = quaternion_product<double>(p, exponential(angle * axis)) - p;
     CHECK(measure.of_change(y, y, dy).value == doctest::Approx(angle / 1.001e-6).epsilon(1e-6));
     dy.segment<4>(3) = 1e-3 * p;
-    CHECK(measure.of_change(y, y, dy).value < 1e-6);
+    CHECK(measure.of_change(y, y, dy).value == doctest::Approx(2e-3 / 1.001e-6).epsilon(1e-9));
   }
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("projection takes positions and velocities to the constraints along M^
   projection.positions(0.0, y);
   projection.velocities(0.0, y);
   Evaluation at = system.make_evaluation();
-  system.evaluate(0.0, y.head<7>(), y.segment<6>(7), at);
+  system.evaluate(0.0, y.head<7>(), y.segment<6>(7), system.initial_history(), at);
   CHECK(at.Phi.cwiseAbs().maxCoeff() < 1e-14);
   CHECK(at.Phi_dot.cwiseAbs().maxCoeff() < 1e-13);
   const VectorXd impulse = dense_M(model) * (y.segment<6>(7) - v);

@@ -82,7 +82,7 @@ TEST_CASE("an evaluation does not allocate after the first") {
   const System system(model);
   Evaluation at = evaluate_initially(system);
   const VectorXd q = model.initial_q(), v = model.initial_v();
-  CHECK(allocations([&] { system.evaluate(0.1, q, v, at); }) == 0);
+  CHECK(allocations([&] { system.evaluate(0.1, q, v, system.initial_history(), at); }) == 0);
 }
 
 TEST_CASE("products with M and D do not allocate") {

@@ -16,7 +16,7 @@ std::vector<Evaluation> evaluations(const Model& model) {
   for (int level = 0; level < instruction_set_count(); ++level) {
     const System system(model, instruction_set(level));
     out.push_back(system.make_evaluation());
-    system.evaluate(0.3, model.initial_q(), model.initial_v(), out.back());
+    system.evaluate(0.3, model.initial_q(), model.initial_v(), system.initial_history(), out.back());
   }
   return out;
 }

@@ -48,12 +48,13 @@ struct TorsionSpring {
   Model model;
 };
 
-/// Evaluates a one-body model with the body turned about z by `angle` and spinning about z at `rate`.
+/// Evaluates a one-body model with the body turned about z by `angle` and spinning about z at `rate`, as the end of a
+/// step from the state of the last evaluation.
 void turn(const System& system, double angle, double rate, Evaluation& at) {
   VectorXd q = system.model().initial_q(), v = VectorXd::Zero(6);
   q.tail<4>() << std::cos(angle / 2), 0, 0, std::sin(angle / 2);
   v[5] = rate;
-  system.evaluate(0.0, q, v, at);
+  system.evaluate(0.0, q, v, VectorXd(at.history), at);
 }
 
 }  // namespace
@@ -61,14 +62,15 @@ void turn(const System& system, double angle, double rate, Evaluation& at) {
 TEST_CASE("power balance of every force: g . v = -dV/dt + power") {
   for_every_force([](const Model& model) {
     const System system(model);
-    Evaluation at = system.make_evaluation();  // one for all: forces may remember
+    Evaluation at = system.make_evaluation();
     const VectorXd q = model.initial_q(), v = model.initial_v(), still = VectorXd::Zero(v.size());
+    const VectorXd history = system.beginning_history(0.3, q, v);
     const auto potential = [&](double s) {
-      system.evaluate(0.3 + s, moved(q, v, still, s), v, at);
+      system.evaluate(0.3 + s, moved(q, v, still, s), v, history, at);
       return Eigen::Matrix<double, 1, 1>(at.potential);
     };
     const double V_dot = first_difference(potential, 1e-3)[0];
-    system.evaluate(0.3, q, v, at);
+    system.evaluate(0.3, q, v, history, at);
     const double power = at.g.head(v.size()).dot(v);
     const double scale = at.g.head(v.size()).norm() * v.norm();
     INFO("g . v = ", power, ", -dV/dt = ", -V_dot, ", power = ", at.power);
@@ -188,7 +190,7 @@ TEST_CASE("a rotational spring turned over several revolutions keeps its angle, 
       turn(system, theta, 0.0, at);
       CHECK(at.potential == doctest::Approx(0.5 * spring.k * std::pow(theta - spring.theta_0, 2)).epsilon(1e-12));
     }
-    CHECK(std::abs(at.memory[0]) > 3 * 2 * pi);
+    CHECK(std::abs(at.history[0]) > 3 * 2 * pi);
   }
 }
 
@@ -224,8 +226,8 @@ TEST_CASE("a law along a coordinate of a joint has the power Q x_dot, and acts o
     const System system(model), plain(without);
     Evaluation at = system.make_evaluation(), bare = plain.make_evaluation();
     const VectorXd q = model.initial_q(), v = model.initial_v();
-    system.evaluate(0.3, q, v, at);
-    plain.evaluate(0.3, q, v, bare);
+    system.evaluate(0.3, q, v, system.initial_history(), at);
+    plain.evaluate(0.3, q, v, plain.initial_history(), bare);
     const VectorXd g = (at.g - bare.g).head(12);
     CHECK(g.dot(v) == doctest::Approx(at.power));
     CHECK(std::abs(at.power) > 1e-6);

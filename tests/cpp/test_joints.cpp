@@ -91,17 +91,18 @@ void for_every_joint(Check check) {
     }
 }
 
-/// Evaluates near the initial pose, of which the turns of angles are remembered.
+/// Evaluates near the initial pose, from which the turns of angles are counted.
 struct Nearby : System {
   explicit Nearby(const Model& model, double t = 0.0) : System(model), initial(make_evaluation()) {
-    evaluate_constraints(t, model.initial_q(), model.initial_v(), initial);
+    history = beginning_history(t, model.initial_q(), model.initial_v());
   }
   Evaluation initial;
+  VectorXd history;
 };
 
 Evaluation evaluate(const Nearby& system, double t, const VectorXd& q, const VectorXd& v) {
   Evaluation at = system.initial;
-  system.evaluate_constraints(t, q, v, at);
+  system.evaluate_constraints(t, q, v, system.history, at);
   return at;
 }
 

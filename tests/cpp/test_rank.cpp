@@ -268,7 +268,7 @@ TEST_CASE("a group is dependent, and no longer without any one of its rows") {
   const System system(four_bar());
   const RankReport report = examine_rank(system);
   Evaluation generic = system.make_evaluation();
-  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), generic);
+  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), generic);
   const MatrixXd D = dense_D(system, generic);
   for (const DependentGroup& group : dependent_groups(system, report, 3)) {
     std::vector<int> rows = group.others;

@@ -163,7 +163,7 @@ TEST_CASE("a second factorization at another state forgets the first") {
       solver->analyze(problem.system, problem.at);
       solver->factorize(problem.at, e);
       const VectorXd q = moved(problem.system.model().initial_q(), random.vector(30), VectorXd::Zero(30), 0.1);
-      problem.system.evaluate(0.0, q, problem.system.model().initial_v(), problem.at);
+      problem.system.evaluate(0.0, q, problem.system.model().initial_v(), problem.system.initial_history(), problem.at);
       problem.D = dense_D(problem.system, problem.at);
       check_agrees(*solver, problem, e, 1e-9);
     });

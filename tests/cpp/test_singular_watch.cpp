@@ -46,7 +46,8 @@ TEST_CASE("redundant rows that are well chosen need no other choice") {
   const System system(four_bar());
   const RankReport report = examine_rank(system);
   REQUIRE(report.redundant_rows.size() == 3);
-  const PoseExamination found = examine_pose(system, 0.0, report.q, report.redundant_rows, 1e-6);
+  const PoseExamination found =
+      examine_pose(system, {0.0, report.q, system.initial_history()}, report.redundant_rows, 1e-6);
   CHECK(found.rows.empty());
   CHECK(found.better_choice.empty());
 }
@@ -56,7 +57,8 @@ TEST_CASE("wrong redundant rows are told apart from a singular pose, and better 
   const System system(model);
   const std::vector<int> wrong = {0, 1, 2};  // the place of hinge A: no other row of the planar loop fixes it
   REQUIRE(condition(system, wrong) < 1e-12);
-  const PoseExamination found = examine_pose(system, 0.0, model.initial_q(), wrong, 1e-6);
+  const VectorXd q = model.initial_q();
+  const PoseExamination found = examine_pose(system, {0.0, q, system.initial_history()}, wrong, 1e-6);
   CHECK_FALSE(found.rows.empty());
   CHECK_FALSE(found.joints.empty());
   REQUIRE(found.better_choice.size() == 3);

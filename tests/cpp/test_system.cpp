@@ -128,7 +128,7 @@ TEST_CASE("an evaluation does not depend on the length of p") {
   VectorXd q = model.initial_q();
   for (int body = 0; body < 3; ++body) q.segment<4>(7 * body + 3) *= 0.7 + 0.3 * body;
   Evaluation at = system.make_evaluation();
-  system.evaluate(0.0, q, model.initial_v(), at);
+  system.evaluate(0.0, q, model.initial_v(), system.initial_history(), at);
   const Evaluation unit = evaluate_initially(system);
   CHECK(relative_error(dense_D(system, at), dense_D(system, unit)) < 1e-14);
   CHECK(relative_error(at.gamma, unit.gamma) < 1e-13);
@@ -141,8 +141,8 @@ TEST_CASE("a second evaluation at the same state gives the same numbers") {
   const VectorXd q = model.initial_q(), v = model.initial_v();
   Evaluation at = evaluate_initially(system);
   const Evaluation first = at;
-  system.evaluate(0.0, q, 2.0 * v, at);
-  system.evaluate(0.0, q, v, at);
+  system.evaluate(0.0, q, 2.0 * v, system.initial_history(), at);
+  system.evaluate(0.0, q, v, system.initial_history(), at);
   CHECK(at.D == first.D);
   CHECK(at.gamma == first.gamma);
   CHECK(at.Phi_dot == first.Phi_dot);

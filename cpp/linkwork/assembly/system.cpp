@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include "linkwork/math/error.hpp"
@@ -61,6 +62,7 @@ System::System(const Model& model, const InstructionSet& instructions)
   compile_masses();
   compile_joints();
   compile_forces();
+  begin_history();
 }
 
 void System::compile_masses() {
@@ -127,8 +129,8 @@ void System::compile_special_joint(int joint, const SpecialJoint& special) {
   const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
   const KindInfo& info = joint_info(element.kind);
   const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
-  special_joints_.push_back({&special, joint, row, info.rows, D_size_, memory_size_});
-  memory_size_ += special.memory();
+  special_joints_.push_back({&special, joint, row, info.rows, D_size_, history_size()});
+  add_history(special.history_kind(), true, joint, special.history_size());
   most_bodies_ = std::max(most_bodies_, special.bodies().size());
   for (const int body : special.bodies()) {
     if (body != ground) blocks_.push_back({joint, body, row, info.rows, D_size_});
@@ -149,16 +151,73 @@ void System::compile_forces() {
     batch.body_i.push_back(element.i == ground ? n : element.i);
     batch.body_j.push_back(element.j == ground ? n : element.j);
     batch.attachment.push_back(element.at);
-    batch.memory.push_back(memory_size_);
+    batch.history.push_back(history_size());
+    batch.switches.push_back(static_cast<std::ptrdiff_t>(switches_.size()));
+    const int contact = kind.history == HistoryKind::onset ? history_size() : -1;
+    switches_.insert(switches_.end(), static_cast<std::size_t>(kind.switches), contact);
     const auto first = model_.force_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
     batch.parameters.insert(batch.parameters.end(), first,
                             first + static_cast<std::ptrdiff_t>(kind.info.parameters.size()));
-    memory_size_ += kind.memory;
+    add_history(kind.history, false, static_cast<int>(k), kind.history == HistoryKind::none ? 0 : 1);
   }
-  for (const JointForce& force : model_.joint_forces()) {
-    joint_force_memory_.push_back(memory_size_);
-    memory_size_ += force.memory();
+  for (std::size_t k = 0; k < model_.joint_forces().size(); ++k) {
+    const HistoryKind kind = model_.joint_forces()[k].history_kind();
+    joint_force_history_.push_back(kind == HistoryKind::none ? -1 : history_size());
+    add_history(kind, false, static_cast<int>(model_.forces().size() + k), kind == HistoryKind::none ? 0 : 1);
   }
+}
+
+void System::add_history(HistoryKind kind, bool joint, int element, int count) {
+  history_owners_.insert(history_owners_.end(), static_cast<std::size_t>(count), {kind, joint, element});
+}
+
+std::string System::history_name(int variable) const {
+  const HistoryOwner& owner = history_owners_[static_cast<std::size_t>(variable)];
+  if (owner.joint) return "joint '" + model_.joint_name(owner.element) + "'";
+  if (const auto k = static_cast<std::size_t>(owner.element); k >= model_.forces().size())
+    return "force '" + model_.joint_forces()[k - model_.forces().size()].name + "'";
+  return "force '" + model_.force_names().name(owner.element) + "'";
+}
+
+void System::begin_history() {
+  initial_history_ = blank_history();
+  if (initial_history_.size() == 0) return;
+  const std::vector<double>& given = model_.initial_history();
+  if (!given.empty() && given.size() != static_cast<std::size_t>(history_size()))
+    throw ModelError("history", "the initial state of the model has " + std::to_string(given.size()) +
+                                    " history variables, but its springs, stops, contacts and couplers have " +
+                                    std::to_string(history_size()) +
+                                    ": set the initial state after all of them are there");
+  if (!given.empty()) initial_history_ = Eigen::Map<const VectorXd>(given.data(), history_size());
+  if (special_joints_.empty()) return;
+  Evaluation at = make_evaluation();
+  at.history = initial_history_;
+  evaluate_constraints(0.0, model_.initial_q(), VectorXd::Zero(v_size()), initial_history_, at);
+  initial_history_ = at.history;
+}
+
+/// Nothing is known of the past.
+VectorXd System::blank_history() const {
+  VectorXd out(history_size());
+  for (int k = 0; k < history_size(); ++k)
+    out[k] = history_owners_[static_cast<std::size_t>(k)].joint ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  return out;
+}
+
+VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVector& v) const {
+  if (history_size() == 0) return {};
+  Evaluation at = make_evaluation();
+  const VectorXd blank = blank_history();
+  evaluate_constraints(t, q, v, blank, at);
+  if (!model_.forces().empty()) evaluate_elements(q, v, blank, at);
+  for (std::size_t k = 0; k < model_.joint_forces().size(); ++k)
+    if (const int place = joint_force_history_[k]; place >= 0) {
+      const JointForce& force = model_.joint_forces()[k];
+      Equation<double> row;
+      force.coordinate->evaluate(force.at, moving(force.i, q, v), moving(force.j, q, v), row);
+      at.history[place] = row.Phi;
+    }
+  return at.history;
 }
 
 Evaluation System::make_evaluation() const {
@@ -168,34 +227,43 @@ Evaluation System::make_evaluation() const {
   out.signals.resize(model_.signals().size());
   out.D.assign(static_cast<std::size_t>(D_size_) + velocity_size, 0.0);
   out.special.resize(most_bodies_);
-  out.memory.assign(static_cast<std::size_t>(memory_size_), 0.0);
+  for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
+  out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
   out.g.setZero(v_size() + velocity_size);
   return out;
 }
 
 // g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
-void System::evaluate(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  evaluate_constraints(t, q, v, out);
+void System::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                      Evaluation& out) const {
+  evaluate_constraints(t, q, v, history, out);
   out.potential = body_forces_(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
   out.power = 0.0;
-  if (!model_.forces().empty()) evaluate_elements(q, v, out);
-  if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, out);
+  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
+  if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
 }
 
 Wrenches<double> System::joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,
-                                     double* memory) const {
+                                     HistoryVariable<double>& history) const {
   const JointForce& force = model_.joint_forces()[k];
   Wrenches<double> out;
-  force.evaluate(t, moving(force.i, q, v), moving(force.j, q, v), memory, out);
+  force.evaluate(t, moving(force.i, q, v), moving(force.j, q, v), history, out);
   return out;
 }
 
-void System::evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+void System::evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                                   Evaluation& out) const {
   for (std::size_t k = 0; k < model_.joint_forces().size(); ++k) {
     const JointForce& force = model_.joint_forces()[k];
-    const Wrenches<double> wrenches = joint_force(k, t, q, v, out.memory.data() + joint_force_memory_[k]);
+    const int place = joint_force_history_[k];
+    HistoryVariable<double> variable{place < 0 ? 0.0 : history[place]};
+    const Wrenches<double> wrenches = joint_force(k, t, q, v, variable);
+    if (place >= 0) {
+      out.history[place] = variable.next;
+      out.history_rate[place] = variable.rate;
+    }
     const auto add = [&](int body, const Vec3<double>& F, const Vec3<double>& n) {
       if (body == ground) return;
       out.g.segment<3>(velocity_size * body) += F;
@@ -216,14 +284,25 @@ void System::evaluate_user_forces(double t, const ConstVector& q, const ConstVec
   }
 }
 
-void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+void System::evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                               Evaluation& out) const {
+  evaluate_signals(t, out);
+  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
+}
+
+void System::evaluate_signals(double t, Evaluation& out) const {
   for (std::size_t s = 0; s < out.signals.size(); ++s)
     if (model_.signals()[s]->of_time()) out.signals[s] = model_.signals()[s]->evaluate(t);
   if (!model_.limited().empty()) check_limits(t, out.signals);
+}
+
+void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                                  Evaluation& out) const {
+  evaluate_signals(t, out);
   const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
   for (const CompiledJoints& joints : joints_)
     joints.evaluate(joints.batch.arrays(), q.data(), v.data(), out.signals.data(), arrays);
-  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, out);
+  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
 }
 
 /// OptionError: a function of time is where no value of its parameter can be.
@@ -238,7 +317,7 @@ void System::check_limits(double t, const std::vector<Signal<double>>& signals) 
 }
 
 void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstVector& q, const ConstVector& v,
-                                    Evaluation& out) const {
+                                    const ConstVector& history, Evaluation& out) const {
   const Element& element = model_.joints()[static_cast<std::size_t>(it.joint)];
   std::array<Signal<double>, most_parameters> parameters{};
   const std::size_t count = joint_info(element.kind).parameters.size();
@@ -251,8 +330,10 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
   double* D = out.D.data() + it.D;
   std::fill_n(D, velocity_size * it.rows * static_cast<int>(bodies.size()), 0.0);
   for (VectorXd* x : {&out.Phi, &out.Phi_t, &out.gamma}) rows(*x).setZero();
-  it.special->evaluate(out.special.data(), parameters.data(), out.memory.data() + it.memory,
-                       {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
+  it.special->evaluate(
+      out.special.data(), parameters.data(),
+      {history.data() + it.history, out.history.data() + it.history, out.history_rate.data() + it.history},
+      {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
   rows(out.Phi_dot) = rows(out.Phi_t);
   for (const int index : joint_blocks(it.joint)) {
     const ConstraintBlock& block = blocks_[static_cast<std::size_t>(index)];
@@ -260,10 +341,12 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
   }
 }
 
-void System::evaluate_elements(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                               Evaluation& out) const {
   for (int b = 0; b < body_count(); ++b) out.bodies[static_cast<std::size_t>(b)] = moving(b, q, v);
   out.g.tail<velocity_size>().setZero();
-  const ForceArrays arrays{out.g.data(), out.memory.data(), &out.potential, &out.power};
+  const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
+                           out.switches.data(), &out.potential, &out.power};
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
     if (force_batches_[kind].size() > 0)
       force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), model_.signals().data(),

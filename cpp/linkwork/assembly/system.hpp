@@ -19,6 +19,13 @@ struct ConstraintBlock {
   std::ptrdiff_t offset;
 };
 
+/// To which element a history variable belongs: a place in the model's joints or forces.
+struct HistoryOwner {
+  HistoryKind kind;
+  bool joint;
+  int element;
+};
+
 /// The blocks that a joint or a body takes part in: places in System::blocks().
 struct BlockRange {
   const int* first;
@@ -32,8 +39,10 @@ struct Evaluation {
   std::vector<BodyState<double>> bodies;   ///< for force elements, empty where there are none; the last is the ground
   std::vector<BodyState<double>> special;  ///< scratch: the bodies of a special joint
   std::vector<Signal<double>> signals;
-  std::vector<double> D;       ///< blocks of D, see ConstraintBlock
-  std::vector<double> memory;  ///< what force elements and special joints remember
+  std::vector<double> D;  ///< blocks of D, see ConstraintBlock
+  VectorXd history;       ///< what it becomes where this state is accepted, see HistoryVariable
+  VectorXd history_rate;  ///< of those that are angles
+  VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
   VectorXd user;           ///< scratch of the user's own forces
   VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
@@ -43,7 +52,8 @@ struct Evaluation {
 
 /// A Model compiled to flat arrays with a fixed sparsity: everything in
 ///   M v_dot - D^T lambda = g,   D v_dot = gamma,   Phi_dot = D v + Phi_t
-/// at a state (t, q, v). Constant after construction; the numbers live in an Evaluation.
+/// at a state (t, q, v) with its history, see history.hpp. Constant after construction; the numbers live in an
+/// Evaluation. What an evaluation finds is a function of its arguments, whatever was evaluated before.
 class System {
  public:
   using ConstMat3 = Eigen::Map<const Mat3<double>>;
@@ -63,19 +73,37 @@ class System {
 
   Evaluation make_evaluation() const;
 
-  /// Fills everything in `out`. p need not be a unit vector. Does not allocate.
-  void evaluate(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
-  /// Only the constraints: Phi, Phi_t, Phi_dot, gamma, D.
-  void evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  /// Fills everything in `out`. p need not be a unit vector. `history` is that of the last accepted state. Does not
+  /// allocate.
+  void evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                Evaluation& out) const;
+  /// Only the constraints: Phi, Phi_t, Phi_dot, gamma, D, and the history of the joints.
+  void evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                            Evaluation& out) const;
+  /// Only force elements: their history and their switches.
+  void evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                         Evaluation& out) const;
+
+  // History variables: those of special joints, then those of force elements.
+  int history_size() const { return static_cast<int>(history_owners_.size()); }
+  const std::vector<HistoryOwner>& history_owners() const { return history_owners_; }
+  /// Of each switch the history variable of the contact that begins where it becomes positive, or -1.
+  const std::vector<int>& switches() const { return switches_; }
+  std::string history_name(int variable) const;  ///< such as "force 'mainspring'"
+  /// That of the model, or of a motion that begins: angles within half a turn of zero, no contacts. Where a joint is
+  /// placed is known, whether spheres touch is not: see Dynamics::initial_history.
+  const VectorXd& initial_history() const { return initial_history_; }
+  /// The same of a motion that begins at any state, contacts that are under way included.
+  VectorXd beginning_history(double t, const ConstVector& q, const ConstVector& v) const;
 
   /// q_dot = N(q) v.
   void position_rates(const ConstVector& q, const ConstVector& v, MutableVector q_dot) const;
   /// Scales every p to unit length.
   void normalize(MutableVector q) const;
 
-  /// What one of the user's own laws along coordinates applies, from what it remembers.
+  /// What one of the user's own laws along coordinates applies.
   Wrenches<double> joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,
-                               double* memory) const;
+                               HistoryVariable<double>& history) const;
 
   // The mass matrix: blocks diag(m I, J), constant.
   double mass(int body) const { return mass_[static_cast<std::size_t>(body)].m; }
@@ -118,22 +146,26 @@ class System {
   struct CompiledSpecialJoint {
     const SpecialJoint* special;
     int joint, row, rows;
-    std::ptrdiff_t D, memory;  ///< places
+    std::ptrdiff_t D, history;  ///< places
   };
   void compile_masses();
   void compile_joints();
   void compile_special_joint(int joint, const SpecialJoint& special);
   void compile_forces();
+  void begin_history();
+  VectorXd blank_history() const;
+  void add_history(HistoryKind kind, bool joint, int element, int count);
   void evaluate_signals(double t, Evaluation& out) const;
   BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
   BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
   const ConstraintBlock& block_of_body(int joint, int body) const;
   void check_limits(double t, const std::vector<Signal<double>>& signals) const;
-  void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                             Evaluation& out) const;
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
-                              Evaluation& out) const;
-  void evaluate_elements(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+                              const ConstVector& history, Evaluation& out) const;
+  void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
 
   Model model_;
   InstructionSet instructions_;
@@ -142,13 +174,16 @@ class System {
   std::vector<int> massless_;
   std::vector<CompiledJoints> joints_;              ///< one per kind in use
   std::vector<Batch> force_batches_;                ///< one per registered kind
-  std::vector<std::ptrdiff_t> joint_force_memory_;  ///< places
+  std::vector<int> joint_force_history_;            ///< places, -1 where there is none
   std::vector<CompiledSpecialJoint> special_joints_;
   std::size_t most_bodies_ = 0;  ///< of a special joint
   std::vector<ConstraintBlock> blocks_;
   std::vector<int> joint_block_list_, joint_block_begin_;
   std::vector<int> body_block_list_, body_block_begin_;
-  std::ptrdiff_t D_size_ = 0, memory_size_ = 0;
+  std::ptrdiff_t D_size_ = 0;
+  std::vector<HistoryOwner> history_owners_;
+  std::vector<int> switches_;
+  VectorXd initial_history_;
   bool time_dependent_constraints_ = false;
 };
 

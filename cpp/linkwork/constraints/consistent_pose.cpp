@@ -107,15 +107,16 @@ VectorXd compliance(const System& system, const LoopCore& core, const Evaluation
   return e;
 }
 
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Components& components, VectorXd q,
-                         double t = 0.0) {
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Components& components,
+                         const TimedPose& pose) {
   const System& system = solver.system();
+  VectorXd q = pose.q;
   const VectorXd rest = VectorXd::Zero(system.v_size());
   VectorXd step(system.v_size()), lambda(system.row_count());
   ConsistentPose out{q, std::vector<char>(components.count(), 0)};
   Evaluation at = system.make_evaluation();
   for (int k = 0; k < most_steps && std::find(out.reached.begin(), out.reached.end(), 0) != out.reached.end(); ++k) {
-    system.evaluate_constraints(t, q, rest, at);
+    system.evaluate_constraints(pose.t, q, rest, pose.history, at);
     if (!solver.factorize(at, compliance(system, core, at))) break;
     solver.solve(rest, -at.Phi, step, lambda);
     if (!step.allFinite()) break;
@@ -146,15 +147,15 @@ VectorXd allowed_velocity(MetricSolver& solver, const LoopCore& core, const Eval
 
 }  // namespace
 
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q, double t) {
-  return pull_back(solver, core, Components(solver.system(), core), q, t);
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const TimedPose& pose) {
+  return pull_back(solver, core, Components(solver.system(), core), pose);
 }
 
 PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q, const std::vector<int>& freedoms) {
   const System& system = solver.system();
   const Components components(system, core);
   Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   std::mt19937_64 engine(1);
   VectorXd random(system.v_size());
   for (double& x : random) x = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
@@ -171,7 +172,7 @@ PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd
   for (const double step : steps) {
     VectorXd moved = q;
     move(system, step * velocity, moved);
-    const ConsistentPose found = pull_back(solver, core, components, moved);
+    const ConsistentPose found = pull_back(solver, core, components, {0.0, moved, system.initial_history()});
     const std::vector<double> way = components.distances(q, found.q);
     std::vector<char> news(components.count());
     for (std::size_t c = 0; c < news.size(); ++c)

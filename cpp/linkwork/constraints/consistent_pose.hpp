@@ -14,9 +14,16 @@ struct ConsistentPose {
   std::vector<char> reached;  ///< per component of the core
 };
 
+/// Where bodies are at some time [s], and the history of their joints.
+struct TimedPose {
+  double t;
+  const VectorXd& q;
+  const VectorXd& history;
+};
+
 /// Pulls a pose onto the constraints, which may be redundant: Gauss-Newton steps in the solver's metric M,
 ///   dq = -M^-1 D^T (D M^-1 D^T + E)^-1 Phi,   E a tiny part of the diagonal.
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q, double t = 0.0);
+ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const TimedPose& pose);
 
 /// A random pose near the pose `q`, consistent at t = 0, the same in every run: a step along a random velocity that the
 /// constraints allow, pulled back onto them. Components without such a velocity are not `mobile` and stay: they have no

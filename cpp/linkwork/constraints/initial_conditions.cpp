@@ -61,7 +61,8 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
       lengths_(characteristic_lengths(system)),
       extent_(extent_of(system, lengths_)),
       rounding_(std::max(1.0, farthest_position(system, system.model().initial_q()))) {
-  this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, at_);
+  history_ = this->system().initial_history();
+  this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, history_, at_);
   row_lengths_ = row_lengths(system, at_);
   mobility_ = this->system().row_mobility(at_);
   const std::vector<char> rotations = rows_of_rotations(system, at_);
@@ -76,7 +77,8 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
 }
 
 void InitialConditions::evaluate(const VectorXd& q, const VectorXd& v) {
-  system().evaluate_constraints(0.0, q, v, at_);
+  system().evaluate_constraints(0.0, q, v, history_, at_);
+  history_ = at_.history;  // on the way to the constraints angles may turn far
   for (const int body : held_)
     for (const int place : system().body_blocks(body)) {
       const ConstraintBlock& block = system().blocks()[static_cast<std::size_t>(place)];

@@ -42,7 +42,7 @@ class InitialConditions {
   MetricSolver solver_;
   std::vector<int> held_;
   Evaluation at_;
-  VectorXd mobility_, rest_, x_, lambda_;
+  VectorXd history_, mobility_, rest_, x_, lambda_;
   VectorXd lengths_;      ///< of the bodies, see characteristic_lengths
   VectorXd row_lengths_;  ///< at the given pose
   double extent_;         ///< of the mechanism [m]

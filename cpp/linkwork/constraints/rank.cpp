@@ -54,7 +54,7 @@ std::vector<int> degrees_of_freedom(const System& system, const LoopCore& core, 
 /// can be assembled but for a residual, and singular values of that size mean nothing.
 double tolerance_of_geometry(const System& system, const LoopCore& core, const VectorXd& q) {
   Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   const VectorXd residuals = at.Phi.cwiseQuotient(row_lengths(system, at)).cwiseAbs();
   double most = 0.0;
   for (const int row : core.rows()) most = std::max(most, residuals[row]);
@@ -67,17 +67,17 @@ void find_redundancy(const System& given, const LoopCore& core, double tolerance
   MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   const auto row = [&](int place) { return core.rows()[static_cast<std::size_t>(place)]; };
-  const ConsistentPose start = pull_back(solver, core, report.q);
+  const ConsistentPose start = pull_back(solver, core, {0.0, report.q, system.initial_history()});
   report.q = start.q;
   tolerance = std::max(tolerance, tolerance_of_geometry(system, core, report.q));
-  const CorePose assembled(system, core, report.q, tolerance);
+  const CorePose assembled(system, core, {0.0, report.q, system.initial_history()}, tolerance);
   if (assembled.dependent.empty()) return;
   std::vector<int> freedoms = degrees_of_freedom(system, core, assembled.dependent);
   for (std::size_t c = 0; c < freedoms.size(); ++c)
     if (!start.reached[c]) freedoms[c] = 0;  // its joints contradict each other: there is no other pose to look at
   const PerturbedPose found = perturb(solver, core, report.q, freedoms);
   report.q = found.q;
-  const CorePose perturbed(system, core, report.q, tolerance);
+  const CorePose perturbed(system, core, {0.0, report.q, system.initial_history()}, tolerance);
   const Places redundant = redundant_rows(solver, core, assembled, perturbed, found, tolerance);
   for (const int place : redundant) report.redundant_rows.push_back(row(place));
 
@@ -117,7 +117,7 @@ RankReport examine_rank(const System& given, double least_tolerance) {
   report.q = given.model().initial_q();
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   Evaluation at = given.make_evaluation();
-  given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), at);
+  given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), given.initial_history(), at);
   const LoopCore core(given, at, tolerance);
   const bool consistent =
       report.rows == 0 || at.Phi.cwiseQuotient(row_lengths(given, at)).cwiseAbs().maxCoeff() <= assembled;
@@ -134,7 +134,7 @@ std::vector<DependentGroup> dependent_groups(const System& given, const RankRepo
   MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   const LoopCore core(system, at, std::max(rank_tolerance, roundoff_of_positions(system, report.q)));
   const auto kernel = make_kernel(solver, core, at, report);
   for (std::size_t k = 0; k < std::min(most, report.redundant_rows.size()); ++k) {

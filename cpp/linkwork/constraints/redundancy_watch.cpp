@@ -71,31 +71,31 @@ std::vector<int> joints_with_residuals(const Model& model, const VectorXd& Phi) 
 
 }  // namespace
 
-RedundancyExamination examine_redundancy(const System& given, double t, const VectorXd& q,
+RedundancyExamination examine_redundancy(const System& given, const TimedPose& here,
                                          const std::vector<int>& redundant) {
   MetricSolver solver(given);
   const System& system = solver.system();
   const VectorXd rest = VectorXd::Zero(system.v_size());
   Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(t, q, rest, at);
+  system.evaluate_constraints(here.t, here.q, rest, here.history, at);
   const double before = largest(at.Phi);
   const LoopCore core(system, at, rank_tolerance);
   RedundancyExamination out;
-  out.q = q;
+  out.q = here.q;
   if (core.row_count() == 0) return out;
   bool reached = true;
   for (int k = 0; k < most_pulls && reached && !out.consistent; ++k) {
-    ConsistentPose pulled = pull_back(solver, core, out.q, t);
+    ConsistentPose pulled = pull_back(solver, core, {here.t, out.q, here.history});
     reached = std::find(pulled.reached.begin(), pulled.reached.end(), 0) == pulled.reached.end();
     out.q = std::move(pulled.q);
-    system.evaluate_constraints(t, out.q, rest, at);
+    system.evaluate_constraints(here.t, out.q, rest, here.history, at);
     take_branches_from(at.Phi, core);
     out.consistent = largest(at.Phi) <= std::max(met * before, met_absolute);
   }
   out.contradicts = reached && largest(at.Phi) > remaining * before;
   if (out.contradicts) out.joints = joints_with_residuals(system.model(), at.Phi);
   if (!out.consistent) return out;
-  const CorePose pose(system, core, out.q, rank_tolerance, t);
+  const CorePose pose(system, core, {here.t, out.q, here.history}, rank_tolerance);
   out.choice = choose(solver, core, pose, redundant);
   out.changed = out.choice.size() < redundant.size();
   return out;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "linkwork/constraints/consistent_pose.hpp"
 #include "linkwork/constraints/dropped_rows.hpp"
 
 namespace linkwork {
@@ -22,7 +23,7 @@ struct RedundancyExamination {
 
 /// Pulls the pose onto all constraints, redundant ones included, and looks at the rank there. Off the constraints the
 /// rank says nothing: equations that contradict each other by delta are independent by delta.
-RedundancyExamination examine_redundancy(const System& system, double t, const VectorXd& q,
+RedundancyExamination examine_redundancy(const System& system, const TimedPose& here,
                                          const std::vector<int>& redundant);
 
 /// Watches rows that are left out as redundant: the others imply them, so their Phi and Phi_dot, which an evaluation

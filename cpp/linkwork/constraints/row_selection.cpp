@@ -242,9 +242,9 @@ Places dependent_rows(const SparseRows& A, double tolerance) {
   return dependent_columns(A.transpose(), tolerance, neighbors_on_same_bodies(A));
 }
 
-CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance, double t)
+CorePose::CorePose(const System& system, const LoopCore& core, const TimedPose& pose, double tolerance)
     : at(system.make_evaluation()) {
-  system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(pose.t, pose.q, VectorXd::Zero(system.v_size()), pose.history, at);
   D = core.scaled_D(at);
   dependent = dependent_rows(D, tolerance);
 }

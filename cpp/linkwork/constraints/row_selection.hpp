@@ -16,7 +16,7 @@ Places dependent_rows(const SparseRows& A, double tolerance);
 
 /// The core at one pose: D, and the rows that depend on the others.
 struct CorePose {
-  CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance, double t = 0.0);
+  CorePose(const System& system, const LoopCore& core, const TimedPose& pose, double tolerance);
   Evaluation at;
   SparseRows D;  ///< rows of unit length
   Places dependent;

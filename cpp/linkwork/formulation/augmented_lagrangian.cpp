@@ -78,6 +78,7 @@ class AugmentedLagrangian final : public Formulation {
       converged = iterate(a, b, v_dot, lambda, patience * options_.max_iterations);
     }
     compliance_ = usual;
+    saddle_->factorize(*at_, compliance_);  // whatever is solved next begins as if nothing had been raised
     return converged;
   }
 

@@ -78,7 +78,9 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
-  system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
+  history_ = system_.initial_history();
+  system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
+  history_ = initial_history_ = at_.history;
   check_masses();
   check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
@@ -122,11 +124,11 @@ void Dynamics::check_kkt() const {
                                          "'block'");
 }
 
-void Dynamics::remember(const std::vector<double>& memory) {
-  if (memory.size() != at_.memory.size())
-    throw OptionError("memory", "the mechanism remembers " + std::to_string(at_.memory.size()) + " numbers, not " +
-                                    std::to_string(memory.size()));
-  at_.memory = memory;
+void Dynamics::set_history(const ConstVector& history) {
+  if (history.size() != history_.size())
+    throw OptionError("history", "the mechanism has " + std::to_string(history_.size()) + " history variables, not " +
+                                     std::to_string(history.size()));
+  history_ = history;
 }
 
 VectorXd Dynamics::initial_y() const {
@@ -162,17 +164,19 @@ int Dynamics::evaluations_on_the_clock() const {
 
 void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   poll();
+  observe_now();
   t_ = t;
   stage_ = stage;
   y_ = y;
   clocked_ = evaluations_on_the_clock();
   {
     const Stopwatch watch(statistics_.evaluate_time, clocked_);
-    system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
+    system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
     statistics_.evaluations += 1;
   }
   dropped_.take_out(at_);
   factorized_ = taken_over_ = false;
+  if (!sides_.empty()) look_for_switches();
   if (traces_) look_for_nan(false);
 }
 
@@ -189,6 +193,7 @@ bool Dynamics::count_factorization(Work factorize) {
   statistics_.factorizations += 1;
   statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, std::max(pivot, 0.0));
   if (!watched_ || !watching_) return true;
+  if (looking_) return look_at(pivot);
   watch_.note(t_, pivot);
   return watch_.usual(pivot) || inspect(pivot);
 }
@@ -202,14 +207,15 @@ double Dynamics::try_factorization(Work factorize) {
     const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
     if (!pivots || !y_.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
       throw_not_finite(system_, y_, t_, stage_);
-    if (!rank_needed_ || !watching_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
+    if (!rank_needed_ || !watching_ || (!looking_ && !watch_.open() && examine_here(broken).rows.empty())) throw;
     return broken;
   }
   return formulation_->saddle().smallest_pivot();
 }
 
 PoseExamination Dynamics::examine_here(double pivot) const {
-  return examine_pose(system_, t_, y_.head(system_.q_size()), dropped_.rows(), watch_.near(pivot));
+  const VectorXd q = y_.head(system_.q_size());
+  return examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(pivot));
 }
 
 /// A small pivot, or any inside a passage. False where the factorization is another one than before.
@@ -231,6 +237,7 @@ bool Dynamics::inspect(double pivot) {
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
+  watch_.take_over();
   return false;
 }
 
@@ -261,8 +268,9 @@ bool Dynamics::improve_rows() {
 }
 
 bool Dynamics::cross(const VectorXd& y, double pivot) {
+  const VectorXd q = y.head(system_.q_size());
   PoseExamination found =
-      examine_pose(system_, t_, y.head(system_.q_size()), dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
+      examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
   if (found.rows.empty() || choose_rows(found, pivot) || !found.singular) return false;
   watch_.cross(t_, pivot, std::move(found.joints));
   return true;
@@ -289,10 +297,51 @@ void Dynamics::take_over() {
   if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_, *inertia_);
   tolerant_->factorize(at_);
   taken_over_ = true;
-  watch_.take_over();
+}
+
+/// As `inspect`, for an observer: the watch does not hear of it.
+bool Dynamics::look_at(double pivot) {
+  if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
+  take_over();
+  return false;
+}
+
+void Dynamics::observe(std::function<void()> look) {
+  if (factorized_ || system_.row_count() == 0) return look();
+  observer_ = std::move(look);
+}
+
+void Dynamics::observe_now() {
+  if (observer_) std::exchange(observer_, {})();
+}
+
+void Dynamics::return_to(const Place& place) {
+  looking_ = true;
+  evaluate(place.t, place.y);
+  if (place.factorized) factorize();
+  if (place.taken_over && !taken_over_) take_over();
+  looking_ = false;
+}
+
+void Dynamics::take_sides() {
+  sides_.resize(static_cast<std::size_t>(at_.switches.size()), 0);
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if (const double value = at_.switches[static_cast<Eigen::Index>(k)]; value != 0.0) sides_[k] = value > 0.0;
+}
+
+void Dynamics::look_for_switches() {
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if (const double value = at_.switches[static_cast<Eigen::Index>(k)];
+        value != 0.0 && (value > 0.0) != (sides_[k] != 0))
+      switched_ = true;
 }
 
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+  find_solution(a, b, v_dot, lambda);
+  if (observer_) observe_now();
+}
+
+void Dynamics::find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
   statistics_.solves += 1;
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
   if (!factorized_ && count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept(b), v_dot, lambda); }))
@@ -443,8 +492,8 @@ int user_force_not_finite(const System& system, double t, const VectorXd& y) {
 int joint_force_not_finite(const System& system, double t, const VectorXd& y) {
   const auto q = y.head(system.q_size()), v = y.segment(system.q_size(), system.v_size());
   for (std::size_t k = 0; k < system.model().joint_forces().size(); ++k) {
-    double memory = 0.0;
-    if (!std::isfinite(system.joint_force(k, t, q, v, &memory).power)) return static_cast<int>(k);
+    HistoryVariable<double> variable;
+    if (!std::isfinite(system.joint_force(k, t, q, v, variable).power)) return static_cast<int>(k);
   }
   return -1;
 }
@@ -461,7 +510,7 @@ int force_not_finite(const System& system, double t, const VectorXd& y) {
       v.segment<6>(6 * place) = y.segment<6>(system.q_size() + 6 * bodies[b]);
     }
     Evaluation at = one.make_evaluation();
-    one.evaluate(t, q, v, at);
+    one.evaluate(t, q, v, one.initial_history(), at);
     if (!at.g.head(one.v_size()).allFinite() || !std::isfinite(at.power)) return static_cast<int>(k);
   }
   return -1;
@@ -482,7 +531,8 @@ void throw_not_finite(const System& system, const VectorXd& y, double t, int sta
   const double speed = y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
   if (details.bodies.empty() && speed < diverged) {
     Evaluation at = system.make_evaluation();
-    system.evaluate(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), at);
+    system.evaluate(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), system.initial_history(),
+                    at);
     if (const int joint = joint_not_finite(system, at); joint >= 0) {
       details.joints = {model.joint_name(joint)};
       throw NotFiniteError("not_finite",

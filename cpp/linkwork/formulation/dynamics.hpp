@@ -3,9 +3,11 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/constraints/minimum_norm.hpp"
@@ -49,8 +51,25 @@ class Dynamics {
   double assemble_time() const;                  ///< part of the factorize_time; see SaddleSolver
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
-  /// What force elements and special joints remember, see Evaluation, goes on from here; as many numbers as there are.
-  void remember(const std::vector<double>& memory);
+  // History variables (see history.hpp) are held while a step is tried, and go on when its end is accepted.
+  /// Those that evaluations take as of the last accepted state; at first those of the initial state.
+  const VectorXd& history() const { return history_; }
+  const VectorXd& initial_history() const { return initial_history_; }
+  /// OptionError: not as many numbers as there are history variables.
+  void set_history(const ConstVector& history);
+  /// Accepts the state where this is evaluated. What was evaluated there holds with the new history, too.
+  void advance_history() { history_ = at_.history; }
+  /// A contact is found to begin or end in the state that is accepted next, be its depth zero or roundoff.
+  void begin_contact(int variable) { history_[variable] = std::numeric_limits<double>::quiet_NaN(); }
+  void end_contact(int variable) { history_[variable] = at_.history[variable] = 0.0; }
+  // Switches of force elements whose law is not smooth, see Wrenches: on which side of zero they are.
+  /// The sides of the state where this is evaluated are those of the step that begins there; what is zero keeps its
+  /// side.
+  void take_sides();
+  void set_side(int which, bool positive) { sides_[static_cast<std::size_t>(which)] = positive; }
+  const std::vector<char>& sides() const { return sides_; }
+  /// Whether an evaluation since the last call had one on another side.
+  bool take_switched() { return std::exchange(switched_, false); }
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
   /// Where there are joints.
@@ -82,6 +101,24 @@ class Dynamics {
   }
   /// Factorizes ahead of the first solution, which else does both.
   void factorize();
+
+  // For observers, who change no bit of what follows.
+  /// Calls `look` when there has been a solution at this state: at once, or after the next one. What the step finds
+  /// first is then found in the same way with and without it.
+  void observe(std::function<void()> look);
+  /// Calls what still waits for a solution.
+  void observe_now();
+  /// The state of the last evaluation and factorization, to come back to after others that only served to look.
+  struct Place {
+    double t;
+    VectorXd y;
+    bool factorized, taken_over;
+  };
+  Place place() const { return {t_, y_, factorized_, taken_over_}; }
+  /// Evaluations from here on are not noted by the watch.
+  void begin_looking() { looking_ = true; }
+  void end_looking() { looking_ = false; }
+  void return_to(const Place& place);
 
   /// Accelerations and multipliers of the mechanism itself, without stabilization. The multipliers of redundant
   /// constraints are those of MinimumNorm.
@@ -132,6 +169,9 @@ class Dynamics {
   void change_redundant_rows(std::vector<int> rows);
   bool choose_rows(PoseExamination& found, double pivot);
   void take_over();
+  bool look_at(double pivot);
+  void look_for_switches();
+  void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
   void check_masses() const;
@@ -151,8 +191,12 @@ class Dynamics {
   std::unique_ptr<Formulation> formulation_;
   SingularWatch watch_;
   std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
-  bool watched_ = false, watching_ = true, taken_over_ = false, rank_needed_ = false;
+  bool watched_ = false, watching_ = true, looking_ = false, taken_over_ = false, rank_needed_ = false;
   Evaluation at_;
+  VectorXd history_, initial_history_;
+  std::vector<char> sides_;  ///< empty until they are taken: positive or not
+  bool switched_ = false;
+  std::function<void()> observer_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
   double t_ = 0.0;

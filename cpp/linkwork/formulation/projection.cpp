@@ -39,7 +39,8 @@ void Projection::iterate(double t, VectorXd& y, Violation violation, Move move) 
   if (system.row_count() == 0) return;
   double last = INFINITY;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    system.evaluate_constraints(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), at_);
+    system.evaluate_constraints(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()),
+                                dynamics_.history(), at_);
     b_ = -violation(at_);
     const bool singular = dynamics_.watch().open();
     if (singular && b_.cwiseAbs().maxCoeff() <= noise) return;

@@ -82,16 +82,17 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
 
 }  // namespace
 
-PoseExamination examine_pose(const System& given, double t, const VectorXd& q, const std::vector<int>& redundant,
+PoseExamination examine_pose(const System& given, const TimedPose& here, const std::vector<int>& redundant,
                              double near) {
   MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);
+  system.evaluate_constraints(here.t, here.q, VectorXd::Zero(system.v_size()), here.history, at);
   const LoopCore core(system, at, rank_tolerance);
   PoseExamination out;
   if (core.row_count() == 0) return out;
-  const CorePose pose(system, core, pull_back(solver, core, q, t).q, rank_tolerance, t);
+  const VectorXd q = pull_back(solver, core, here).q;
+  const CorePose pose(system, core, {here.t, q, here.history}, rank_tolerance);
   out.rows = near_rows(core, pose.D, redundant, near);
   if (out.rows.empty()) return out;
   out.joints = involved_joints(solver, core, pose.at, redundant, out.rows);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "linkwork/assembly/system.hpp"
+#include "linkwork/constraints/consistent_pose.hpp"
 
 namespace linkwork {
 
@@ -23,7 +23,7 @@ struct PoseExamination {
 
 /// Looks at the loops by a rank-revealing factorization. A row is near the others when so small a part of its length,
 /// in velocities of natural size, is independent of them. `redundant` are the rows left out, ascending.
-PoseExamination examine_pose(const System& system, double t, const VectorXd& q, const std::vector<int>& redundant,
+PoseExamination examine_pose(const System& system, const TimedPose& pose, const std::vector<int>& redundant,
                              double near);
 
 /// A time in which equations were nearly dependent.

@@ -42,6 +42,8 @@ constexpr double jump = 1e-9;   // of velocities of drivers, relative: what is l
 constexpr int most_tries = 6;
 constexpr double try_decrease = 0.1;
 
+constexpr double too_far = 1e3;  // error of a step in which full turns cannot be counted
+
 std::string scientific(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
@@ -59,7 +61,8 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       controller_(pair.error_order + 1),
       breaks_(dynamics.system().model(), schedule.breaks),
       crossing_(dynamics),
-      watch_(std::move(events)) {
+      watch_(std::move(events)),
+      switches_(dynamics, schedule.tolerances.absolute) {
   check(schedule);
   const FormulationInfo& formulation = formulation_info(dynamics.options().formulation);
   yields_ = formulation.has_penalty && !formulation.iterative;
@@ -85,9 +88,10 @@ void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
 void AdaptiveSimulation::begin() {
   begun_ = true;
   evaluate(clock(), y_);
+  settle_history();
   dated(t_, NAN, [&] { keep_to_budget(clock()); });
-  record_if_due();
   finished_ = t_ >= schedule_.t_end;
+  record_if_due();
   if (finished_) return;
   dated(t_, NAN, [&] {
     watch_.start(t_, y_);
@@ -124,8 +128,11 @@ void AdaptiveSimulation::attempt() {
   t_new_ = end_of_step(h);
   Phi_ = dynamics_.evaluation().Phi;
   Phi_dot_ = dynamics_.evaluation().Phi_dot;
+  dynamics_.take_switched();
   const BodyMaximum error = trial(h);
-  if (error.value <= 1.0) accept(h, error.value);
+  if (error.value <= 1.0 && TurnGuard::too_far(turns_.largest(h))) reject(h, {too_far, -1});
+  else if (error.value <= 1.0 && end_at_switch(h)) return;
+  else if (error.value <= 1.0) accept(h, error.value);
   else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
 }
@@ -146,6 +153,50 @@ double AdaptiveSimulation::end_of_step(double& h) const {
 
 /// Where functions of time are evaluated for what begins at t_; at the end, for what ends there.
 double AdaptiveSimulation::clock() const { return t_ < schedule_.t_end ? breaks_.after(t_) : breaks_.before(t_); }
+// Forces of contacts and stops are not smooth where they begin or end, and that of a contact depends on the speed at
+// which it began: the step is taken again up to there.
+bool AdaptiveSimulation::end_at_switch(double h) {
+  if (!dynamics_.take_switched()) return false;
+  const Dynamics::Place end = dynamics_.place();
+  if (stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
+  const auto found = switches_.first(stepper_, t_, h);
+  if (!found) return false;
+  away_from_.reset();
+  evaluated_ = false;
+  dynamics_.release_correction();
+  evaluate(t_, y_);
+  const double part = found->theta * h;
+  if (part <= least_step * std::max(t_, schedule_.t_end)) {  // at the start: the step is tried again
+    switch_ = found;
+    settle_history();
+    return true;
+  }
+  t_new_ = t_ + part;
+  const BodyMaximum error = trial(part);
+  if (!(error.value <= 1.0)) {
+    reject(part, error);
+    return true;
+  }
+  accept(part, error.value);
+  switch_ = found;
+  if (stop_) switch_.reset();
+  step_ = std::max(step_, part + 0.5 * (h - part));
+  return true;
+}
+
+/// `dynamics` is evaluated at the state from which the run goes on.
+void AdaptiveSimulation::settle_history() {
+  const int contact = switch_ ? dynamics_.system().switches()[static_cast<std::size_t>(switch_->which)] : -1;
+  if (contact >= 0 && switch_->positive) {
+    dynamics_.begin_contact(contact);
+    evaluate(t_, y_);
+  }
+  accept_history();
+  if (contact >= 0 && !switch_->positive) dynamics_.end_contact(contact);
+  dynamics_.take_sides();
+  if (switch_) dynamics_.set_side(switch_->which, switch_->positive);
+  switch_.reset();
+}
 
 /// Over a singular pose, where one is ahead; the step after it is as long as those before.
 bool AdaptiveSimulation::leap() {
@@ -165,6 +216,8 @@ bool AdaptiveSimulation::leap() {
   t_new_ = h_ == remaining ? end : crossing_.last().end();
   y_new_ = crossing_.last().y_new;
   stop_.reset();
+  switch_.reset();
+  away_from_.reset();
   if (!watch_.empty()) dated(t_, h_, [&] { look_for_events(); });
   return true;
 }
@@ -220,6 +273,7 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
 
 void AdaptiveSimulation::accept(double h, double error) {
   accepted_ = evaluated_ = true;
+  switch_.reset();
   h_ = h;
   y_new_ = stepper_.y_new();
   statistics_.smallest = std::min(statistics_.smallest, h);
@@ -234,7 +288,8 @@ void AdaptiveSimulation::accept(double h, double error) {
 }
 
 void AdaptiveSimulation::look_for_events() {
-  if (!leapt_ && stepper_.prepare_interpolation(dynamics_)) evaluated_ = false;
+  const Dynamics::Place end = dynamics_.place();
+  if (!leapt_ && stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
   for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_)) {
@@ -246,6 +301,7 @@ void AdaptiveSimulation::look_for_events() {
     t_new_ = t;
     y_new_ = work_;
     evaluated_ = false;
+    away_from_.reset();
   }
 }
 
@@ -270,6 +326,8 @@ bool AdaptiveSimulation::apply(const Event& event) {
   projection().positions(t, y_);
   projection().velocities(t, y_);
   dynamics_.evaluate(t, y_);
+  accept_history();
+  dynamics_.take_sides();
   y_[size] += energy() - before;
   of_step_.back().after = y_.head(size);
   return changed.ends;
@@ -313,6 +371,8 @@ bool AdaptiveSimulation::output_inside() const {
 
 void AdaptiveSimulation::record_inside() {
   const double t = schedule_.times[next_time_++];
+  if (evaluated_ && !away_from_) away_from_ = dynamics_.place();
+  dynamics_.begin_looking();
   dated(t, NAN, [&] {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
     interpolant().interpolate(dynamics_.system(), (t - t_) / h_, work_);
@@ -320,7 +380,7 @@ void AdaptiveSimulation::record_inside() {
     if (leapt_) record_in_leap(t);
     else recorder_.record(t, work_);
   });
-  evaluated_ = false;
+  dynamics_.end_looking();
 }
 
 void AdaptiveSimulation::record_in_leap(double t) {
@@ -338,11 +398,14 @@ void AdaptiveSimulation::finish_step() {
   steps_done_ += 1;
   const bool at_break = t_ < schedule_.t_end && breaks_.at(t_);
   if (at_break) dated(t_, h_, [&] { cross_break(); });
+  if (away_from_ && !projects() && !at_break) dated(t_, NAN, [&] { dynamics_.return_to(*away_from_); });
+  away_from_.reset();
   if (projects()) {
     dated(t_, h_, [&] { projection().stabilize(clock(), y_); });
     evaluated_ = false;
   }
   if (!evaluated_) evaluate(clock(), y_);
+  settle_history();
   dated(t_, h_, [&] { keep_to_budget(clock()); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
@@ -411,7 +474,11 @@ void AdaptiveSimulation::record_if_due() {
   const bool last = finished_ && stop_;
   bool due = schedule_.record_every > 0 && (finished_ || stop_ || steps_done_ % schedule_.record_every == 0);
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
-  if (due || last) dated(t_, NAN, [&] { recorder_.record(t_, y_); });
+  if (!due && !last) return;
+  dated(t_, NAN, [&] {
+    if (finished_) recorder_.record(t_, y_);
+    else recorder_.record_in_step(t_, y_);
+  });
 }
 
 }  // namespace linkwork

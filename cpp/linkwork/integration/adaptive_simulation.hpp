@@ -65,6 +65,8 @@ class AdaptiveSimulation final : public Run {
   void attempt();
   BodyMaximum trial(double h);
   void accept(double h, double error);
+  bool end_at_switch(double h);
+  void settle_history();
   bool leap();
   const Interpolant& interpolant() const;
   void look_for_events();
@@ -98,9 +100,11 @@ class AdaptiveSimulation final : public Run {
   Crossing crossing_;
   bool leapt_ = false;  ///< the step that was accepted is a leap over a singular pose
   EventWatch watch_;
-  std::vector<Occurrence> of_step_;        ///< found in the current step, which is not finished
-  std::vector<Occurrence> occurrences_;    ///< of finished steps
-  std::optional<EventWatch::Found> stop_;  ///< the event that ends the current step
+  SwitchWatch switches_;
+  std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step
+  std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
+  std::vector<Occurrence> occurrences_;        ///< of finished steps
+  std::optional<EventWatch::Found> stop_;      ///< the event that ends the current step
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
@@ -116,6 +120,7 @@ class AdaptiveSimulation final : public Run {
   bool begun_ = false;
   bool accepted_ = false;   ///< the stepper holds the step from t_ to t_new_
   bool evaluated_ = false;  ///< `dynamics` is at the state that comes next: y_, or y_new when accepted
+  std::optional<Dynamics::Place> away_from_;  ///< or was, and only looked elsewhere since
   std::size_t next_time_ = 0;
   std::string last_failure_;  ///< of a stage of the last trial
   VectorXd work_, rates_;

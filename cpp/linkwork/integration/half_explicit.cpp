@@ -110,7 +110,8 @@ class HalfExplicit final : public Integrator {
     sum(tableau_.A_bar, i, i, h, y, met_);
     system.position_rates(stage_.head(nq), stage_.segment(nq, nv), k_.col(i).head(nq));
     met_.head(nq) += own * k_.col(i).head(nq);
-    system.evaluate_constraints(t + tableau_.A_bar.row(i).sum() * h, met_.head(nq), met_.segment(nq, nv), *at_);
+    system.evaluate_constraints(t + tableau_.A_bar.row(i).sum() * h, met_.head(nq), met_.segment(nq, nv),
+                                dynamics.history(), *at_);
     b_ = at_->Phi_dot / -own;
     dynamics.solve(dynamics.evaluation().g.head(nv), b_, x_, lambda_);
     if (system.row_count() > 0) refine(dynamics);

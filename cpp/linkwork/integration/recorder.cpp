@@ -24,6 +24,21 @@ void Recorder::record(double t, const VectorXd& y) {
   record(t, y, v_dot_, lambda_);
 }
 
+void Recorder::record_in_step(double t, const VectorXd& y) {
+  waiting_t_ = t;
+  waiting_y_ = y;
+  dynamics_.observe([this, here = std::weak_ptr<char>(here_)] {
+    if (!here.expired()) record(waiting_t_, waiting_y_);
+  });
+}
+
+void Recorder::finish() {
+  try {
+    dynamics_.observe_now();
+  } catch (const Error&) {  // there is no acceleration, which was the reason to end
+  }
+}
+
 void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda) {
   const System& system = dynamics_.system();
   const int nq = system.q_size(), nv = system.v_size();
@@ -40,6 +55,7 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   frames_.work.push_back(y[nq + nv]);
   for (const VectorXd* rows : {&at.Phi, &at.Phi_dot, static_cast<const VectorXd*>(&residual_)})
     frames_.violation.push_back(largest(*rows));
+  append(frames_.history, at.history);
 }
 
 }  // namespace linkwork

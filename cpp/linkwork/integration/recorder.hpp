@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Frames {
   std::vector<double> q, v, v_dot, lambda;  ///< 7 n, 6 n, 6 n and rows numbers a frame
   std::vector<double> kinetic, potential, work;
   std::vector<double> violation;  ///< 3 a frame: max |Phi|, max |Phi_dot|, max |D v_dot - gamma|
+  std::vector<double> history;    ///< history variables, see history.hpp
 };
 
 /// Collects frames until somebody takes them.
@@ -27,11 +29,19 @@ class Recorder {
   /// The same with accelerations and multipliers that are known otherwise.
   void record(double t, const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda);
 
+  /// The same where a step goes on from this state: in the course of it, without changing a bit of it.
+  void record_in_step(double t, const VectorXd& y);
+  /// A frame that waits for a step which will not come.
+  void finish();
+
   std::size_t count() const { return frames_.t.size(); }
   Frames take() { return std::exchange(frames_, {}); }
 
  private:
   Dynamics& dynamics_;
+  std::shared_ptr<char> here_ = std::make_shared<char>();  ///< `dynamics` may outlive what it was asked to call
+  double waiting_t_ = 0.0;
+  VectorXd waiting_y_;
   VectorXd v_dot_, lambda_, residual_;
   Frames frames_;
 };

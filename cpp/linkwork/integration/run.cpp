@@ -41,7 +41,7 @@ Frames Run::advance(std::int64_t max_frames, double max_seconds) {
     stop_at_singular_pose();
     if (std::chrono::duration<double>(Clock::now() - start).count() > max_seconds) break;
   }
-  return take_frames();
+  return recorder_.take();
 }
 
 void Run::stop_at_singular_pose() const {
@@ -67,7 +67,8 @@ void Run::watch_redundant_rows(double t) {
   const auto v = y_.segment(system.q_size(), system.v_size());
   if (!redundancy_.suspicious(system, dynamics_.evaluation(), dynamics_.dropped(), v)) return;
   if (redundancy_.excess().kept > unbearable) return;  // it has left the joints altogether
-  RedundancyExamination found = examine_redundancy(system, t, y_.head(system.q_size()), dynamics_.dropped().rows());
+  const VectorXd q = y_.head(system.q_size());
+  RedundancyExamination found = examine_redundancy(system, {t, q, dynamics_.history()}, dynamics_.dropped().rows());
   if (found.changed) return take_up_rows(t, std::move(found));
   // Whatever the reason: where the equations are left so far, they are not those of the motion any more.
   if (found.contradicts) note_contradiction(t, std::move(found.joints));
@@ -146,6 +147,7 @@ void Run::keep_to_budget(double t) {
   projection().velocities(t, y_);
   projections_ += 1;
   dynamics_.evaluate(t, y_);
+  accept_history();
 }
 
 void Run::begin_at(double t, double t_end, const VectorXd& q_and_v) {

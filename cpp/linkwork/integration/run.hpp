@@ -7,6 +7,7 @@
 #include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/drift_budget.hpp"
+#include "linkwork/integration/history_watch.hpp"
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -27,6 +28,7 @@ class Run {
       : dynamics_(dynamics),
         recorder_(dynamics),
         y_(dynamics.initial_y()),
+        turns_(dynamics),
         stops_(dynamics.options().on_singular == "stop"),
         singular_poses_(dynamics.watch().singular_poses()),
         budget_(dynamics),
@@ -39,7 +41,10 @@ class Run {
   Frames advance(std::int64_t max_frames, double max_seconds);
 
   /// What was recorded since the last call.
-  Frames take_frames() { return recorder_.take(); }
+  Frames take_frames() {
+    recorder_.finish();
+    return recorder_.take();
+  }
 
   const Dynamics& dynamics() const { return dynamics_; }
   bool finished() const { return finished_; }
@@ -60,6 +65,12 @@ class Run {
   }
   bool projects() const {
     return projects_positions(dynamics_.stabilization()) || projects_velocities(dynamics_.stabilization());
+  }
+
+  /// Accepts the state where `dynamics` is evaluated as the one from which the run goes on.
+  void accept_history() {
+    dynamics_.advance_history();
+    turns_.accept();
   }
 
   /// Begins at a state y = (q, v) other than that of the model; nothing where it is empty.
@@ -83,6 +94,7 @@ class Run {
   Dynamics& dynamics_;
   Recorder recorder_;
   VectorXd y_;  ///< at t()
+  TurnGuard turns_;
   std::int64_t steps_done_ = 0;
   bool finished_ = false;
 

@@ -1,6 +1,7 @@
 #include "linkwork/integration/simulation.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "linkwork/math/error.hpp"
 
@@ -23,9 +24,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
     throw OptionError("t_end", "t_end must be finite and not negative");
   if (schedule.record_every < 1) throw OptionError("record_every", "record_every must be at least 1");
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
-  const double steps = std::ceil((schedule.t_end - schedule.t_start) / schedule.step - same_time);
-  if (steps > 1e15) throw OptionError("step", "t_end / step is more than 1e15 steps; use a larger step");
-  steps_total_ = static_cast<std::int64_t>(steps);
+  count_steps();
   y_dot_.resize(y_.size());
   kept_y_ = y_;
   if (!integrator_) return;
@@ -33,8 +32,30 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   integrator_->start(static_cast<int>(y_.size()));
 }
 
+void Simulation::count_steps() {
+  const double h = schedule_.step, start = schedule_.t_start, end = schedule_.t_end;
+  const auto same = [h](double a, double b) {
+    return std::abs(a - b) <= same_time * h + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(a);
+  };
+  if (std::abs(start / h) < 1e15 && same(start, std::round(start / h) * h))
+    first_step_ = static_cast<std::int64_t>(std::round(start / h));
+  else origin_ = start;
+  const double steps = std::ceil((end - start) / h - same_time);
+  if (steps > 1e15) throw OptionError("step", "t_end / step is more than 1e15 steps; use a larger step");
+  steps_total_ = static_cast<std::int64_t>(steps);
+  whole_ = true;
+  whole_ = same(end, time_of(steps_total_));
+}
+
+/// Where steps begin and end. `t` differs at both ends of the run by the roundoff of what was asked for.
 double Simulation::time_of(std::int64_t step) const {
-  return step >= steps_total_ ? schedule_.t_end : schedule_.t_start + static_cast<double>(step) * schedule_.step;
+  if (step >= steps_total_ && !whole_) return schedule_.t_end;
+  return origin_ + static_cast<double>(first_step_ + step) * schedule_.step;
+}
+
+double Simulation::t() const {
+  if (steps_done_ == steps_total_) return schedule_.t_end;
+  return steps_done_ == 0 ? schedule_.t_start : time_of(steps_done_);
 }
 
 bool Simulation::recording_due() const {
@@ -45,7 +66,9 @@ void Simulation::work() {
   const double h = begin_step();
   if (h == 0.0) return;
   try {
-    divergence_.blame(kept_y_, t(), h, [&] { dated(t(), h, [&] { integrator_->step(dynamics_, t(), h, y_); }); });
+    divergence_.blame(kept_y_, t(), h, [&] {
+      dated(t(), h, [&] { integrator_->step(dynamics_, time_of(steps_done_), h, y_); });
+    });
     finish_step();
   } catch (const NotFiniteError& error) {
     if (error.code() != Divergence::code) trace_step(h);
@@ -58,8 +81,8 @@ void Simulation::trace_step(double h) {
   dynamics_.trace();
   y_ = kept_y_;
   dated(t(), h, [&] {
-    dynamics_.evaluate(t(), y_);
-    integrator_->step(dynamics_, t(), h, y_);
+    dynamics_.evaluate(time_of(steps_done_), y_);
+    integrator_->step(dynamics_, time_of(steps_done_), h, y_);
   });
 }
 
@@ -100,7 +123,8 @@ void Simulation::forget() {
 
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
-  dynamics_.evaluate(t(), y_);
+  dynamics_.evaluate(time_of(steps_done_), y_);
+  accept_state();
   if (!leaping_) keep_to_budget(t());
   evaluated_ = true;
   if (!integrator_) add_work();
@@ -108,8 +132,18 @@ void Simulation::evaluate_and_record() {
   if (recording_due()) record();
 }
 
+/// StepSizeError: an angle has turned so far that full turns cannot be counted.
+void Simulation::accept_state() {
+  if (steps_done_ > 0) {
+    const double h = time_of(steps_done_) - time_of(steps_done_ - 1), turned = turns_.largest(h);
+    if (TurnGuard::too_far(turned)) turns_.refuse(h, turned);
+  }
+  accept_history();
+}
+
 void Simulation::record() {
-  if (!leaping_) return recorder_.record(t(), y_);
+  if (!leaping_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t(), y_);
+  if (!leaping_) return recorder_.record_in_step(t(), y_);
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
   crossing_.interpolate(crossing_.theta(t()), v_dot, lambda);
   recorder_.record(t(), y_, v_dot, lambda);

@@ -19,12 +19,13 @@ struct Schedule {
   VectorXd start = {};  ///< y = (q, v) at t_start; empty: that of the model
 };
 
-/// A run with a fixed step: t_n = n h exactly, a shortened last step where t_end is no multiple of h.
+/// A run with a fixed step: t_n = n h exactly, a shortened last step where t_end is no multiple of h. A run that starts
+/// at a multiple of h goes on counting there, so that it takes the steps of one that started at 0.
 class Simulation final : public Run {
  public:
   Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule);
 
-  double t() const override { return time_of(steps_done_); }
+  double t() const override;
   const VectorXd& last_state() const override { return kept_y_; }
   std::int64_t steps_total() const override { return steps_total_; }
 
@@ -39,7 +40,9 @@ class Simulation final : public Run {
   double time_of(std::int64_t step) const;
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }
   bool recording_due() const;
+  void count_steps();
   void evaluate_and_record();
+  void accept_state();
   void record();
   void finish_step();
   void begin_leap();
@@ -50,6 +53,9 @@ class Simulation final : public Run {
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
   Schedule schedule_;
   Divergence divergence_;
+  double origin_ = 0.0;          ///< [s], where steps are counted from
+  std::int64_t first_step_ = 0;  ///< in this count
+  bool whole_ = false;           ///< the last step is not shortened
   std::int64_t steps_total_ = 0;
   Crossing crossing_;
   bool evaluated_ = false;

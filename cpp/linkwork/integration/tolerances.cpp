@@ -8,7 +8,9 @@
 namespace linkwork {
 
 // The rotation that takes p to p + dp is conj(p) (p + dp) = |p|^2 + conj(p) dp: its angle is twice the vector part of
-// conj(p) dp / |p|^2, and a change of length alone is no rotation.
+// conj(p) dp / |p|^2. The other part, a change of length alone, is no rotation, but it counts: error estimates are
+// powers of the angle of a step, of which the even ones go into the length, and of dop853 that is the leading one.
+// Without it a free wheel is off by a thousand tolerances.
 BodyMaximum ErrorMeasure::of_change(const ConstVector& y, const ConstVector& y_new, const ConstVector& dy) const {
   BodyMaximum largest;
   const int nq = system_.q_size();
@@ -20,7 +22,7 @@ BodyMaximum ErrorMeasure::of_change(const ConstVector& y, const ConstVector& y_n
   for (int body = 0; body < system_.body_count() && !std::isnan(largest.value); ++body) {
     const Vec4<double> p = y.segment<4>(7 * body + 3), dp = dy.segment<4>(7 * body + 3);
     const Vec4<double> turn = quaternion_product<double>({p[0], -p[1], -p[2], -p[3]}, dp) / p.squaredNorm();
-    const double angle = 2.0 * turn.tail<3>().norm() / bound(1.0);
+    const double angle = 2.0 * turn.norm() / bound(1.0);
     if (!(angle <= largest.value)) largest = {angle, body};
     for (const int place : {7 * body, nq + 6 * body, nq + 6 * body + 3}) ratio(place, body);
   }

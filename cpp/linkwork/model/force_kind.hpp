@@ -3,15 +3,16 @@
 #include <vector>
 
 #include "linkwork/model/batch.hpp"
+#include "linkwork/model/history.hpp"
 #include "linkwork/model/kind_info.hpp"
 #include "linkwork/model/time_function.hpp"
 
 /// A force element is a struct (one file in forces/, one line in forces.def) with
-///   static constexpr int memory;               numbers it remembers between evaluations (an unwrapped angle)
+///   static constexpr HistoryKind history;      what its law needs of the past, see history.hpp
 ///   static KindInfo info();
 ///   template <class Real>
 ///   static void evaluate(const Attachment<Real>&, const ForceParameters<Real>&, const BodyState<Real>& i,
-///                        const BodyState<Real>& j, Real* memory, Wrenches<Real>& out);
+///                        const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out);
 /// Power balance, checked for every registered force: g . v = -d(potential)/dt + power.
 namespace linkwork {
 
@@ -22,7 +23,16 @@ struct Wrenches {
   Vec3<Real> force_j = Vec3<Real>::Zero(), torque_j = Vec3<Real>::Zero();
   Real potential = Real(0);  ///< stored energy [J]
   Real power = Real(0);      ///< power of the part without a potential [W]
+  /// Where the law is not smooth they pass through zero: of `static constexpr int switches` in the element, if any.
+  Real switches[2] = {Real(0), Real(0)};
 };
+
+/// How many switches a force element has.
+template <class Force>
+constexpr int switches_of() {
+  if constexpr (requires { Force::switches; }) return Force::switches;
+  else return 0;
+}
 
 /// The parameters of one element at the present time.
 template <class Real>
@@ -31,6 +41,7 @@ class ForceParameters {
   ForceParameters(const Parameter* given, const Signal<Real>* signals, const TimeFunctionPtr* functions)
       : given_(given), signals_(signals), functions_(functions) {}
 
+  bool is_zero(int p) const { return given_[p].signal < 0 && given_[p].constant == 0.0; }
   Signal<Real> operator[](int p) const { return current(given_[p], signals_); }
   /// A parameter that is a function of a coordinate; a number stands for the slope of a line through zero.
   Real at(int p, Real x) const {
@@ -44,17 +55,20 @@ class ForceParameters {
   const TimeFunctionPtr* functions_;
 };
 
-/// Where the forces go: g (6 per body, ground included as the last), the sums of potential and power.
+/// Where the forces go: g (6 per body, ground included as the last), the sums of potential and power; the history
+/// variables, see HistoryVariable, and the switches, see Wrenches.
 struct ForceArrays {
   double* g;
-  double* memory;
+  const double* last;
+  double *next, *rate, *switches;
   double* potential;
   double* power;
 };
 
 struct ForceKind {
   KindInfo info;
-  int memory = 0;
+  HistoryKind history = HistoryKind::none;
+  int switches = 0;
   void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals,
                    const TimeFunctionPtr* functions, ForceArrays);
 };
@@ -67,8 +81,14 @@ void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const 
     const ForceParameters<double> parameters(batch.parameters.data() + k * count, signals, functions);
     const int i = batch.body_i[k], j = batch.body_j[k];
     Wrenches<double> wrenches;
-    Force::template evaluate<double>(batch.attachment[k], parameters, bodies[i], bodies[j],
-                                     out.memory + batch.memory[k], wrenches);
+    HistoryVariable<double> history;
+    if constexpr (Force::history != HistoryKind::none) history.last = out.last[batch.history[k]];
+    Force::template evaluate<double>(batch.attachment[k], parameters, bodies[i], bodies[j], history, wrenches);
+    if constexpr (Force::history != HistoryKind::none) {
+      out.next[batch.history[k]] = history.next;
+      out.rate[batch.history[k]] = history.rate;
+    }
+    for (int s = 0; s < switches_of<Force>(); ++s) out.switches[batch.switches[k] + s] = wrenches.switches[s];
     Eigen::Map<Vec3<double>>(out.g + 6 * i) += wrenches.force_i;
     Eigen::Map<Vec3<double>>(out.g + 6 * i + 3) += wrenches.torque_i;
     Eigen::Map<Vec3<double>>(out.g + 6 * j) += wrenches.force_j;
@@ -80,7 +100,7 @@ void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const 
 
 template <class Force>
 ForceKind make_force_kind() {
-  return {Force::info(), Force::memory, &evaluate_forces<Force>};
+  return {Force::info(), Force::history, switches_of<Force>(), &evaluate_forces<Force>};
 }
 
 /// All registered forces, in the order of forces.def.

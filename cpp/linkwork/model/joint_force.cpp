@@ -18,12 +18,16 @@ class LawOfTime final : public CoordinateLaw {
 
 CoordinateLawPtr law_of_time(TimeFunctionPtr function) { return std::make_shared<LawOfTime>(std::move(function)); }
 
-void JointForce::evaluate(double t, const BodyState<double>& body_i, const BodyState<double>& body_j, double* memory,
-                          Wrenches<double>& out) const {
+void JointForce::evaluate(double t, const BodyState<double>& body_i, const BodyState<double>& body_j,
+                          HistoryVariable<double>& history, Wrenches<double>& out) const {
   Equation<double> row;
   coordinate->evaluate(at, body_i, body_j, row);
-  if (coordinate->angle) row.Phi = memory[0] = continued(row.Phi, memory[0]);
-  const double rate = row.rate(body_i, body_j), effort = law->effort(t, row.Phi, rate);
+  const double rate = row.rate(body_i, body_j);
+  if (coordinate->angle) {
+    row.Phi = history.next = continued(row.Phi, history.last);
+    history.rate = rate;
+  }
+  const double effort = law->effort(t, row.Phi, rate);
   act(row, effort, out);
   out.power = effort * rate;
 }

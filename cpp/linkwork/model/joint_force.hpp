@@ -28,10 +28,10 @@ struct JointForce {
   const FreeCoordinate* coordinate;
   CoordinateLawPtr law;
 
-  /// Numbers that it remembers between evaluations: an angle, which goes on over full turns.
-  int memory() const { return coordinate->angle ? 1 : 0; }
-  void evaluate(double t, const BodyState<double>& body_i, const BodyState<double>& body_j, double* memory,
-                Wrenches<double>& out) const;
+  /// An angle goes on over full turns.
+  HistoryKind history_kind() const { return coordinate->angle ? HistoryKind::angle : HistoryKind::none; }
+  void evaluate(double t, const BodyState<double>& body_i, const BodyState<double>& body_j,
+                HistoryVariable<double>& history, Wrenches<double>& out) const;
 };
 
 }  // namespace linkwork

@@ -327,11 +327,14 @@ VectorXd Model::initial_v() const {
   return v;
 }
 
-Model Model::with_initial_state(const ConstVector& q, const ConstVector& v) const {
+Model Model::with_initial_state(const ConstVector& q, const ConstVector& v, std::vector<double> history) const {
   const auto count = static_cast<Eigen::Index>(bodies_->size());
   if (q.size() != position_size * count || v.size() != velocity_size * count)
     throw ModelError("shape", "a state of " + std::to_string(count) + " bodies has 7 and 6 numbers for each");
+  if (!std::all_of(history.begin(), history.end(), [](double x) { return std::isfinite(x); }))
+    throw ModelError("history", "history variables must be finite");
   Model out = *this;
+  out.initial_history_ = std::move(history);
   std::vector<Body>& list = out.bodies_.own();
   for (Eigen::Index b = 0; b < count; ++b) {
     Body& body = list[static_cast<std::size_t>(b)];

@@ -109,8 +109,10 @@ class Model {
 
   VectorXd initial_q() const;  ///< 7 per body
   VectorXd initial_v() const;  ///< 6 per body
+  /// History variables at the initial time, see history.hpp; none: the motion begins there.
+  const std::vector<double>& initial_history() const { return initial_history_; }
   /// A copy whose bodies are elsewhere at the initial time; joints stay where they are on the bodies.
-  Model with_initial_state(const ConstVector& q, const ConstVector& v) const;
+  Model with_initial_state(const ConstVector& q, const ConstVector& v, std::vector<double> history = {}) const;
   /// A copy with other masses and inertias of all bodies; nothing else of `bodies` counts.
   Model with_masses(const std::vector<Body>& bodies) const;
 
@@ -133,6 +135,7 @@ class Model {
   std::vector<double> breaks_;
   Shared<std::vector<JointForce>> joint_forces_;
   Shared<std::vector<Limited>> limited_;
+  std::vector<double> initial_history_;
   Shared<std::vector<int>> joint_rows_{std::size_t{1}, 0};
   Shared<NameTable> body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"}, own_force_names_{"force"};
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linkwork/model/body_state.hpp"
+#include "linkwork/model/history.hpp"
 #include "linkwork/model/kind_info.hpp"
 
 /// Joints that a point and axes on two bodies do not describe: one file each in special/, one line in
@@ -19,16 +20,22 @@ struct SpecialRows {
   double* D;  ///< zero at the beginning, as are the others
 };
 
+/// History variables of one special joint, see HistoryVariable.
+struct SpecialHistory {
+  const double* last;  ///< NaN: the motion begins in this state
+  double *next, *rate;
+};
+
 /// A constraint among any number of bodies, with data of its own. Few of them: each is evaluated alone.
 class SpecialJoint {
  public:
   virtual ~SpecialJoint() = default;
   /// Each once; the ground (-1) may be among them.
   virtual const std::vector<int>& bodies() const = 0;
-  /// Numbers that it remembers from one evaluation to the next, zero at the beginning.
-  virtual int memory() const = 0;
-  virtual void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, double* memory,
-                        const SpecialRows& out) const = 0;
+  virtual HistoryKind history_kind() const = 0;
+  virtual int history_size() const = 0;
+  virtual void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters,
+                        const SpecialHistory& history, const SpecialRows& out) const = 0;
 };
 
 using SpecialJointPtr = std::shared_ptr<const SpecialJoint>;

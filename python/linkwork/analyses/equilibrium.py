@@ -287,7 +287,7 @@ class _Search:
         eq = self.eq
         r, multipliers, scale = self._balance(q)
         softest, motion, unit = self._softest(q)
-        at_rest = eq.model.with_initial_state(q, self.rest)
+        at_rest = eq.model.with_initial_state(q, self.rest, self._turns(q))
         multipliers = shared(eq, 0.0, q, multipliers)
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
         shift, angle = np.linalg.norm(x, axis=2).T
@@ -318,8 +318,15 @@ class _Search:
             bodies=[name],
             residuals={name: value},
         )
-        error.state = Snapshot(0.0, q.reshape(-1, 7), np.zeros((eq.core.body_count, 6)))
+        error.state = Snapshot(0.0, q.reshape(-1, 7), np.zeros((eq.core.body_count, 6)),
+                               self._turns(q))  # fmt: skip
         raise error
+
+    def _turns(self, q: Floats) -> Floats:
+        """History variables of the pose; none where they are those of a motion that begins there."""
+        at = (0.0, q, self.rest)
+        history, begun = self.eq.dynamics.advanced_history(*at), self.eq.dynamics.beginning_history(*at)
+        return np.zeros(0) if np.array_equal(history, begun) else history
 
     def _scaled(self, K: Sparse) -> Any:
         return K.multiply(self.eq.scale[:, None]).multiply(self.eq.scale[None, :])

@@ -108,7 +108,8 @@ def kinematics(
             frames.add(follower)
     except LinkworkError as error:
         error.result = frames.result(follower, t, began, failed=True) if frames.rows else None
-        error.state = Snapshot(follower.at.t, follower.at.q.reshape(-1, 7), follower.at.v.reshape(-1, 6))
+        error.state = Snapshot(follower.at.t, follower.at.q.reshape(-1, 7), follower.at.v.reshape(-1, 6),
+                               follower.at.history)  # fmt: skip
         raise
     return frames.result(follower, t, began)
 
@@ -136,6 +137,7 @@ class _Moment:
     v: Floats
     a: Floats
     constraints: AnyConstraints
+    history: Floats  # of couplers and force elements, see linkwork.System
 
     @property
     def x_dot(self) -> Floats:
@@ -164,6 +166,10 @@ class _Follower:
     def freedoms(self) -> int:
         return 6 * self.equations.core.body_count
 
+    def _accept(self, moment: _Moment) -> None:
+        self.at = moment
+        self.equations.dynamics.history = moment.history
+
     def _constraints(self, D: Sparse) -> AnyConstraints:
         self.counts["factorizations"] += 1
         return constraints_of(self.equations, D, self.unit)
@@ -180,7 +186,7 @@ class _Follower:
         q = self._corrected(0.0, q0, start)
         if q is None:
             raise self._no_start()
-        self.at = self._moment(0.0, q, None)
+        self._accept(self._moment(0.0, q, None))
 
     def go_to(self, t: float) -> None:
         """NotConvergedError: there is no way to go on."""
@@ -194,21 +200,21 @@ class _Follower:
                 if h < smallest:
                     self._refuse_to_go_on(start, t)
             else:
-                self.at = found
+                self._accept(found)
                 self.counts["steps"] += 1
                 h *= 2
 
     def soon_after(self, first: _Moment, t: float) -> _Moment | None:
         """The mechanism soon after `first`, without going there."""
         kept = self.at
-        self.at = first
+        self._accept(first)
         try:
             self.go_to(t)
             return self.at
         except NotConvergedError:
             return None
         finally:
-            self.at = kept
+            self._accept(kept)
 
     def _step(self, t: float) -> _Moment | None:
         """q + h v + h^2 v_dot / 2, corrected; None: the step is too long for the predictor to be trusted."""
@@ -305,7 +311,8 @@ class _Follower:
         gamma = self.equations.terms(t, q, v).gamma
         a = turned_in(q, x_ddot - constraints.solve(terms.D @ x_ddot - gamma))
         self.counts["evaluations"] += 2
-        return _Moment(t, q, v, a, constraints)
+        history = self.equations.dynamics.advanced_history(t, q, v)
+        return _Moment(t, q, v, a, constraints, history)
 
     # --- what cannot be done ---
 
@@ -433,7 +440,7 @@ class _Frames:
 
     def _values(self, it: _Moment) -> dict[str, Any]:
         dynamics = self.system.compiled()
-        found = dynamics.evaluate(it.t, it.q, it.v)
+        found = dynamics.evaluate(it.t, it.q, it.v, it.history)
         D = self._matrix(found["D"])
         multipliers = _multipliers(dynamics, it)
         left = self._inertial_forces(it.a) - found["g"] - D.T @ multipliers
@@ -448,6 +455,7 @@ class _Frames:
             "potential": found["potential"],
             "power": found["force_power"] - multipliers @ found["Phi_t"],
             "violation": [float(np.abs(x).max(initial=0.0)) for x in residuals],
+            "history": it.history,
         }
 
     def _fields(self) -> Mapping[str, Floats]:
@@ -476,7 +484,7 @@ class _Frames:
 def _multipliers(dynamics: _core.Dynamics, it: _Moment) -> Floats:
     """Those that the motion needs, of least norm; zero where they are not found, to be corrected."""
     try:
-        multipliers: Floats = dynamics.accelerations(it.t, it.q, it.v)[1]
+        multipliers: Floats = dynamics.accelerations(it.t, it.q, it.v, it.history)[1]
         return multipliers
     except LinkworkError:
         return np.zeros(dynamics.row_count)

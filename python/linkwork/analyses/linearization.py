@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork import checks
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import damping, stiffness
@@ -88,7 +89,8 @@ class Linearization:
         `lw.assemble(...)` makes it exact where the amplitude is large.
         """
         x = amplitude * (self.shapes[mode] * np.exp(1j * phase)).real.ravel()
-        return self.model.with_initial_state(displaced(self.snapshot.q.ravel(), x), self.snapshot.v)
+        at = self.snapshot
+        return self.model.with_initial_state(displaced(at.q.ravel(), x), at.v, at.history)
 
     def __repr__(self) -> str:
         slow = ", ".join(f"{f:.6g}" for f in self.frequencies[:5])
@@ -125,6 +127,11 @@ def linearize(
         raise OptionError(f"near {near!r} rad/s must be a finite number, zero or positive", code="near")
     eq = Equations(model)
     at = start if start is not None else Snapshot(0.0, *_initial(model))
+    if len(at.history):
+        checks.check_history(eq.dynamics, at)
+        eq.dynamics.history = at.history
+    elif start is not None:
+        eq.dynamics.history = eq.dynamics.beginning_history(at.t, np.ravel(at.q), np.ravel(at.v))
     coefficients = _coefficients(eq, at)
     M, C, K, D = coefficients
     moving = np.abs(at.v).max(initial=0.0) > 0
@@ -171,7 +178,7 @@ def _coefficients(
 
 
 def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Floats, Floats]:
-    return System(eq.model).accelerations(t, q, v)
+    return System(eq.model).accelerations(t, q, v, eq.dynamics.history)
 
 
 def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> None:

@@ -23,6 +23,7 @@ from linkwork.model_file.batches import Placed, add_batch, batch_key
 from linkwork.model_file.collection import collection_paused
 from linkwork.model_file.messages import faults_of_schema
 from linkwork.model_file.syntax import Syntax, Where, field, parse
+from linkwork.model_file.writing import normalized, normalized_from
 from linkwork.shapes import Shape
 
 #: The most faults that are told.
@@ -242,7 +243,15 @@ def _built(document: schema.Document, attempt: Attempt, batches: bool = True) ->
         for j, shape in enumerate(shapes.shapes):
             attempt(("shapes", k, "shapes", j), partial(_shape_of, shape))
         attempt(("shapes", k), partial(_add_shapes, model, shapes))
-    return model
+    return _with_history(model, document.history) if document.history else model
+
+
+def _with_history(model: Model, history: Sequence[float]) -> Model:
+    """The same model, to the last bit, with history variables at its initial state."""
+    core, count = model.compiled(), model.body_count
+    q = np.array(core.q0).reshape(count, 7)
+    q[:, 3:] = normalized_from(q[:, 3:], normalized)
+    return model.with_initial_state(q, core.v0, history)
 
 
 def _shape_of(record: schema.Record) -> Shape:

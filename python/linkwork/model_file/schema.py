@@ -458,6 +458,10 @@ class Document(Record):
     joints: list[Any] = []
     forces: list[Any] = []
     shapes: list[Any] = Field([], description="what bodies look like; without influence on the motion")
+    history: list[float] = Field(
+        [],
+        description="history variables of couplers and forces at the initial time, such as full turns [rad]",
+    )
 
 
 @cache

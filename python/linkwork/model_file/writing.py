@@ -71,6 +71,7 @@ def record_of(model: Model, simulation: Mapping[str, Any]) -> dict[str, Any]:
         "bodies": list(_bodies(core)),
         **elements,
         "shapes": list(_shapes(model)),
+        "history": list(core.initial_history),
     }
     return {key: value for key, value in parts.items() if value or key in ("linkwork", "gravity", "bodies")}
 
@@ -83,7 +84,7 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
     moments = np.diagonal(J, axis1=1, axis2=2).tolist()
     state = {
         "position": q[:, :3],
-        "orientation": _normalized_from(q[:, 3:], _normalized),
+        "orientation": normalized_from(q[:, 3:], normalized),
         "velocity": v[:, :3],
         "omega": v[:, 3:],
     }
@@ -110,7 +111,7 @@ def _shapes(model: Model) -> Iterator[dict[str, Any]]:
 def _shape_record(shape: Shape) -> dict[str, Any]:
     record = {what: x.tolist() if isinstance(x, np.ndarray) else x for what, x in shape.description().items()}
     if "orientation" in record:
-        record["orientation"] = _normalized_from(shape.orientation[None], _scaled)[0].tolist()
+        record["orientation"] = normalized_from(shape.orientation[None], _scaled)[0].tolist()
     return record
 
 
@@ -122,7 +123,7 @@ def _scaled(p: Floats) -> Floats:
 # The model normalizes the Euler parameters that it is given, which changes a few of those that are unit
 # already in the last bit. For these another p is looked for near by, from which normalization gives exactly
 # the p of the model.
-def _normalized_from(p: Floats, normalized: Callable[[Floats], Floats]) -> Floats:
+def normalized_from(p: Floats, normalized: Callable[[Floats], Floats]) -> Floats:
     out = p.copy()
     wrong = np.arange(len(p))
     for attempt in range(1000):
@@ -134,7 +135,7 @@ def _normalized_from(p: Floats, normalized: Callable[[Floats], Floats]) -> Float
     raise AssertionError("no Euler parameters give those of the model")
 
 
-def _normalized(p: Floats) -> Floats:
+def normalized(p: Floats) -> Floats:
     """As the compiled model does it."""
     core, count = _core.Model(np.zeros(3)), len(p)
     still = np.zeros((count, 3))

@@ -5,7 +5,7 @@ namespace linkwork {
 /// A force and a torque on body j at its point, components in the joint frame of body i: i = ground gives inertial
 /// components, i = j components that turn with the body. Nothing acts on i.
 struct Applied {
-  static constexpr int memory = 0;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
     return {.name = "applied",
@@ -20,7 +20,7 @@ struct Applied {
   // power: F . (r_dot + A_j w x s_j) + n . w
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real*, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     const Vec3<Real> f(parameters[0].value, parameters[1].value, parameters[2].value);
     const Vec3<Real> n(parameters[3].value, parameters[4].value, parameters[5].value);
     const Vec3<Real> F = i.A * (at.C_i * f);

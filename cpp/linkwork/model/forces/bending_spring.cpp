@@ -4,7 +4,7 @@ namespace linkwork {
 
 /// A spring and damper that hold two axes parallel, in all directions alike.
 struct BendingSpring {
-  static constexpr int memory = 0;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
     return {.name = "bending_spring",
@@ -20,7 +20,7 @@ struct BendingSpring {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real*, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     // V = k beta^2 / 2;  torque on j: -k beta n - c w, n = z_i x z_j / sin(beta), w the relative rotation across z_i
     const Vec3<Real> z_i = i.A * at.z_i(), z_j = j.A * at.z_j(), normal = z_i.cross(z_j);
     const Real sine = normal.norm(), cosine = z_i.dot(z_j), beta = std::atan2(sine, cosine);

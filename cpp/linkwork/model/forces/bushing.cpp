@@ -5,7 +5,7 @@ namespace linkwork {
 
 /// An elastic bearing: springs and dampers along and about three axes.
 struct Bushing {
-  static constexpr int memory = 0;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
     return {.name = "bushing",
@@ -24,7 +24,7 @@ struct Bushing {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real*, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     // u = F_i^T d, u_dot = F_i^T d_dot - w_i x u in the frame F_i = A_i C_i;  R = F_i^T F_j = exp(phi), phi_dot = J w
     // with w = F_j^T (omega_j - omega_i) and J = 1 + phi~/2 + (1/a^2 - (1 + cos a) / (2 a sin a)) phi~^2, a = |phi|.
     const Mat3<Real> F_i = i.A * at.C_i, F_j = j.A * at.C_j;

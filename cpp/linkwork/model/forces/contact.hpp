@@ -25,24 +25,26 @@ inline std::vector<Bound> contact_bounds(std::vector<Bound> own) {
   return own;
 }
 
-/// At the point C in space, with the unit normal n from i to j and the depth d; `memory` is the speed at which contact
-/// began, 0 while there is none. The speed counts as `transition` where it was smaller.
+/// At the point C in space, with the unit normal n from i to j and the depth d; `history` is the speed at which
+/// contact began, which counts as `transition` where it was smaller; where the last accepted state was not in contact
+/// it is the speed now.
 template <class Real>
 void contact(const ForceParameters<Real>& parameters, int first, const BodyState<Real>& i, const BodyState<Real>& j,
-             const Vec3<Real>& C, const Vec3<Real>& n, Real depth, Real* memory, Wrenches<Real>& out) {
-  if (!(depth > Real(0))) {
-    memory[0] = Real(0);
-    return;
-  }
+             const Vec3<Real>& C, const Vec3<Real>& n, Real depth, HistoryVariable<Real>& history,
+             Wrenches<Real>& out) {
+  const bool begins = std::isnan(history.last);
+  out.switches[0] = depth;
+  if (!(depth > Real(0)) && !begins) return;
   const Real stiffness = parameters[first].value, exponent = parameters[first + 1].value;
   const Real hysteresis = parameters[first + 2].value, friction = parameters[first + 3].value;
   const Real transition = parameters[first + 4].value;
   const Vec3<Real> arm_i = C - i.r, arm_j = C - j.r, omega_i = i.A * i.omega, omega_j = j.A * j.omega;
   const Vec3<Real> u = j.r_dot + omega_j.cross(arm_j) - i.r_dot - omega_i.cross(arm_i);
   const Real rate = -n.dot(u);
-  if (memory[0] == Real(0)) memory[0] = std::max(rate, transition);
+  history.next = begins || history.last == Real(0) ? std::max(rate, transition) : history.last;
+  if (!(depth > Real(0))) return;
   const Real elastic = stiffness * std::pow(depth, exponent);
-  const Real normal = elastic * std::max(Real(0), Real(1) + hysteresis * rate / memory[0]);
+  const Real normal = elastic * std::max(Real(0), Real(1) + hysteresis * rate / history.next);
   const Vec3<Real> slip = u + rate * n;
   const Vec3<Real> tangential = -friction * normal / std::sqrt(slip.squaredNorm() + transition * transition) * slip;
   const Vec3<Real> F = normal * n + tangential;

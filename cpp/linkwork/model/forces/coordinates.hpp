@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "linkwork/model/force_kind.hpp"
 #include "linkwork/model/primitives.hpp"
@@ -13,39 +12,39 @@ namespace linkwork {
 /// The distance of two points [m].
 struct Length {
   static constexpr const char* placement = "two_points";
-  static constexpr int memory = 0;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   template <class Real>
-  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j, Real*,
-                       Equation<Real>& row) {
+  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                       HistoryVariable<Real>&, Equation<Real>& row) {
     separation<Real>(i, j, at.s_i, at.s_j, Signal<Real>{}, row.rows());
     return row.Phi;
   }
 };
 
-/// The angle of x_j against x_i about z_i [rad], continued over full turns: the element remembers the last.
+/// The angle of x_j against x_i about z_i [rad], continued over full turns.
 struct Angle {
   static constexpr const char* placement = "axis";
-  static constexpr int memory = 1;
+  static constexpr HistoryKind history = HistoryKind::angle;
 
   template <class Real>
-  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j, Real* memory,
-                       Equation<Real>& row) {
-    constexpr double turn = 2.0 * std::numbers::pi;
+  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                       HistoryVariable<Real>& history, Equation<Real>& row) {
     angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
-    memory[0] = row.Phi + turn * std::round((memory[0] - row.Phi) / turn);
-    return memory[0];
+    history.next = continued(row.Phi, history.last);
+    history.rate = row.rate(i, j);
+    return history.next;
   }
 };
 
 /// The shift of the point of j along z_i [m].
 struct Displacement {
   static constexpr const char* placement = "axis";
-  static constexpr int memory = 0;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   template <class Real>
-  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j, Real*,
-                       Equation<Real>& row) {
+  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                       HistoryVariable<Real>&, Equation<Real>& row) {
     in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, row.rows());
     return row.Phi;
   }
@@ -65,9 +64,11 @@ void act(const Equation<Real>& row, Real force, Wrenches<Real>& out) {
 /// spring is free. All of its power counts as work.
 template <class Coordinate, class Real>
 void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                           const BodyState<Real>& i, const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+                           const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>& history,
+                           Wrenches<Real>& out) {
   Equation<Real> along;
-  const Real x = Coordinate::evaluate(at, i, j, memory, along) - parameters[2].value, rate = along.rate(i, j);
+  const Real x = Coordinate::evaluate(at, i, j, history, along) - parameters[2].value, rate = along.rate(i, j);
+  if (parameters.is_zero(0)) history.rate = Real(0);
   const Real pull = parameters.at(0, x) + parameters.at(1, rate);
   act(along, -pull, out);
   out.power = -pull * rate;
@@ -76,9 +77,10 @@ void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Rea
 /// Coulomb friction, regularized below a speed, and viscous friction: parameters coulomb, viscous, transition.
 template <class Coordinate, class Real>
 void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-              const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+              const BodyState<Real>& j, Wrenches<Real>& out) {
   Equation<Real> along;
-  Coordinate::evaluate(at, i, j, memory, along);
+  HistoryVariable<Real> unused;  // full turns do not matter
+  Coordinate::evaluate(at, i, j, unused, along);
   const Real rate = along.rate(i, j);
   const Real force = -parameters[0].value * std::tanh(rate / parameters[2].value) - parameters[1].value * rate;
   act(along, force, out);
@@ -88,10 +90,12 @@ void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameter
 /// End stops: parameters lower, upper, stiffness, damping. They never pull back.
 template <class Coordinate, class Real>
 void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-          const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+          const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
   Equation<Real> along;
-  const Real x = Coordinate::evaluate(at, i, j, memory, along), rate = along.rate(i, j);
-  const bool above = x > parameters[1].value, below = x < parameters[0].value;
+  const Real x = Coordinate::evaluate(at, i, j, history, along), rate = along.rate(i, j);
+  out.switches[0] = x - parameters[1].value;
+  out.switches[1] = parameters[0].value - x;
+  const bool above = out.switches[0] > Real(0), below = out.switches[1] > Real(0);
   if (!above && !below) return;
   const Signal<Real> limit = parameters[above ? 1 : 0];
   const Real depth = x - limit.value;  // negative below

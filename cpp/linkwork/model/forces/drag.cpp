@@ -4,7 +4,7 @@ namespace linkwork {
 
 /// Resistance of a medium that grows with the square of the speed.
 struct Drag {
-  static constexpr int memory = 0;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
     return {.name = "drag",
@@ -19,7 +19,7 @@ struct Drag {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real*, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     const Vec3<Real> arm = j.A * at.s_j, point = j.r + arm;
     const Vec3<Real> point_dot = j.r_dot + j.A * j.omega.cross(at.s_j);
     const Vec3<Real> u = point_dot - i.r_dot - (i.A * i.omega).cross(point - i.r);

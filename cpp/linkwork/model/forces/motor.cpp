@@ -4,7 +4,7 @@ namespace linkwork {
 
 /// A motor about an axis: a torque by its speed curve.
 struct Motor {
-  static constexpr int memory = Angle::memory;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
     return {.name = "motor",
@@ -20,9 +20,9 @@ struct Motor {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     Equation<Real> turn;
-    Angle::evaluate(at, i, j, memory, turn);
+    angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), turn.rows());
     const Real rate = turn.rate(i, j), torque = parameters[1].value * parameters.at(0, rate);
     act(turn, torque, out);
     out.power = torque * rate;

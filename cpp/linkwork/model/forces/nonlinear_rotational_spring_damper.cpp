@@ -4,7 +4,7 @@ namespace linkwork {
 
 /// Spring and damper about an axis by their characteristics.
 struct NonlinearRotationalSpringDamper {
-  static constexpr int memory = Angle::memory;
+  static constexpr HistoryKind history = Angle::history;
 
   static KindInfo info() {
     return {.name = "nonlinear_rotational_spring_damper",
@@ -21,8 +21,8 @@ struct NonlinearRotationalSpringDamper {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    characteristic_spring<Angle>(at, parameters, i, j, memory, out);
+                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+    characteristic_spring<Angle>(at, parameters, i, j, history, out);
   }
 };
 

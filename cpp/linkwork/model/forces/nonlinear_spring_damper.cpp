@@ -4,7 +4,7 @@ namespace linkwork {
 
 /// Spring and damper between two points by their characteristics.
 struct NonlinearSpringDamper {
-  static constexpr int memory = Length::memory;
+  static constexpr HistoryKind history = Length::history;
 
   static KindInfo info() {
     return {.name = "nonlinear_spring_damper",
@@ -21,8 +21,8 @@ struct NonlinearSpringDamper {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    characteristic_spring<Length>(at, parameters, i, j, memory, out);
+                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+    characteristic_spring<Length>(at, parameters, i, j, history, out);
   }
 };
 

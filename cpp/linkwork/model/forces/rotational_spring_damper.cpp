@@ -4,7 +4,7 @@ namespace linkwork {
 
 /// Rotational spring, damper and actuator about the z axis of a joint frame.
 struct RotationalSpringDamper {
-  static constexpr int memory = Angle::memory;
+  static constexpr HistoryKind history = Angle::history;
 
   static KindInfo info() {
     return {.name = "rotational_spring_damper",
@@ -19,10 +19,11 @@ struct RotationalSpringDamper {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
     Equation<Real> turn;
-    const Real theta = Angle::evaluate(at, i, j, memory, turn), rate = turn.rate(i, j);
+    const Real theta = Angle::evaluate(at, i, j, history, turn), rate = turn.rate(i, j);
     const Real stiffness = parameters[0].value, damping = parameters[1].value;
+    if (stiffness == Real(0)) history.rate = Real(0);
     const Real deflection = theta - parameters[2].value;
     const Real dissipative = parameters[3].value - damping * rate;
     act(turn, dissipative - stiffness * deflection, out);

@@ -4,7 +4,8 @@ namespace linkwork {
 
 /// End stops of a hinge.
 struct RotationalStop {
-  static constexpr int memory = Angle::memory;
+  static constexpr HistoryKind history = Angle::history;
+  static constexpr int switches = 2;
 
   static KindInfo info() {
     return {.name = "rotational_stop",
@@ -22,8 +23,8 @@ struct RotationalStop {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    stop<Angle>(at, parameters, i, j, memory, out);
+                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+    stop<Angle>(at, parameters, i, j, history, out);
   }
 };
 

@@ -4,7 +4,8 @@ namespace linkwork {
 
 /// A sphere of b on a plane of a.
 struct SpherePlaneContact {
-  static constexpr int memory = 1;
+  static constexpr HistoryKind history = HistoryKind::onset;
+  static constexpr int switches = 1;
 
   static KindInfo info() {
     return {.name = "sphere_plane_contact",
@@ -22,10 +23,10 @@ struct SpherePlaneContact {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
     const Vec3<Real> n = i.A * at.z_i(), center = j.r + j.A * at.s_j;
     const Real height = n.dot(center - i.r - i.A * at.s_i);
-    contact<Real>(parameters, 1, i, j, center - height * n, n, parameters[0].value - height, memory, out);
+    contact<Real>(parameters, 1, i, j, center - height * n, n, parameters[0].value - height, history, out);
   }
 };
 

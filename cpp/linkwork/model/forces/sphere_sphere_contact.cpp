@@ -4,7 +4,8 @@ namespace linkwork {
 
 /// Two spheres.
 struct SphereSphereContact {
-  static constexpr int memory = 1;
+  static constexpr HistoryKind history = HistoryKind::onset;
+  static constexpr int switches = 1;
 
   static KindInfo info() {
     return {.name = "sphere_sphere_contact",
@@ -22,11 +23,11 @@ struct SphereSphereContact {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
     const Vec3<Real> P_i = i.r + i.A * at.s_i, d = j.r + j.A * at.s_j - P_i;
     const Real distance = d.norm(), depth = parameters[0].value + parameters[1].value - distance;
     const Vec3<Real> n = distance > Real(0) ? Vec3<Real>(d / distance) : Vec3<Real>(i.A * at.z_i());
-    contact<Real>(parameters, 2, i, j, P_i + (parameters[0].value - Real(0.5) * depth) * n, n, depth, memory, out);
+    contact<Real>(parameters, 2, i, j, P_i + (parameters[0].value - Real(0.5) * depth) * n, n, depth, history, out);
   }
 };
 

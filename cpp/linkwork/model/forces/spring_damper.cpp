@@ -5,7 +5,7 @@ namespace linkwork {
 
 /// Translational spring, damper and actuator between two points. Reference: Flores (2015), section on force elements.
 struct SpringDamper {
-  static constexpr int memory = 0;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
     return {.name = "spring_damper",
@@ -21,7 +21,7 @@ struct SpringDamper {
   // potential is that of damper and actuator, and dV/dt at rest where stiffness or free length change in time.
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real*, Wrenches<Real>& out) {
+                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     const Real stiffness = parameters[0].value, damping = parameters[1].value, actuator = parameters[3].value;
     const Vec3<Real> d = j.r + j.A * at.s_j - i.r - i.A * at.s_i;
     const Real l = d.norm();

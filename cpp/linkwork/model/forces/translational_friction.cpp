@@ -4,7 +4,7 @@ namespace linkwork {
 
 /// Friction of a slider.
 struct TranslationalFriction {
-  static constexpr int memory = Displacement::memory;
+  static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
     return {.name = "translational_friction",
@@ -21,8 +21,8 @@ struct TranslationalFriction {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    friction<Displacement>(at, parameters, i, j, memory, out);
+                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+    friction<Displacement>(at, parameters, i, j, out);
   }
 };
 

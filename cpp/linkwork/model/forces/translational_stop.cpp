@@ -4,7 +4,8 @@ namespace linkwork {
 
 /// End stops of a slider.
 struct TranslationalStop {
-  static constexpr int memory = Displacement::memory;
+  static constexpr HistoryKind history = Displacement::history;
+  static constexpr int switches = 2;
 
   static KindInfo info() {
     return {.name = "translational_stop",
@@ -22,8 +23,8 @@ struct TranslationalStop {
 
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Real* memory, Wrenches<Real>& out) {
-    stop<Displacement>(at, parameters, i, j, memory, out);
+                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+    stop<Displacement>(at, parameters, i, j, history, out);
   }
 };
 

@@ -62,38 +62,38 @@ Coupler::Coupler(const Model& model, const std::vector<CoupledCoordinate>& given
                                      std::to_string(it.factor) + " and must be finite and not zero");
     const Element& joint = model.joints()[static_cast<std::size_t>(it.joint)];
     const std::size_t i = place_of(joint.i, bodies_), j = place_of(joint.j, bodies_);
-    terms_.push_back({i, j, joint.at, coordinate, it.factor});
+    terms_.push_back({i, j, joint.at, coordinate, it.factor, coordinate->angle ? angles_++ : -1});
   }
 }
 
-// Phi = sum f_k x_k - offset, with angles continued over full turns: the joint remembers the last ones.
-void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, double* memory,
+// Phi = sum f_k x_k - offset, with angles continued over full turns.
+void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, const SpecialHistory& history,
                        const SpecialRows& out) const {
   Equation<double> row;
-  double* last = memory + 1;
+  const bool begins = angles_ > 0 && std::isnan(history.last[0]);
   out.Phi[0] = -parameters[0].value;
   out.Phi_t[0] = -parameters[0].rate;
   out.gamma[0] = parameters[0].acceleration;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const Term& term = terms_[k];
     term.coordinate->evaluate(term.at, bodies[term.i], bodies[term.j], row);
-    last[k] = term.coordinate->angle ? continued(row.Phi, last[k]) : row.Phi;
-    out.Phi[0] += term.factor * last[k];
+    if (term.history >= 0) {
+      row.Phi = continued(row.Phi, begins ? 0.0 : history.last[term.history]);
+      history.next[term.history] = row.Phi;
+      history.rate[term.history] = row.rate(bodies[term.i], bodies[term.j]);
+    }
+    out.Phi[0] += term.factor * row.Phi;
     out.gamma[0] += term.factor * row.gamma;
     add(term.factor, row.D_i, out.D + velocity_size * term.i);
     add(term.factor, row.D_j, out.D + velocity_size * term.j);
   }
-  if (memory[0] == 0.0) {
-    choose_turns(out.Phi[0], last);
-    out.Phi[0] = -parameters[0].value;
-    for (std::size_t k = 0; k < terms_.size(); ++k) out.Phi[0] += terms_[k].factor * last[k];
-  }
-  memory[0] = 1.0;
+  if (begins) out.Phi[0] = choose_turns(out.Phi[0], history.next);
 }
 
 /// At the first pose, such as the last one of another run: the fewest turns of two of the angles with which the
-/// relation holds. None where it is off by little, or never holds: such a pose is to be corrected.
-void Coupler::choose_turns(double violation, double* turns) const {
+/// relation holds, and what is left of its violation. None where it is off by little, or never holds: such a pose is to
+/// be corrected.
+double Coupler::choose_turns(double violation, double* turns) const {
   std::vector<std::size_t> angles;
   double sum = 0.0, least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < terms_.size(); ++k)
@@ -103,17 +103,19 @@ void Coupler::choose_turns(double violation, double* turns) const {
       least = std::min(least, std::abs(terms_[k].factor));
     }
   const auto holds = [&](double rest) { return std::abs(rest) <= same * sum; };
-  if (angles.empty() || std::abs(violation) < off * least) return;
+  if (angles.empty() || std::abs(violation) < off * least) return violation;
   const std::size_t a = angles[0], b = angles[angles.size() > 1 ? 1 : 0];
   const double f_a = turn * terms_[a].factor, f_b = turn * terms_[b].factor;
   for (int n = 0; n <= (a == b ? 0 : most_turns); ++n)
     for (const double n_a : {double(n), double(-n)}) {
       const double n_b = -std::round((violation + n_a * f_a) / f_b);
-      if (std::abs(n_b) > most_turns || !holds(violation + n_a * f_a + n_b * f_b)) continue;
-      if (a != b) turns[a] += turn * n_a;
-      turns[b] += turn * n_b;
-      return;
+      const double rest = violation + n_a * f_a + n_b * f_b;
+      if (std::abs(n_b) > most_turns || !holds(rest)) continue;
+      if (a != b) turns[terms_[a].history] += turn * n_a;
+      turns[terms_[b].history] += turn * n_b;
+      return rest;
     }
+  return violation;
 }
 
 }  // namespace linkwork

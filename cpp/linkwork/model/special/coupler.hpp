@@ -17,8 +17,9 @@ class Coupler final : public SpecialJoint {
   /// ModelError: no coordinates, one that the joint does not have, a factor of zero.
   Coupler(const Model& model, const std::vector<CoupledCoordinate>& coordinates);
   const std::vector<int>& bodies() const override { return bodies_; }
-  int memory() const override { return static_cast<int>(terms_.size()) + 1; }
-  void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, double* memory,
+  HistoryKind history_kind() const override { return HistoryKind::angle; }
+  int history_size() const override { return angles_; }
+  void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, const SpecialHistory& history,
                 const SpecialRows& out) const override;
 
  private:
@@ -27,11 +28,13 @@ class Coupler final : public SpecialJoint {
     Attachment<double> at;
     const FreeCoordinate* coordinate;
     double factor;
+    int history;  ///< place of the angle over full turns, or -1
   };
-  void choose_turns(double violation, double* turns) const;
+  double choose_turns(double violation, double* turns) const;
 
   std::vector<int> bodies_;
   std::vector<Term> terms_;
+  int angles_ = 0;  ///< among them
 };
 
 }  // namespace linkwork

@@ -132,14 +132,14 @@ double PointOnCurve::nearest_of_all(const Vec3<double>& d) const {
 // s_dot = F_t / h,   s_ddot = (F_tt + 2 F_st s_dot + F_ss s_dot^2) / h
 // G_dot = G_t + G_s s_dot,   G_ddot = G_tt + 2 G_st s_dot + G_ss s_dot^2 + G_s s_ddot
 // Derivatives by t at fixed s are those of a point of j in a plane of i: see in_plane.
-void PointOnCurve::evaluate(const BodyState<double>* bodies, const Signal<double>*, double* memory,
+void PointOnCurve::evaluate(const BodyState<double>* bodies, const Signal<double>*, const SpecialHistory& history,
                             const SpecialRows& out) const {
   const BodyState<double>&i = bodies[0], &j = bodies[1];
   const Vec3<double> place = i.A.transpose() * (j.r + j.A * at_.s_j - i.r) - at_.s_i;
   const Vec3<double> d = at_.C_i.transpose() * place;
-  const double s = nearest(d, memory[0] == 0.0 ? nearest_of_all(d) : memory[1]);
-  memory[0] = 1.0;
-  memory[1] = s;
+  const double s = nearest(d, std::isnan(history.last[0]) ? nearest_of_all(d) : history.last[0]);
+  history.next[0] = s;
+  history.rate[0] = 0.0;
   const Point p = at(s);
   const Vec3<double> w = d - p.c, foot = at_.s_i + at_.C_i * p.c;
   const auto across = [&](const Vec3<double>& direction) {

@@ -22,8 +22,9 @@ class PointOnCurve final : public SpecialJoint {
   /// The curve lies in the frame of the attachment on i. ModelError: no pieces, or knots that do not ascend.
   PointOnCurve(int i, int j, const Attachment<double>& at, Curve curve);
   const std::vector<int>& bodies() const override { return bodies_; }
-  int memory() const override { return 2; }
-  void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, double* memory,
+  HistoryKind history_kind() const override { return HistoryKind::place; }
+  int history_size() const override { return 1; }
+  void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, const SpecialHistory& history,
                 const SpecialRows& out) const override;
 
  private:

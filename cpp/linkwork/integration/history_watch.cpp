@@ -1,0 +1,97 @@
+#include "linkwork/integration/history_watch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "linkwork/math/brent.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+// A contact that begins and ends between two of them is not found; the force in it is that of one which begins with the
+// speed it has.
+constexpr std::array<double, 8> places = {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
+constexpr double exact = 1e-14;  // of the place in a step
+
+}  // namespace
+
+TurnGuard::TurnGuard(const Dynamics& dynamics) : dynamics_(dynamics) {
+  const System& system = dynamics.system();
+  for (int k = 0; k < system.history_size(); ++k)
+    if (system.history_owners()[static_cast<std::size_t>(k)].kind == HistoryKind::angle) angles_.push_back(k);
+  rates_.setZero(system.history_size());
+}
+
+void TurnGuard::accept() {
+  if (!angles_.empty()) rates_ = dynamics_.evaluation().history_rate;
+}
+
+double TurnGuard::largest(double h) {
+  double most = 0.0;
+  const Evaluation& at = dynamics_.evaluation();
+  for (const int k : angles_) {
+    if (at.history_rate[k] == 0.0 && rates_[k] == 0.0) continue;
+    const double rate = std::max(std::abs(rates_[k]), std::abs(at.history_rate[k]));
+    const double turned = std::max(std::abs(at.history[k] - dynamics_.history()[k]), h * rate);
+    if (turned <= most) continue;
+    most = turned;
+    fastest_ = k;
+  }
+  return most;
+}
+
+void TurnGuard::refuse(double h, double angle) const {
+  char numbers[96];
+  std::snprintf(numbers, sizeof numbers, "%.3g rad in a step of %.3g s", angle, h);
+  char shorter[32];
+  std::snprintf(shorter, sizeof shorter, "%.1g", 0.5 * limit / angle * h);
+  const System& system = dynamics_.system();
+  const HistoryOwner& owner = system.history_owners()[static_cast<std::size_t>(fastest_)];
+  ErrorDetails details;
+  if (owner.joint) details.joints = {system.model().joint_name(owner.element)};
+  else details.forces = {system.model().force_names().name(owner.element)};
+  throw StepSizeError("turns",
+                      system.history_name(fastest_) + ": its angle turns by about " + numbers +
+                          ", and full turns cannot be counted in steps of nearly half a turn; use a step of " +
+                          shorter + " s or less, or rtol for steps that follow the motion",
+                      details);
+}
+
+SwitchWatch::SwitchWatch(const Dynamics& dynamics, double least) : dynamics_(dynamics), least_(least) {
+  if (!dynamics.system().switches().empty()) at_ = dynamics.system().make_evaluation();
+}
+
+double SwitchWatch::value(const PairStepper& stepper, int which, double t, double h, double theta) {
+  const System& system = dynamics_.system();
+  stepper.interpolate(system, theta, state_);
+  system.evaluate_switches(t + theta * h, state_.head(system.q_size()),
+                           state_.segment(system.q_size(), system.v_size()), dynamics_.history(), at_);
+  return at_.switches[which];
+}
+
+// The side at the start is known: the value may be roundoff there.
+std::optional<SwitchWatch::Switch> SwitchWatch::first(const PairStepper& stepper, double t, double h) {
+  double from = 0.0;
+  for (const double to : places) {
+    value(stepper, 0, t, h, to);
+    const VectorXd values = at_.switches;
+    std::optional<Switch> found;
+    for (int k = 0; k < values.size(); ++k) {
+      const bool positive = values[k] > 0.0;
+      if (std::abs(values[k]) <= least_ || positive == (dynamics_.sides()[static_cast<std::size_t>(k)] != 0)) continue;
+      const auto at = [&](double theta) { return value(stepper, k, t, h, theta); };
+      const double before = at(from);
+      const bool there = before == 0.0 || (before > 0.0) == positive;
+      const double theta = there ? from : brent(at, from, before, to, values[k], exact);
+      if (!found || theta < found->theta) found = {k, theta, positive};
+    }
+    if (found) return found;
+    from = to;
+  }
+  return {};
+}
+
+}  // namespace linkwork
