@@ -17,7 +17,8 @@ constexpr double reach = 0.2;           // of a leap [rad]: what the fastest bod
 constexpr double fastest = 0.8;         // the same for any body
 constexpr double least_part = 0.1;      // of that, for leaps over a motion that varies more
 constexpr double near = 0.3;            // of the usual root of the smallest pivot: farther, nothing is due
-constexpr double near_at_start = 0.02;  // the same before there is a usual one
+constexpr double near_at_start = 0.05;  // the same before there is a usual one
+constexpr double least_usual = 0.15;     // usual root of the smallest pivot, for runs that begin near a pose
 constexpr double in_pose = 1e-3;        // at the start: nearer, and only a leap leads out of it
 constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
@@ -98,7 +99,7 @@ double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) co
 /// Time until the pose by the trend of the pivots, infinite where they do not fall.
 double Crossing::foreseen(double t) const {
   const auto trend = dynamics_.watch().trend();
-  if (!trend || trend->last.root > near * dynamics_.watch().root_of_level()) return INFINITY;
+  if (!trend || trend->last.root > near * std::max(dynamics_.watch().root_of_level(), least_usual)) return INFINITY;
   const double interval = trend->last.t - trend->other.t;
   const double fall = (trend->other.root - trend->last.root) * (interval > 0.0 ? 1.0 : -1.0);
   if (!(fall > 0.0)) return INFINITY;
