@@ -515,6 +515,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         return tuple(self._signals)
 
     @property
+    def user_forces(self) -> Sequence[tuple[str, Any]]:
+        """The user's own forces, each a name and the function that was given."""
+        return tuple(self._user_forces)
+
+    @property
     def shapes(self) -> Shapes:
         """The bodies that have shapes of their own."""
         return self._shapes

@@ -16,6 +16,7 @@ from linkwork.errors import ModelError, OptionError, nearest, warn
 from linkwork.handles import Body, Joint
 from linkwork.header import Floats, Header, record_reactions
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
+from linkwork.verdict import Verdict
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -66,6 +67,8 @@ class Snapshot(NamedTuple):
     #: what springs, stops, contacts and couplers remember: full turns, speeds at which contacts began; none:
     #: they begin anew
     memory: Sequence[float] = ()
+    #: of the runs that led there, see `Verdict.before`
+    error: float = 0.0
 
     @classmethod
     def of(cls, t: float, y: Floats, memory: Sequence[float] = ()) -> Snapshot:
@@ -126,7 +129,10 @@ class Result:
     @property
     def manifest(self) -> dict[str, Any]:
         """Versions, options and the hash of the model: what is needed to run it again."""
-        return dict(self._header.manifest)
+        verdict = self.verdict
+        said = {} if verdict is None else {"verdict": {"level": verdict.level, "sentence": verdict.sentence,
+                                                       "error": verdict.error}}  # fmt: skip
+        return {**self._header.manifest, **said}
 
     @property
     def header(self) -> Header:
@@ -145,6 +151,15 @@ class Result:
     def finished(self) -> bool:
         """False for a run that failed, and for the file of one that was interrupted."""
         return bool(self.statistics) and not self.statistics.get("failed", False)
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """How accurate the run is, estimated from steps that were taken again: see linkwork.Verdict.
+
+        None: the run did not finish, or had no step.
+        """
+        numbers = self.statistics.get("verdict")
+        return None if numbers is None else Verdict.of(numbers)
 
     @property
     def events(self) -> tuple[Occurrence, ...]:
@@ -252,7 +267,16 @@ class Result:
         """
         last = self.finished and frame in (-1, len(self) - 1)
         memory = self.statistics.get("memory", ()) if last else ()
-        return Snapshot(float(self.t[frame]), self._field("q", frame), self._field("v", frame), memory)
+        state = self._field("q", frame), self._field("v", frame)
+        return Snapshot(float(self.t[frame]), *state, memory, self._error_at(frame))
+
+    def _error_at(self, frame: int) -> float:
+        """The part of the accumulated error that a run has made up to a frame."""
+        verdict = self.verdict
+        if verdict is None or verdict.state is None:
+            return 0.0
+        share = (self.t[frame] - self.t[0]) / ((self.t[-1] - self.t[0]) or 1.0)
+        return float(verdict.before + share * (verdict.state - verdict.before))
 
     @property
     def singular_poses(self) -> tuple[SingularPose, ...]:

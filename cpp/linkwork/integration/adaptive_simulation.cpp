@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <utility>
 
 namespace linkwork {
 namespace {
@@ -108,6 +109,7 @@ double AdaptiveSimulation::initial_step() {
 
 void AdaptiveSimulation::attempt() {
   if (!evaluated_) evaluate(t_, y_);
+  sampling_.before(dynamics_);
   const double remaining = schedule_.t_end - t_;
   double h = std::min(step_, schedule_.largest_step);
   t_new_ = t_ + h;
@@ -255,7 +257,8 @@ void AdaptiveSimulation::record_inside() {
 
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
-  t_ = t_new_;
+  const double t_before = std::exchange(t_, t_new_);
+  y_before_.swap(y_);
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
@@ -263,6 +266,8 @@ void AdaptiveSimulation::finish_step() {
     dated(t_, h_, [&] { projection().stabilize(t_, y_); });
     evaluated_ = false;
   }
+  if (stop_) sampling_.pass_over();
+  else sampling_.after(t_before, h_, y_before_, y_);
   if (!evaluated_) evaluate(t_, y_);
   dated(t_, h_, [&] { keep_to_budget(t_); });
   evaluated_ = true;

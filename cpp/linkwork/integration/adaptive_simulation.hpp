@@ -80,6 +80,7 @@ class AdaptiveSimulation final : public Run {
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
   VectorXd y_new_;     ///< at t_new_
+  VectorXd y_before_;  ///< the start of the last finished step
   double step_ = 0.0;  ///< what the controller proposes
   // Near a singular pose
   double usual_step_ = 0.0;  ///< the last outside

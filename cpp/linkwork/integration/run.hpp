@@ -7,6 +7,7 @@
 #include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/drift_budget.hpp"
 #include "linkwork/integration/recorder.hpp"
+#include "linkwork/integration/step_sampling.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -18,6 +19,7 @@ class Run {
   explicit Run(Dynamics& dynamics)
       : dynamics_(dynamics),
         recorder_(dynamics),
+        sampling_(dynamics),
         y_(dynamics.initial_y()),
         stops_(dynamics.options().on_singular == "stop"),
         singular_poses_(dynamics.watch().singular_poses()),
@@ -41,6 +43,7 @@ class Run {
   std::int64_t steps_done() const { return steps_done_; }
   const VectorXd& y() const { return y_; }
   const DriftBudget& budget() const { return budget_; }
+  const StepSampling& sampling() const { return sampling_; }
   std::int64_t projections() const { return projections_; }  ///< that the budget asked for
 
  protected:
@@ -67,6 +70,7 @@ class Run {
 
   Dynamics& dynamics_;
   Recorder recorder_;
+  StepSampling sampling_;
   VectorXd y_;  ///< at t()
   std::int64_t steps_done_ = 0;
   bool finished_ = false;

@@ -27,6 +27,11 @@ void add_combination(double h, const ConstVector& weights, const MatrixXd& k, Ve
 void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage) {
   dynamics.hold_correction(deadbeat_gains(tableau.b.dot(tableau.c), h));
+  evaluate_free_stages(tableau, dynamics, t, h, y, k, stage);
+}
+
+void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
+                          MatrixXd& k, VectorXd& stage) {
   dynamics.rates(k.col(0));
   for (Eigen::Index i = 1; i < tableau.b.size(); ++i) {
     stage = y;

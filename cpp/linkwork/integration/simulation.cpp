@@ -24,6 +24,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   steps_total_ = static_cast<std::int64_t>(steps);
   y_dot_.resize(y_.size());
   kept_y_ = y_;
+  sampling_.expect(steps_total_);
   if (!integrator_) return;
   integrator_->check_run(dynamics);
   integrator_->start(static_cast<int>(y_.size()));
@@ -64,6 +65,7 @@ double Simulation::begin_step() {
   dated(t(), NAN, [&] { evaluate_and_record(); });
   finished_ = steps_done_ == steps_total_;
   kept_y_ = y_;
+  sampling_.before(dynamics_);
   return finished_ ? 0.0 : next_step();
 }
 
@@ -82,6 +84,7 @@ void Simulation::finish_step() {
   if (!y_.allFinite()) dated(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
   system.normalize(y_.head(system.q_size()));
   if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
+  sampling_.after(t(), next_step(), kept_y_, y_);
   steps_done_ += 1;
   evaluated_ = false;
 }

@@ -216,7 +216,8 @@ class Runs:
             warnings.simplefilter("ignore")
             given = Cell(study.choice, step=step).options()
             return simulate(
-                self.model, order.WINDOW * self.t_end, record_every=every, progress=False, **given
+                self.model, order.WINDOW * self.t_end, record_every=every, progress=False,
+                on_inaccurate="pass", **given
             )
 
     def cell(self, cell: Cell) -> Outcome:
@@ -242,7 +243,7 @@ class Runs:
     def _timed(self, given: Mapping[str, Any]) -> tuple[Result, float]:
         spent: list[float] = []
         while not spent or (sum(spent) < SHORT_SECONDS and len(spent) < REPEATS):
-            result = simulate(self.model, self.t_end, progress=False, **given)
+            result = simulate(self.model, self.t_end, progress=False, on_inaccurate="pass", **given)
             spent.append(float(result.statistics["driver_seconds"]))
         return result, min(spent)
 

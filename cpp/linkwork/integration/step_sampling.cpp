@@ -1,0 +1,139 @@
+#include "linkwork/integration/step_sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace linkwork {
+namespace {
+
+constexpr std::size_t usual_parts = 50;          // with two steps each
+constexpr std::size_t most_bytes = 1u << 27;     // that kept steps may take
+constexpr int most_looked_at = 500;              // bodies
+constexpr double steeper = 1.1;                  // than the steepest so far, to be worth a copy
+constexpr double golden = 0.6180339887498949;    // spreads places evenly and in step with no period of the motion
+
+/// Mean square of the distances of joints from centers of mass, in the metric that makes v and omega comparable.
+double squared_length_of(const System& system) {
+  double sum = 0.0, mass = 0.0;
+  for (int body = 0; body < system.body_count(); ++body) {
+    if (!(system.mass(body) > 0.0)) continue;
+    sum += system.inertia(body).trace();
+    mass += system.mass(body);
+  }
+  return mass > 0.0 && sum > 0.0 ? sum / mass : 1.0;
+}
+
+std::size_t bytes_of_part(const Dynamics& dynamics) {
+  return 2 * sizeof(double) * (2 * static_cast<std::size_t>(dynamics.y_size()) + dynamics.evaluation().memory.size());
+}
+
+/// Two parts that follow each other as one. `left`: which of the steps that no acceleration chose stays one.
+RunPart joined(RunPart a, RunPart b, bool left) {
+  KeptStep* steepest = &a.steepest;
+  for (KeptStep* other : {&b.steepest, left ? &b.any : &a.any})
+    if (other->change > steepest->change) steepest = other;
+  RunPart out;
+  out.steps = a.steps + b.steps;
+  out.t = a.t;
+  out.seconds = a.seconds + b.seconds;
+  out.sum_of_changes = a.sum_of_changes + b.sum_of_changes;
+  out.steepest = std::move(*steepest);
+  out.any = std::move(left ? a.any : b.any);
+  return out;
+}
+
+std::vector<RunPart> join_pairs(std::vector<RunPart> parts) {
+  std::vector<RunPart> out;
+  for (std::size_t k = 0; k + 1 < parts.size(); k += 2)
+    out.push_back(joined(std::move(parts[k]), std::move(parts[k + 1]), out.size() % 2 == 0));
+  if (parts.size() % 2 == 1) out.push_back(std::move(parts.back()));
+  return out;
+}
+
+}  // namespace
+
+StepSampling::StepSampling(const Dynamics& dynamics)
+    : q_size_(dynamics.system().q_size()),
+      body_count_(dynamics.system().body_count()),
+      every_body_(1 + body_count_ / most_looked_at),
+      squared_length_(squared_length_of(dynamics.system())),
+      most_parts_(std::clamp(most_bytes / bytes_of_part(dynamics) / 2, std::size_t{1}, usual_parts)),
+      rates_(VectorXd::Zero(dynamics.system().v_size())) {
+  parts_.reserve(2 * most_parts_ + 1);
+}
+
+// A step costs two when it is taken again: 2 % of 10 000. Of shorter runs a tenth is taken again, from 2000 steps
+// downwards a smaller number that still says something, and all of five.
+std::int64_t StepSampling::samples(std::int64_t steps) {
+  if (steps <= 5) return steps;
+  const std::int64_t few = std::clamp<std::int64_t>(steps / 10, 5, 10);
+  return std::clamp<std::int64_t>(steps / 20, few, 2 * static_cast<std::int64_t>(usual_parts));
+}
+
+void StepSampling::expect(std::int64_t steps) {
+  const auto wanted = std::clamp<std::int64_t>(samples(steps) / 2, 1, static_cast<std::int64_t>(most_parts_));
+  width_ = steps <= 5 ? 1 : std::max<std::int64_t>((steps + wanted - 1) / wanted, 1);
+}
+
+void StepSampling::before(const Dynamics& dynamics) {
+  if (!dynamics.evaluation().memory.empty()) memory_ = dynamics.evaluation().memory;
+}
+
+void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+  if (parts_.empty() || parts_.back().steps == width_) begin_part(t);
+  RunPart& part = parts_.back();
+  const double changed = change(h, y, y_new);
+  if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
+  else if (changed > steeper * std::max(part.steepest.change, part.any.change))
+    keep(part.steepest, t, h, changed, y, y_new);
+  part.steps += 1;
+  part.seconds += h;
+  part.sum_of_changes += changed;
+  steps_ += 1;
+}
+
+/// |(v_new - v)/h - (the same of the step before)|
+double StepSampling::change(double h, const VectorXd& y, const VectorXd& y_new) {
+  double sum = 0.0;
+  for (int body = 0; body < body_count_; body += every_body_) {
+    const Eigen::Index v = q_size_ + velocity_size * body, own = velocity_size * body;
+    const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) / h;
+    const Eigen::Matrix<double, 6, 1> other = rate - rates_.segment<6>(own);
+    sum += other.head<3>().squaredNorm() + squared_length_ * other.tail<3>().squaredNorm();
+    rates_.segment<6>(own) = rate;
+  }
+  return std::exchange(compared_, true) ? std::sqrt(sum) : 0.0;
+}
+
+void StepSampling::begin_part(double t) {
+  if (parts_.size() == 2 * most_parts_) {
+    parts_ = join_pairs(std::move(parts_));
+    parts_.reserve(2 * most_parts_ + 1);
+    width_ *= 2;
+  }
+  const double place = golden * static_cast<double>(parts_.size() + 1);
+  chosen_ = static_cast<std::int64_t>(static_cast<double>(width_) * (place - std::floor(place)));
+  parts_.emplace_back();
+  parts_.back().t = t;
+}
+
+void StepSampling::keep(KeptStep& place, double t, double h, double change, const VectorXd& y,
+                        const VectorXd& y_new) const {
+  place.t = t;
+  place.h = h;
+  place.change = change;
+  place.y = y;
+  place.y_new = y_new;
+  place.memory = memory_;
+}
+
+std::vector<RunPart> StepSampling::parts() const {
+  std::vector<RunPart> out = parts_;
+  const auto wanted = static_cast<std::size_t>(samples(steps_));
+  while (out.size() > 1 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
+    out = join_pairs(std::move(out));
+  return out;
+}
+
+}  // namespace linkwork
