@@ -82,7 +82,14 @@ py::dict to_dict(const std::vector<RunPart>& parts, const std::vector<StepError>
   return out;
 }
 
+/// Where the run is now.
+double relative_violation(const Run& run, RelativeViolation measure) {
+  return measure.largest(run.t(), run.y(), run.dynamics().evaluation().memory);
+}
+
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int order) {
+  RelativeViolation violation(dynamics.system());
+  const double end_violation = relative_violation(run, violation);
   const std::vector<RunPart> parts = run.sampling().parts();
   std::vector<StepError> errors;
   std::vector<int> part_of;
@@ -97,8 +104,7 @@ py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int
       }
   }
   py::dict out = to_dict(parts, errors, part_of);
-  RelativeViolation violation(dynamics.system());
-  out["end_violation"] = violation.largest(run.t(), run.y());
+  out["end_violation"] = end_violation;
   out["length"] = violation.length();
   out["diagonal"] = steps.diagonal();
   return out;
@@ -192,7 +198,7 @@ void bind_runs(py::module_& module) {
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
       .def(
           "relative_violation",
-          [](const Run& run) { return RelativeViolation(run.dynamics().system()).largest(run.t(), run.y()); },
+          [](const Run& run) { return relative_violation(run, RelativeViolation(run.dynamics().system())); },
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("order") = 0,
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "

@@ -15,10 +15,7 @@ from linkwork.schedule import Adaptive, Fixed
 from linkwork.system import System
 from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, say, without_steps
 
-__all__ = ["POLICIES", "Judge", "heed"]
-
-#: What `on_inaccurate` can be.
-POLICIES = ("pass", "warn", "stop")
+__all__ = ["Judge", "heed"]
 
 #: Steps after which a run that may be stopped is looked at for the first time, then whenever they have doubled.
 FIRST_LOOK = 200

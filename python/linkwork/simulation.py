@@ -19,7 +19,7 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.interrupts import Interrupts
 from linkwork.manifest import manifest
 from linkwork.model import Model
-from linkwork.options import Options, check_name
+from linkwork.options import POLICIES, Options, check_name
 from linkwork.progress import ProgressOption, check_progress, reporting
 from linkwork.recording import PythonStep
 from linkwork.result import Result, Snapshot
@@ -102,7 +102,7 @@ def simulate(
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
-    check_name("on_inaccurate", on_inaccurate, judging.POLICIES)
+    check_name("on_inaccurate", on_inaccurate, POLICIES)
     checks.check_tables(model, t_end)
     watched = compile_events(events, model)
     method = _method(plan.usual_integrator if integrator is None else integrator)

@@ -218,8 +218,8 @@ def say(verdict: Verdict, name: str | None) -> str:
 def _totals(found: Mapping[str, Any], values: Floats, ok: NDArray[np.bool_], *, per_second: bool = False) -> Floats:
     """Of each part of the run the sum over its steps, or the integral over time.
 
-    Two steps of a part are known: between them values go with the change of accelerations, of which the mean is
-    known.
+    Two steps of a part are known, the second the steepest: between them values go with the change of
+    accelerations, of which the mean is known. They are at least what these steps say.
     """
     parts, steps = found["part"].astype(int), found["part_steps"]
     mean_change = found["part_change"] / steps
@@ -229,9 +229,13 @@ def _totals(found: Mapping[str, Any], values: Floats, ok: NDArray[np.bool_], *, 
         if not len(known):
             continue
         first, last = known[0], known[-1]
+        if first == last:
+            one[k] = values[first]
+            continue
         apart = found["change"][last] - found["change"][first]
         share = (mean_change[k] - found["change"][first]) / apart if apart > 0 else 0.0
         one[k] = values[first] + min(max(share, 0.0), 1.0) * (values[last] - values[first])
+        one[k] = max(one[k], values[first] + (values[last] - values[first]) / steps[k])  # all in one step
     one = np.where(np.isnan(one), np.nanmean(one), one)
     total: Floats = one * (found["part_seconds"] if per_second else steps)
     return total

@@ -26,8 +26,9 @@ RelativeViolation::RelativeViolation(const System& system)
 
 // With d the displacement and phi the rotation of a body, Phi changes by D_r d + D_phi phi: the least change of both
 // that makes up for a violation is |Phi| / |(D_r, D_phi / L)| as a length, L the size of the mechanism.
-double RelativeViolation::largest(double t, const VectorXd& y) {
+double RelativeViolation::largest(double t, const VectorXd& y, const std::vector<double>& memory) {
   if (system_.row_count() == 0) return 0.0;
+  at_.memory = memory;
   system_.evaluate_constraints(t, y.head(system_.q_size()), y.segment(system_.q_size(), system_.v_size()), at_);
   squared_.setZero(system_.row_count());
   for (const ConstraintBlock& block : system_.blocks())

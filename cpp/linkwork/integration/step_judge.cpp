@@ -80,7 +80,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions) {
   try {
     take_again(step);
     compare(step, out);
-    out.violation = violation_.largest(step.t + step.h, step.y_new);
+    out.violation = violation_.largest(step.t + step.h, step.y_new, dynamics_.evaluation().memory);
     if (reactions && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
     out.failed = !y_.allFinite();
   } catch (const Error&) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t usual_parts = 50;          // with two steps each
 constexpr std::size_t most_bytes = 1u << 27;     // that kept steps may take
-constexpr int most_looked_at = 500;              // bodies
+constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr double steeper = 1.1;                  // than the steepest so far, to be worth a copy
 constexpr double golden = 0.6180339887498949;    // spreads places evenly and in step with no period of the motion
 
@@ -30,6 +30,7 @@ std::size_t bytes_of_part(const Dynamics& dynamics) {
 
 /// Two parts that follow each other as one. `left`: which of the steps that no acceleration chose stays one.
 RunPart joined(RunPart a, RunPart b, bool left) {
+  left = (left && a.any.kept()) || !b.any.kept();
   KeptStep* steepest = &a.steepest;
   for (KeptStep* other : {&b.steepest, left ? &b.any : &a.any})
     if (other->change > steepest->change) steepest = other;
@@ -63,17 +64,18 @@ StepSampling::StepSampling(const Dynamics& dynamics)
   parts_.reserve(2 * most_parts_ + 1);
 }
 
-// A step costs two when it is taken again: 2 % of 10 000. Of shorter runs a tenth is taken again, from 2000 steps
-// downwards a smaller number that still says something, and all of five.
-std::int64_t StepSampling::samples(std::int64_t steps) {
-  if (steps <= 5) return steps;
-  const std::int64_t few = std::clamp<std::int64_t>(steps / 10, 5, 10);
+// A step costs two when it is taken again: 2 % of 10 000 steps. Of shorter runs more than a hundredth is needed to say
+// something: all of a few, then 20, which takes no time in a small mechanism and up to 40 % in a large one of 100 steps.
+std::int64_t StepSampling::samples(std::int64_t steps, int bodies) {
+  const std::int64_t few = bodies <= small_model ? 20 : std::clamp<std::int64_t>(steps / 10, 5, 20);
+  if (steps <= few) return steps;
   return std::clamp<std::int64_t>(steps / 20, few, 2 * static_cast<std::int64_t>(usual_parts));
 }
 
 void StepSampling::expect(std::int64_t steps) {
-  const auto wanted = std::clamp<std::int64_t>(samples(steps) / 2, 1, static_cast<std::int64_t>(most_parts_));
-  width_ = steps <= 5 ? 1 : std::max<std::int64_t>((steps + wanted - 1) / wanted, 1);
+  const std::int64_t wanted = samples(steps, body_count_), most = static_cast<std::int64_t>(most_parts_);
+  const std::int64_t count = std::clamp<std::int64_t>(wanted < steps ? wanted / 2 : wanted, 1, most);
+  width_ = std::max<std::int64_t>((steps + count - 1) / count, 1);
 }
 
 void StepSampling::before(const Dynamics& dynamics) {
@@ -84,8 +86,9 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   if (parts_.empty() || parts_.back().steps == width_) begin_part(t);
   RunPart& part = parts_.back();
   const double changed = change(h, y, y_new);
-  if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
-  else if (changed > steeper * std::max(part.steepest.change, part.any.change))
+  if (steps_ == 0) keep(part.steepest, t, h, INFINITY, y, y_new);  // nobody knows how steep the start is
+  else if (part.steps == 0 || part.steps == chosen_ || !part.any.kept()) keep(part.any, t, h, changed, y, y_new);
+  else if (part.steepest.change < INFINITY && changed > steeper * std::max(part.steepest.change, part.any.change))
     keep(part.steepest, t, h, changed, y, y_new);
   part.steps += 1;
   part.seconds += h;
@@ -130,7 +133,7 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
 
 std::vector<RunPart> StepSampling::parts() const {
   std::vector<RunPart> out = parts_;
-  const auto wanted = static_cast<std::size_t>(samples(steps_));
+  const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
   while (out.size() > 1 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
     out = join_pairs(std::move(out));
   return out;

@@ -51,7 +51,7 @@ class StepSampling {
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
 
   /// How many of so many steps are taken again.
-  static std::int64_t samples(std::int64_t steps);
+  static std::int64_t samples(std::int64_t steps, int bodies);
 
  private:
   double change(double h, const VectorXd& y, const VectorXd& y_new);

@@ -54,6 +54,7 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
         "Of positions, or by level: position=1e-8,velocity=1e-6,acceleration=1e-9.",
     ),
     ("on_violation", str, "Beyond --violation-limit: record, project or stop."),
+    ("on_inaccurate", str, "Estimated to be more than 1 % off: pass, warn or stop."),
     (
         "start",
         click.Path(),
