@@ -183,6 +183,8 @@ void bind_events(py::module_& module) {
 }
 
 void bind_runs(py::module_& module) {
+  module.def("time_sampling", &time_sampling, py::arg("dynamics"), py::arg("steps"),
+             "Time that a run of so many steps spends on following them for its verdict [s].");
   py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
       .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
            "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.")

@@ -132,11 +132,13 @@ def simulate(
         labels, warns = facts["events"], system.options["on_singular"] == "warn"
         judge = judging.Judge(run, method, system, options, start, plan, stops=on_inaccurate == "stop")
         driver_seconds = recording.record(run, pieces, recorder, report, labels, judge, warns=warns)
-        statistics, memory = run.statistics(), run.memory
+        statistics, memory, driven = run.statistics(), run.memory, time.perf_counter()
         verdict = judge.verdict(statistics)
+        verdict_seconds = time.perf_counter() - driven
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
-    times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
+    times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds,
+                   "verdict_seconds": verdict_seconds}  # fmt: skip
     kept = {"memory": memory} if 0 < len(memory) <= MOST_REMEMBERED else {}
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
     result = recorder.result({**statistics, **times_spent, **kept, **found})

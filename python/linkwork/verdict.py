@@ -157,22 +157,20 @@ def estimate(
     if not ok.any():
         why = "no step could be taken again" if len(ok) else "no step was one of the method's own"
         return without_steps(why, energies, statistics, float(found["end_violation"]), before)
-    times = found["part_t"] + found["part_seconds"] - found["part_t"][0]
-    duration = float(times[-1])
+    parts = _Parts(found, ok)
+    duration = float(found["part_seconds"].sum())
     L = max(float(found["diagonal"]) / 2, float(found["length"]))
     speeds = np.maximum(found["speed"], L * found["spin"])
     V = max(float(speeds[ok].max()), STILL * L / duration)
-    path = float(_totals(found, speeds, ok, per_second=True).sum())
-    size = max(min(L, path), STILL * L)
+    size = max(min(L, float(parts.integrals(speeds).sum())), STILL * L)
     poses = np.maximum(found["position"], L * found["rotation"]) / size
     velocities = np.maximum(found["velocity"], L * found["omega"]) / V
 
-    of_poses, of_velocities = _totals(found, poses, ok), _totals(found, velocities, ok)
-    left = duration - times + found["part_seconds"] / 2
+    left = parts.start[-1] + parts.seconds[-1] - (parts.start + parts.seconds / 2)
     growth = 1 + np.minimum(left * V / size, GROWTH)
+    accumulated = float(parts.sums(poses).sum() + (parts.sums(velocities) * growth).sum())
     energy, replaced = energies.error()
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
-    accumulated = float(of_poses.sum() + (of_velocities * growth).sum())
     state = before + max(accumulated, energy * turns if turns > 1 else 0.0)
     local = np.maximum(poses, velocities)
     reactions = _reactions(found, L, ok)
@@ -185,7 +183,7 @@ def estimate(
         sentence=_sentence(error, violation, state, method),
         error=error,
         state=state,
-        local_error=float(_totals(found, local, ok).sum()) / duration,
+        local_error=float(parts.sums(local).sum()) / duration,
         reactions=state * ratio if math.isfinite(ratio) else None,
         energy=energy,
         violation=violation,
@@ -215,30 +213,37 @@ def say(verdict: Verdict, name: str | None) -> str:
 # --- how it works ------------------------------------------------------------------------------------------
 
 
-def _totals(found: Mapping[str, Any], values: Floats, ok: NDArray[np.bool_], *, per_second: bool = False) -> Floats:
-    """Of each part of the run the sum over its steps, or the integral over time.
+class _Parts:
+    """The parts of a run with the steps that are known of them: one, or two, the second the steepest.
 
-    Two steps of a part are known, the second the steepest: between them values go with the change of
-    accelerations, of which the mean is known. They are at least what these steps say.
+    Between the two values go with the change of accelerations, of which the mean is known; the sum over a part is
+    at least what they say.
     """
-    parts, steps = found["part"].astype(int), found["part_steps"]
-    mean_change = found["part_change"] / steps
-    one = np.full(len(steps), np.nan)
-    for k in range(len(steps)):
-        known = np.flatnonzero((parts == k) & ok)
-        if not len(known):
-            continue
-        first, last = known[0], known[-1]
-        if first == last:
-            one[k] = values[first]
-            continue
-        apart = found["change"][last] - found["change"][first]
-        share = (mean_change[k] - found["change"][first]) / apart if apart > 0 else 0.0
-        one[k] = values[first] + min(max(share, 0.0), 1.0) * (values[last] - values[first])
-        one[k] = max(one[k], values[first] + (values[last] - values[first]) / steps[k])  # all in one step
-    one = np.where(np.isnan(one), np.nanmean(one), one)
-    total: Floats = one * (found["part_seconds"] if per_second else steps)
-    return total
+
+    def __init__(self, found: Mapping[str, Any], ok: NDArray[np.bool_]) -> None:
+        known = np.flatnonzero(ok)
+        parts, first = np.unique(found["part"][known].astype(int), return_index=True)
+        last = np.append(first[1:], len(known)) - 1
+        self._first, self._last = known[first], known[last]
+        self.steps, self.seconds, self.start = (found[f"part_{name}"][parts] for name in ("steps", "seconds", "t"))
+        mean = found["part_change"][parts] / self.steps - found["change"][self._first]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = mean / (found["change"][self._last] - found["change"][self._first])
+        self._share = np.fmax(np.clip(share, 0.0, 1.0), 1 / self.steps)
+        self._missed = float(found["part_steps"].sum() / self.steps.sum())  # parts of which no step is known
+
+    def sums(self, values: Floats) -> Floats:
+        """Over the steps of each part."""
+        return self._means(values) * self.steps * self._missed
+
+    def integrals(self, values: Floats) -> Floats:
+        """Over the time of each part."""
+        return self._means(values) * self.seconds * self._missed
+
+    def _means(self, values: Floats) -> Floats:
+        first, last = values[self._first], values[self._last]
+        means: Floats = first + self._share * (last - first)
+        return np.maximum(means, first + (last - first) / self.steps)
 
 
 def _reactions(found: Mapping[str, Any], L: float, ok: NDArray[np.bool_]) -> Floats:

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "linkwork/math/stopwatch.hpp"
+
 namespace linkwork {
 namespace {
 
-constexpr std::size_t usual_parts = 50;          // with two steps each
+constexpr std::size_t usual_parts = 70;          // with one or two steps each
 constexpr std::size_t most_bytes = 1u << 27;     // that kept steps may take
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr double steeper = 1.1;                  // than the steepest so far, to be worth a copy
@@ -137,6 +139,21 @@ std::vector<RunPart> StepSampling::parts() const {
   while (out.size() > 1 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
     out = join_pairs(std::move(out));
   return out;
+}
+
+double time_sampling(const Dynamics& dynamics, std::int64_t steps) {
+  StepSampling sampling(dynamics);
+  const VectorXd y = dynamics.initial_y(), y_new = 1.001 * y;
+  double seconds = 0.0;
+  sampling.expect(steps);
+  {
+    const Stopwatch watch(seconds, 1);
+    for (std::int64_t step = 0; step < steps; ++step) {
+      sampling.before(dynamics);
+      sampling.after(static_cast<double>(step), 1.0, step % 2 == 0 ? y : y_new, step % 2 == 0 ? y_new : y);
+    }
+  }
+  return seconds;
 }
 
 }  // namespace linkwork

@@ -69,4 +69,7 @@ class StepSampling {
   std::vector<RunPart> parts_;
 };
 
+/// Time that a run of so many steps spends on following them, without what they take themselves [s].
+double time_sampling(const Dynamics& dynamics, std::int64_t steps);
+
 }  // namespace linkwork

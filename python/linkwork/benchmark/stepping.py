@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from linkwork import _core
 from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.subject import Subject
 from linkwork.model import Model
 from linkwork.progress import ShowOption, counting
 from linkwork.result import Result
 from linkwork.simulation import simulate
+from linkwork.system import System
 
 ROUNDS = 5
 
@@ -44,6 +46,9 @@ class Steps:
     evaluations_per_step: float
     #: of the time of a step: evaluate, factorize (with the first solution), solve (further ones), rest
     shares: dict[str, float]
+    #: of the time of these steps, beside it: to follow them, and to take some of them again for the verdict
+    watching: float
+    verdict: float
 
 
 @dataclass(frozen=True)
@@ -152,12 +157,19 @@ class _Stepped:
             ns_per_body_and_evaluation=1e9 * seconds / (bodies * evaluations),
             evaluations_per_step=evaluations,
             shares={**shares, "rest": 1 - sum(shares.values())},
+            watching=self._watching() / (seconds * self.steps),
+            verdict=self._median("verdict_seconds") / (seconds * self.steps),
         )
+
+    def _watching(self) -> float:
+        dynamics = System(self.model).compiled()
+        return min(_core.time_sampling(dynamics, self.steps) for _ in range(ROUNDS))
 
     def _median(self, name: str) -> float:
         return float(statistics.median(result[name] for result in self.results))
 
 
 def _simulate(subject: Subject, model: Model, t_end: float, step: float, **how: Any) -> Result:
-    settings = {**subject.record.settings, "integrator": "rk4", "t_end": t_end, "step": step}
+    settings = {**subject.record.settings, "integrator": "rk4", "t_end": t_end, "step": step,
+                "on_inaccurate": "pass"}  # fmt: skip
     return simulate(model, **settings, **how)

@@ -15,6 +15,7 @@ FACTORS = ("solver", "analyze", "flops", "GFlop/s", "factors", "nonzeros", "fill
 SIZES = ("bodies", "ns per body", "build", "compile", "analyze", "bytes per body", "at the peak")
 STEPS = ("mechanism", "method", "bodies", "us per step", "ns per body, rhs")
 SHARES = ("evaluate", "factorize", "solve", "rest")
+VERDICT = ("steps", "watching", "verdict")
 RUNS = ("mechanism", "method", "bodies", "step [s]", "time [s]", "setup [s]", "compiled", "energy error [J]")
 
 
@@ -58,7 +59,7 @@ def show_growth(found: Growth) -> None:
 
 def show_steps(steps: Sequence[Steps], runs: Sequence[Run]) -> None:
     title = "One step of RK4, and what takes its time (factorize: with the first solution)"
-    out.print_table((*STEPS, *SHARES), [_step_cells(one) for one in steps], title=title, left=2)
+    out.print_table((*STEPS, *SHARES, *VERDICT), [_step_cells(one) for one in steps], title=title, left=2)
     if runs:
         title = f"Runs of {runs[0].t_end:g} s through simulate"
         out.print_table(RUNS, [_run_cells(run) for run in runs], title=title, left=2)
@@ -99,6 +100,9 @@ def _step_cells(one: Steps) -> tuple[str, ...]:
         f"{one.us_per_step:,.1f}",
         f"{one.ns_per_body_and_evaluation:,.0f}",
         *(f"{one.shares[part]:.0%}" for part in SHARES),
+        f"{one.steps:,}",
+        f"{one.watching:.1%}",
+        f"{one.verdict:.1%}",
     )
 
 
