@@ -32,7 +32,6 @@ std::size_t bytes_of_part(const Dynamics& dynamics) {
 
 /// Two parts that follow each other as one. `left`: which of the steps that no acceleration chose stays one.
 RunPart joined(RunPart a, RunPart b, bool left) {
-  left = (left && a.any.kept()) || !b.any.kept();
   KeptStep* steepest = &a.steepest;
   for (KeptStep* other : {&b.steepest, left ? &b.any : &a.any})
     if (other->change > steepest->change) steepest = other;
@@ -46,11 +45,13 @@ RunPart joined(RunPart a, RunPart b, bool left) {
   return out;
 }
 
+/// All but the first, which has one step.
 std::vector<RunPart> join_pairs(std::vector<RunPart> parts) {
   std::vector<RunPart> out;
-  for (std::size_t k = 0; k + 1 < parts.size(); k += 2)
+  out.push_back(std::move(parts.front()));
+  for (std::size_t k = 1; k + 1 < parts.size(); k += 2)
     out.push_back(joined(std::move(parts[k]), std::move(parts[k + 1]), out.size() % 2 == 0));
-  if (parts.size() % 2 == 1) out.push_back(std::move(parts.back()));
+  if (parts.size() % 2 == 0) out.push_back(std::move(parts.back()));
   return out;
 }
 
@@ -63,7 +64,7 @@ StepSampling::StepSampling(const Dynamics& dynamics)
       squared_length_(squared_length_of(dynamics.system())),
       most_parts_(std::clamp(most_bytes / bytes_of_part(dynamics) / 2, std::size_t{1}, usual_parts)),
       rates_(VectorXd::Zero(dynamics.system().v_size())) {
-  parts_.reserve(2 * most_parts_ + 1);
+  parts_.reserve(2 * most_parts_ + 2);
 }
 
 // A step costs two when it is taken again: 2 % of 10 000 steps. Of shorter runs more than a hundredth is needed to say
@@ -85,12 +86,11 @@ void StepSampling::before(const Dynamics& dynamics) {
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
-  if (parts_.empty() || parts_.back().steps == width_) begin_part(t);
+  if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
   RunPart& part = parts_.back();
   const double changed = change(h, y, y_new);
-  if (steps_ == 0) keep(part.steepest, t, h, INFINITY, y, y_new);  // nobody knows how steep the start is
-  else if (part.steps == 0 || part.steps == chosen_ || !part.any.kept()) keep(part.any, t, h, changed, y, y_new);
-  else if (part.steepest.change < INFINITY && changed > steeper * std::max(part.steepest.change, part.any.change))
+  if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
+  else if (changed > steeper * std::max(part.steepest.change, part.any.change))
     keep(part.steepest, t, h, changed, y, y_new);
   part.steps += 1;
   part.seconds += h;
@@ -112,9 +112,9 @@ double StepSampling::change(double h, const VectorXd& y, const VectorXd& y_new) 
 }
 
 void StepSampling::begin_part(double t) {
-  if (parts_.size() == 2 * most_parts_) {
+  if (parts_.size() == 2 * most_parts_ + 1) {
     parts_ = join_pairs(std::move(parts_));
-    parts_.reserve(2 * most_parts_ + 1);
+    parts_.reserve(2 * most_parts_ + 2);
     width_ *= 2;
   }
   const double place = golden * static_cast<double>(parts_.size() + 1);
@@ -136,7 +136,7 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
 std::vector<RunPart> StepSampling::parts() const {
   std::vector<RunPart> out = parts_;
   const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
-  while (out.size() > 1 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
+  while (out.size() > 2 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
     out = join_pairs(std::move(out));
   return out;
 }
