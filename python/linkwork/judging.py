@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from linkwork import _core, callbacks
@@ -13,7 +14,8 @@ from linkwork.options import Options
 from linkwork.result import Result, Snapshot
 from linkwork.schedule import Adaptive, Fixed
 from linkwork.system import System
-from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, say, without_steps
+from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, say, verified, without_steps
+from linkwork.verification import Finer, state_error
 
 __all__ = ["Judge", "heed"]
 
@@ -59,6 +61,31 @@ class Judge:
     def verdict(self, statistics: Mapping[str, Any]) -> Verdict | None:
         """Of the run, which is over: the system is used up. None: there was no step."""
         return self._of(self._system, statistics) if self._run.steps_done else None
+
+    def verify(
+        self, result: Result, output: str | os.PathLike[str] | None, run: Callable[[dict[str, Any]], Result]
+    ) -> None:
+        """Adds a finer run, made by `run` with such arguments, to the result and its file.
+
+        LinkworkWarning: there is none, as a function of the user's remembers calls.
+        """
+        remembering = callbacks.changed(self._contents, self._functions)
+        if remembering:
+            return warn(f"verify: no second run was made, as '{remembering[0]}' may remember the calls before")
+        found = run(self._plan.finer(result.t))
+        order = self._resolution().order
+        gain = 2.0**order if isinstance(self._plan, Fixed) else 10.0
+        finer = Finer(found, gain / (gain - 1) if gain > 1 else 2.0)
+        result._finer = finer
+        verdict = result.verdict
+        if verdict is not None:
+            new = verified(verdict, state_error(result, finer), self._resolution())
+            result.statistics["verdict"] = new.numbers()
+        if output is not None:
+            from linkwork.result_file import add_finer
+
+            add_finer(output, finer, result.statistics)
+            result._finer = Result.load(output)._finer
 
     def _of(self, system: System, statistics: Mapping[str, Any]) -> Verdict:
         remembering = callbacks.changed(self._contents, self._functions)

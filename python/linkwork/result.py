@@ -17,6 +17,7 @@ from linkwork.handles import Body, Joint
 from linkwork.header import Floats, Header, record_reactions
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.verdict import Verdict
+from linkwork.verification import Finer, band, difference
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -123,6 +124,7 @@ class Result:
         self._places: dict[str, dict[str, int]] = {}
         self.statistics = dict(statistics)
         self.t: Floats = self._frames["t"][:]
+        self._finer: Finer | None = None
 
     # --- what was run ---
 
@@ -411,6 +413,30 @@ class Result:
         """Largest violation of the constraints (k, 3): max abs of Phi, Phi_dot and Phi_ddot."""
         return self._field("violation")
 
+    # --- errors ---
+
+    @property
+    def verified(self) -> bool:
+        """Whether a second, finer run was made beside this one: simulate(..., verify=True)."""
+        return self._finer is not None
+
+    def error_of(self, what: str, *name: Any, **how: Any) -> Any:
+        """The estimated error of what is recorded, in its shape and unit, from the finer run of `verify`.
+
+        what       the name of a property or method of a result: "position", "energy", "reaction", "body", ...
+        name, how  the arguments of the method: error_of("reaction", "pin").force (k, 3) is that of
+                   reaction("pin").force
+
+        At each time the largest of Richardson's estimates there and at the next frames; NaN after the end of
+        the finer run. OptionError: the run was not verified, or has no such quantity.
+        """
+        if self._finer is None:
+            raise OptionError(
+                "error_of needs a second, finer run: simulate(..., verify=True)", code="not_verified"
+            )
+        both = [_quantity(result, what, name, how) for result in (self, self._finer.result)]
+        return difference(*both, band(self._finer.factor))
+
     # --- files, pictures, text ---
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -419,6 +445,8 @@ class Result:
 
         self._need_reactions()
         result_file.save(path, self._header, self._frames, self.statistics, self._run, self._events)
+        if self._finer is not None:
+            result_file.add_finer(path, self._finer, self.statistics)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
@@ -426,7 +454,11 @@ class Result:
         from linkwork import stored_result
 
         stored = stored_result.read(path)
-        return cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
+        result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
+        if stored.finer is not None:
+            factor, fields = stored.finer
+            result._finer = Finer(cls(fields, stored.header, {}, run=stored.run), factor)
+        return result
 
     def plot(
         self,
@@ -549,6 +581,24 @@ class Result:
         if text not in places:
             raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
         return places[text]
+
+
+#: What `error_of` takes.
+_QUANTITIES = (
+    "q", "v", "position", "orientation", "velocity", "omega", "omega_inertial", "acceleration",
+    "angular_acceleration", "body", "multipliers", "reactions", "reaction", "coordinate", "joint_axes",
+    "joint_points", "kinetic_energy", "potential_energy", "energy", "work", "energy_error", "violation",
+)  # fmt: skip
+
+
+def _quantity(result: Result, what: str, name: tuple[Any, ...], how: Mapping[str, Any]) -> Any:
+    """OptionError: there is none of that name."""
+    if what not in _QUANTITIES:
+        raise OptionError(
+            f"'{what}' is no recorded quantity{nearest(str(what), _QUANTITIES)}", code="unknown_option"
+        )
+    found = getattr(result, what)
+    return found(*name, **how) if callable(found) else found
 
 
 def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:

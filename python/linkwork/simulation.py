@@ -49,6 +49,7 @@ def simulate(
     progress: ProgressOption = None,
     assemble: bool = True,
     on_inaccurate: str = "warn",
+    verify: bool = False,
     **options: Unpack[Options],
 ) -> Result:
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
@@ -78,6 +79,8 @@ def simulate(
                   False: the run starts from them as they are, with a warning
     on_inaccurate "pass", "warn" or "stop": what an estimated error of more than 1 % means to the run, see
                   `Result.verdict`. "stop" looks after it ever doubled the number of its steps, too
+    verify        a second run at half the step, or a tenth of the tolerances: `Result.error_of` then tells the
+                  error of whatever was recorded, and plots have error bands
     options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
                   linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
                   tolerance, max_iterations, on_singular="pass",
@@ -142,6 +145,11 @@ def simulate(
     kept = {"memory": memory} if 0 < len(memory) <= MOST_REMEMBERED else {}
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
     result = recorder.result({**statistics, **times_spent, **kept, **found})
+    if verify:
+        again: dict[str, Any] = {"integrator": method, "events": events, "start": start, "assemble": assemble}
+        judge.verify(result, output, lambda finer: simulate(
+            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass", **options
+        ))  # fmt: skip
     judging.heed(result, on_inaccurate)
     checks.check_redundant(system.model, system.compiled(), Snapshot.of(run.t, run.last_state))
     return result

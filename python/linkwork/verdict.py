@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -73,6 +73,8 @@ class Verdict:
     singular_poses, contradictions, break_points
                  poses passed; redundant equations that turned out to contradict the others; steps that
                  contain a time at which a function of time is not smooth
+    verified     error of the state by a second, finer run, the largest over the frames, relative to the motion;
+                 None: there was none
     before       error of the runs that this one goes on from, see `start`; part of `state`
     """
 
@@ -91,6 +93,7 @@ class Verdict:
     contradictions: int = 0
     break_points: int = 0
     before: float = 0.0
+    verified: float | None = None
 
     def numbers(self) -> dict[str, Any]:
         """As plain data, for files."""
@@ -203,6 +206,13 @@ def without_steps(
     sentence = f"energy and constraints are {said}; {why}"
     return Verdict(_level(error), sentence, error, None, None, None, energy, violation, left_out=why,
                    before=before, **_counts(statistics))  # fmt: skip
+
+
+def verified(verdict: Verdict, state: float, method: Method) -> Verdict:
+    """The same with what a finer run says of the state, which takes the place of the estimate."""
+    error = max(state + verdict.before, verdict.energy, verdict.violation)
+    sentence = f"{_sentence(error, verdict.violation, state, method)} by a second run"
+    return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state)
 
 
 def say(verdict: Verdict, name: str | None) -> str:
