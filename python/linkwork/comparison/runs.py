@@ -47,8 +47,8 @@ COUNTS = ("steps", "rejected_steps", "evaluations", "factorizations", "iteration
 #: A state error this large says that the motion is another one.
 WRONG = 1.0
 
-#: A run this short [s] is repeated, at most so often, and its shortest time counts.
-SHORT_SECONDS, REPEATS = 0.2, 3
+#: Short runs are repeated until they took so long together [s], at most so often, and the shortest time counts.
+SHORT_SECONDS, REPEATS = 0.1, 9
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Outcome:
     reason     of a cell that did not finish
     t_reached  [s]
     errors     see linkwork.comparison.measures; `reaction_error` of joints with unique reactions alone
-    seconds    wall time of the steps, without the setup; the shortest of up to three for short runs
+    seconds    wall time of the steps, without the setup; the shortest of up to nine for short runs
     """
 
     method: str
