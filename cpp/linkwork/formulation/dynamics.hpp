@@ -85,7 +85,7 @@ class Dynamics {
   void release_correction() { held_ = held_ && parts_ > 0; }
   /// From here to end_parts a step is taken in so many equal parts: the correction that its first part holds is that of
   /// the whole, and stays.
-  void begin_parts(int parts) { parts_ = parts; }
+  void begin_parts(int parts) { held_ = false, parts_ = parts; }
   void end_parts() { held_ = false, parts_ = 0; }
   /// For methods with memory: adds to `y` the two terms of u where they belong, h (-2 alpha Phi_dot) to v and
   /// h^2 (-beta^2 Phi) to q, both through the response of the mechanism; the default alpha = 1/(2h), beta = 1/h annuls
