@@ -85,6 +85,8 @@ TEST_CASE("the step in which accelerations change most is kept") {
       if (known) sampling.expect(10000);
       follow(sampling, dynamics, 10000, kick);
       bool found = false;
+      CAPTURE(known);
+      CAPTURE(kick);
       for (const RunPart& part : sampling.parts())
         for (const KeptStep* step : {&part.any, &part.steepest}) {
           const bool there = step->t == kick || step->t == kick + 1;  // it begins and ends

@@ -89,6 +89,7 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
   RunPart& part = parts_.back();
   const double changed = change(h, y, y_new);
+  if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
   if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
   else if (changed > steeper * std::max(part.steepest.change, part.any.change))
     keep(part.steepest, t, h, changed, y, y_new);
