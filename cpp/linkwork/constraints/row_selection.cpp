@@ -45,7 +45,7 @@ struct ComponentPose {
 class Selection {
  public:
   Selection(MetricSolver& solver, const LoopCore& core, const CorePose& assembled, const CorePose& perturbed,
-            const PerturbedPose& found, double tolerance)
+            const PerturbedPose& found, double tolerance, bool prefer_closing)
       : solver_(solver),
         core_(core),
         assembled_(assembled),
@@ -56,7 +56,8 @@ class Selection {
     for (int place = 0; place < core.row_count(); ++place)
       rows_[static_cast<std::size_t>(core.component_of_row(place))].push_back(place);
     preferred_.resize(core.row_count());
-    for (int place = 0; place < core.row_count(); ++place) preferred_[place] = core.closing(joint_of(place));
+    for (int place = 0; place < core.row_count(); ++place)
+      preferred_[place] = !prefer_closing || core.closing(joint_of(place));
   }
 
   Places run() {
@@ -232,8 +233,8 @@ CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q
 }
 
 Places redundant_rows(MetricSolver& solver, const LoopCore& core, const CorePose& assembled, const CorePose& perturbed,
-                      const PerturbedPose& found, double tolerance) {
-  return Selection(solver, core, assembled, perturbed, found, tolerance).run();
+                      const PerturbedPose& found, double tolerance, bool prefer_closing) {
+  return Selection(solver, core, assembled, perturbed, found, tolerance, prefer_closing).run();
 }
 
 }  // namespace linkwork

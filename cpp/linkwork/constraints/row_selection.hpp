@@ -24,8 +24,8 @@ struct CorePose {
 
 /// The rows to leave out because they are dependent at the assembled and at the perturbed pose, ascending. There is a
 /// choice: rows of joints that close loops come first, and among these the ones that leave the others best conditioned
-/// at both poses.
+/// at both poses. Without `prefer_closing` the best conditioned are chosen whatever their joints.
 Places redundant_rows(MetricSolver& solver, const LoopCore& core, const CorePose& assembled, const CorePose& perturbed,
-                      const PerturbedPose& found, double tolerance);
+                      const PerturbedPose& found, double tolerance, bool prefer_closing = true);
 
 }  // namespace linkwork

@@ -14,9 +14,12 @@ constexpr int dense_rows = 32;       // up to this size a dense factorization is
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
-constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
-constexpr double broken = -1.0;        // for a pivot of a factorization that broke down
-constexpr double diverged = 1e50;      // velocities of which nothing else is to blame for what follows
+constexpr int timed_evaluations = 17;   // the first ones, then one in so many: not always the same stage of a step
+constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
+constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
+constexpr int most_refinements = 20;
+constexpr double broken = -1.0;    // for a pivot of a factorization that broke down
+constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -192,7 +195,9 @@ bool Dynamics::count_factorization(Work factorize) {
   factorized_ = true;
   statistics_.factorizations += 1;
   statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, std::max(pivot, 0.0));
-  return !watched_ || watch_.usual(pivot) || inspect(pivot);
+  if (!watched_ || !watching_) return true;
+  watch_.note(t_, pivot);
+  return watch_.usual(pivot) || inspect(pivot);
 }
 
 /// The smallest pivot; -1 where the matrix is singular. A state that is not finite makes it so: say which it is.
@@ -204,7 +209,7 @@ double Dynamics::try_factorization(Work factorize) {
     const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
     if (!pivots || !y_.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
       throw_not_finite(system_, y_, t_, stage_);
-    if (!rank_needed_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
+    if (!rank_needed_ || !watching_ || (!watch_.open() && examine_here(broken).rows.empty())) throw;
     return broken;
   }
   return formulation_->saddle().smallest_pivot();
@@ -234,6 +239,37 @@ bool Dynamics::inspect(double pivot) {
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
   return false;
+}
+
+/// Takes the choice where it is one, and better than the present one.
+bool Dynamics::choose_rows(PoseExamination& found, double pivot) {
+  if (found.better_choice.empty()) return false;
+  const std::vector<int> before = dropped_.rows();
+  change_redundant_rows(std::move(found.better_choice));
+  if (root_of_pivot() < well_chosen * watch_.root_of_level()) {
+    change_redundant_rows(before);
+    return false;
+  }
+  watch_.change_rows(t_, pivot, std::move(found.joints));
+  return true;
+}
+
+bool Dynamics::improve_rows() {
+  if (dropped_.empty()) return false;
+  factorize();
+  const double pivot = formulation_->saddle().smallest_pivot();
+  PoseExamination found = examine_here(pivot);
+  if (!choose_rows(found, pivot)) return false;
+  watch_.forget_trend();
+  return true;
+}
+
+bool Dynamics::cross(const VectorXd& y, double pivot) {
+  PoseExamination found =
+      examine_pose(system_, t_, y.head(system_.q_size()), dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
+  if (found.rows.empty() || choose_rows(found, pivot)) return false;
+  watch_.cross(t_, pivot, std::move(found.joints));
+  return true;
 }
 
 void Dynamics::change_redundant_rows(std::vector<int> rows) {
@@ -271,6 +307,32 @@ ConstVector Dynamics::kept(const ConstVector& b) {
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {
   solve(at_.g.head(system_.v_size()), at_.gamma, v_dot, lambda);
+  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
+}
+
+// With the residuals r_1 = g - M v_dot + D^T lambda and r_2 = gamma - D v_dot the corrections satisfy
+//   M dv - D^T dlambda = r_1,   D dv = r_2,
+// whatever the formulation solves of it: the penalty method's own solution, too, becomes that of (12.3).
+void Dynamics::refined_accelerations(MutableVector v_dot, MutableVector lambda) {
+  const int nv = system_.v_size();
+  const auto g = at_.g.head(nv);
+  solve(g, at_.gamma, v_dot, lambda);
+  if (system_.row_count() == 0) return;
+  VectorXd r_1(nv), r_2(system_.row_count()), dv(nv), dlambda(system_.row_count());
+  double last = INFINITY;
+  for (int k = 0; k < most_refinements; ++k) {
+    system_.multiply_mass(v_dot, dv);
+    r_1 = g - dv;
+    system_.add_D_transposed(at_, lambda, r_1);
+    system_.multiply_D(at_, v_dot, r_2);
+    r_2 = at_.gamma - r_2;
+    solve(r_1, r_2, dv, dlambda);
+    const double change = dv.norm();
+    if (!(change < 0.5 * last)) break;
+    v_dot += dv;
+    lambda += dlambda;
+    last = change;
+  }
   if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
 }
 

@@ -53,6 +53,19 @@ class Dynamics {
   void remember(const std::vector<double>& memory);
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
+  /// Whether pivots tell singular poses, and there are loops that may come to some.
+  bool watches() const { return watched_ && system_.row_count() > 0; }
+  /// Evaluations from here on serve a step that knows of singular poses: they are not looked at by the watch.
+  void watch_evaluations(bool on) { watching_ = on; }
+  /// Of the last factorization: the root of the smallest pivot, see SingularWatch.
+  double root_of_pivot() const { return std::sqrt(std::max(formulation_->saddle().smallest_pivot(), 0.0)); }
+  /// At a pose that was stepped over, the state of the last evaluation: whether it is singular. It is listed then; and
+  /// where it only seemed to be because the wrong redundant rows are left out, others are from here on.
+  bool cross(const VectorXd& y, double pivot);
+  /// Where pivots are small: whether other redundant rows serve better at the present state; they are left out from
+  /// here on.
+  bool improve_rows();
+  void forget_trend() { watch_.forget_trend(); }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.
   bool taken_over() const { return taken_over_; }
 
@@ -67,6 +80,8 @@ class Dynamics {
   /// Accelerations and multipliers of the mechanism itself, without stabilization. The multipliers of redundant
   /// constraints are those of MinimumNorm.
   void accelerations(MutableVector v_dot, MutableVector lambda);
+  /// The same, refined by the residuals of the equations until they are at roundoff.
+  void refined_accelerations(MutableVector v_dot, MutableVector lambda);
   /// D v_dot - gamma of all constraints, redundant ones included.
   void acceleration_residual(const ConstVector& v_dot, MutableVector residual);
 
@@ -108,6 +123,7 @@ class Dynamics {
   PoseExamination examine_here(double pivot) const;
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
+  bool choose_rows(PoseExamination& found, double pivot);
   void take_over();
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
@@ -127,7 +143,7 @@ class Dynamics {
   std::unique_ptr<Formulation> formulation_;
   SingularWatch watch_;
   std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
-  bool watched_ = false, taken_over_ = false, rank_needed_ = false;
+  bool watched_ = false, watching_ = true, taken_over_ = false, rank_needed_ = false;
   Evaluation at_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;

@@ -16,6 +16,7 @@ constexpr double recovered = 4.0;          // times the suspicious pivot: the pa
 constexpr double trusted = 1e-10;          // pivots whose solutions keep half of the digits
 constexpr double trusted_relative = 1e-7;  // the same for models whose pivots are all small
 constexpr double less = 1e-2;
+constexpr std::size_t trend_samples = 8;
 constexpr std::size_t most_passages = 100;
 
 /// Places of the core that are not among `rows`.
@@ -70,12 +71,13 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
   const std::vector<char> all(static_cast<std::size_t>(core.component_count()), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
-  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance))
+  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance, false))
     rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
   for (const int row : redundant)
     if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
-  return near_rows(core, pose.D, rows, near).empty() ? rows : std::vector<int>();
+  const bool regular = rows.size() == redundant.size() && near_rows(core, pose.D, rows, near).empty();
+  return regular ? rows : std::vector<int>();
 }
 
 }  // namespace
@@ -121,6 +123,41 @@ void SingularWatch::begin(double t, double pivot, std::vector<int> joints) {
 void SingularWatch::change_rows(double t, double pivot, std::vector<int> joints) {
   row_changes_ += 1;
   keep(t, pivot, std::move(joints), true);
+}
+
+void SingularWatch::cross(double t, double pivot, std::vector<int> joints) {
+  if (!open_) {
+    singular_poses_ += 1;
+    keep(t, pivot, std::move(joints), false);
+  } else {
+    SingularPassage& passage = passages_.back();
+    passage.t = t;
+    passage.pivot = std::min(passage.pivot, std::max(pivot, 0.0) / level_);
+  }
+  open_ = false;
+}
+
+std::optional<SingularWatch::Trend> SingularWatch::trend() const {
+  const std::size_t count = std::min(next_sample_, trend_samples);
+  if (count < 2) return {};
+  Trend out;
+  out.last = out.other = samples_[(next_sample_ - 1) % samples_.size()];
+  for (std::size_t k = 2; k <= count; ++k) {
+    const Sample& sample = samples_[(next_sample_ - k) % samples_.size()];
+    if (std::abs(sample.t - out.last.t) > std::abs(out.other.t - out.last.t)) out.other = sample;
+  }
+  return out;
+}
+
+std::vector<SingularWatch::Sample> SingularWatch::samples(double from, double to) const {
+  std::vector<Sample> out;
+  for (std::size_t k = 1; k <= std::min(next_sample_, samples_.size()); ++k) {
+    const Sample& sample = samples_[(next_sample_ - k) % samples_.size()];
+    const auto same = [&](const Sample& other) { return other.t == sample.t; };  // the newest counts
+    if (sample.t >= from && sample.t <= to && std::none_of(out.begin(), out.end(), same)) out.push_back(sample);
+  }
+  std::sort(out.begin(), out.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
+  return out;
 }
 
 /// The first passages are kept, and the last one, which may go on.

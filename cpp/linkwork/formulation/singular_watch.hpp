@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "linkwork/assembly/system.hpp"
@@ -45,6 +49,24 @@ class SingularWatch {
     return true;
   }
 
+  /// A pivot seen by the way, for the trend.
+  void note(double t, double pivot) {
+    samples_[next_sample_++ % samples_.size()] = {t, std::sqrt(std::max(pivot, 0.0))};
+  }
+  struct Sample {
+    double t = 0.0;
+    double root = 0.0;  ///< of the smallest pivot: it falls linearly in time toward a singular pose
+  };
+  /// The last value, and the one of the last few that is farthest from it in time; none before there are two.
+  struct Trend {
+    Sample last, other;
+  };
+  std::optional<Trend> trend() const;
+  /// The last values, between two times, by their times.
+  std::vector<Sample> samples(double from, double to) const;
+  void forget_trend() { next_sample_ = 0; }
+  double root_of_level() const { return std::sqrt(level_); }
+
   bool open() const { return open_; }
   /// Half of the digits of a factorization are lost.
   bool untrustworthy(double pivot) const { return !(pivot >= untrusted_); }
@@ -54,6 +76,8 @@ class SingularWatch {
   void suspect_less();
   void begin(double t, double pivot, std::vector<int> joints);
   void change_rows(double t, double pivot, std::vector<int> joints);
+  /// A whole passage, or the end of the one that is open, whose smallest pivot is known afterwards.
+  void cross(double t, double pivot, std::vector<int> joints);
   /// Inside a passage, which may end here.
   void go_on(double t, double pivot);
   void take_over() { passages_.back().taken_over += 1; }
@@ -66,8 +90,10 @@ class SingularWatch {
   void raise(double level);
   void keep(double t, double pivot, std::vector<int> joints, bool rows_changed);
 
-  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-3;
+  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-5;
   bool open_ = false;
+  std::array<Sample, 16> samples_;
+  std::size_t next_sample_ = 0;
   std::vector<SingularPassage> passages_;
   std::int64_t singular_poses_ = 0, row_changes_ = 0;
 };

@@ -52,6 +52,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       stepper_(pair),
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
+      crossing_(dynamics),
       watch_(std::move(events)) {
   check(schedule);
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
@@ -109,6 +110,7 @@ double AdaptiveSimulation::initial_step() {
 
 void AdaptiveSimulation::attempt() {
   if (!evaluated_) evaluate(t_, y_);
+  if (leap()) return;
   sampling_.before(dynamics_);
   const double remaining = schedule_.t_end - t_;
   double h = std::min(step_, schedule_.largest_step);
@@ -124,6 +126,32 @@ void AdaptiveSimulation::attempt() {
   if (error.value <= 1.0) accept(h, error.value);
   else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
+}
+
+/// Over a singular pose, where one is ahead; the step after it is as long as those before.
+bool AdaptiveSimulation::leap() {
+  leapt_ = false;
+  const double h = std::min(step_, schedule_.largest_step), remaining = schedule_.t_end - t_;
+  dated(t_, h, [&] {
+    if (!crossing_.due(t_, std::min(h, remaining), y_)) return;
+    leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
+    if (leapt_) stop_at_singular_pose();
+    else dynamics_.evaluate(t_, y_);
+  });
+  if (!leapt_) return false;
+  accepted_ = true;
+  evaluated_ = false;
+  h_ = crossing_.last().h;
+  t_new_ = h_ == remaining ? schedule_.t_end : crossing_.last().end();
+  y_new_ = crossing_.last().y_new;
+  stop_.reset();
+  if (!watch_.empty()) dated(t_, h_, [&] { look_for_events(); });
+  return true;
+}
+
+const Interpolant& AdaptiveSimulation::interpolant() const {
+  if (leapt_) return crossing_;
+  return stepper_;
 }
 
 bool AdaptiveSimulation::near_singular_pose() const { return dynamics_.watch().open() && usual_step_ > 0.0; }
@@ -180,11 +208,11 @@ void AdaptiveSimulation::accept(double h, double error) {
 }
 
 void AdaptiveSimulation::look_for_events() {
-  if (stepper_.prepare_interpolation(dynamics_)) evaluated_ = false;
+  if (!leapt_ && stepper_.prepare_interpolation(dynamics_)) evaluated_ = false;
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
-  for (const EventWatch::Found& found : watch_.scan(stepper_, system, t_, h_)) {
-    stepper_.interpolate(system, found.theta, work_);
+  for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_)) {
+    interpolant().interpolate(system, found.theta, work_);
     const double t = t_ + found.theta * h_;
     of_step_.push_back({found.event, t, work_.head(size), work_.head(size)});
     if (!watch_.event(found.event).stops()) continue;
@@ -247,16 +275,24 @@ bool AdaptiveSimulation::output_inside() const {
 void AdaptiveSimulation::record_inside() {
   const double t = schedule_.times[next_time_++];
   dated(t, NAN, [&] {
-    stepper_.prepare_interpolation(dynamics_);
-    stepper_.interpolate(dynamics_.system(), (t - t_) / h_, work_);
+    if (!leapt_) stepper_.prepare_interpolation(dynamics_);
+    interpolant().interpolate(dynamics_.system(), (t - t_) / h_, work_);
     dynamics_.evaluate(t, work_);
-    recorder_.record(t, work_);
+    if (leapt_) record_in_leap(t);
+    else recorder_.record(t, work_);
   });
   evaluated_ = false;
 }
 
+void AdaptiveSimulation::record_in_leap(double t) {
+  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+  crossing_.interpolate(crossing_.theta(t), v_dot, lambda);
+  recorder_.record(t, work_, v_dot, lambda);
+}
+
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
+  if (!leapt_) dated(t_, h_, [&] { evaluated_ = !crossing_.look_back(t_, y_, t_new_, y_new_) && evaluated_; });
   const double t_before = std::exchange(t_, t_new_);
   y_before_.swap(y_);
   y_ = y_new_;
@@ -266,7 +302,7 @@ void AdaptiveSimulation::finish_step() {
     dated(t_, h_, [&] { projection().stabilize(t_, y_); });
     evaluated_ = false;
   }
-  if (stop_) sampling_.pass_over();
+  if (stop_ || leapt_) sampling_.pass_over();
   else sampling_.after(t_before, h_, y_before_, y_);
   if (!evaluated_) evaluate(t_, y_);
   dated(t_, h_, [&] { keep_to_budget(t_); });
@@ -282,6 +318,7 @@ void AdaptiveSimulation::finish_step() {
     watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
     step_ = initial_step();
   });
+  crossing_.restart();
   controller_.restart();
 }
 

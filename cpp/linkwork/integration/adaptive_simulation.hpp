@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/events.hpp"
 #include "linkwork/integration/run.hpp"
@@ -52,6 +53,8 @@ class AdaptiveSimulation final : public Run {
   void attempt();
   BodyMaximum trial(double h);
   void accept(double h, double error);
+  bool leap();
+  const Interpolant& interpolant() const;
   void look_for_events();
   void finish_event();
   /// True where the change ends the run.
@@ -63,6 +66,7 @@ class AdaptiveSimulation final : public Run {
   void check_accumulation();
   bool output_inside() const;
   void record_inside();
+  void record_in_leap(double t);
   void finish_step();
   void evaluate(double t, const VectorXd& y);
   void record_if_due();
@@ -72,6 +76,8 @@ class AdaptiveSimulation final : public Run {
   ErrorMeasure measure_;
   StepController controller_;
   StepStatistics statistics_;
+  Crossing crossing_;
+  bool leapt_ = false;  ///< the step that was accepted is a leap over a singular pose
   EventWatch watch_;
   std::vector<Occurrence> of_step_;        ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;    ///< of finished steps

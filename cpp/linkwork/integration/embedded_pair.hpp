@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwork/integration/integrator.hpp"
+#include "linkwork/integration/interpolant.hpp"
 #include "linkwork/integration/tolerances.hpp"
 
 namespace linkwork {
@@ -18,7 +19,7 @@ struct EmbeddedPair {
 };
 
 /// Takes trial steps of an EmbeddedPair, each from a state where `dynamics` is evaluated.
-class PairStepper {
+class PairStepper final : public Interpolant {
  public:
   /// OptionError: sizes that do not fit, an estimate whose weights do not add up to zero, an interpolant that does not
   /// end in the new state.
@@ -34,8 +35,7 @@ class PairStepper {
 
   /// Evaluates what the interpolant still needs. True where `dynamics` is no longer at the new state.
   bool prepare_interpolation(Dynamics& dynamics);
-  /// The state at t + theta h, with unit Euler parameters; 0 <= theta <= 1.
-  void interpolate(const System& system, double theta, VectorXd& y) const;
+  void interpolate(const System& system, double theta, VectorXd& y) const override;
 
  private:
   BodyMaximum estimate(const ErrorMeasure& measure, const VectorXd& y);

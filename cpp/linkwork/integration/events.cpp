@@ -76,7 +76,7 @@ double EventWatch::rate(const System& system, std::size_t index, double t, const
   return (value(index, t, state_) - value(index, t, y)) / s;
 }
 
-const std::vector<EventWatch::Found>& EventWatch::scan(const PairStepper& stepper, const System& system, double t,
+const std::vector<EventWatch::Found>& EventWatch::scan(const Interpolant& step, const System& system, double t,
                                                        double h) {
   found_.clear();
   std::fill(last_theta_.begin(), last_theta_.end(), 0.0);
@@ -84,7 +84,7 @@ const std::vector<EventWatch::Found>& EventWatch::scan(const PairStepper& steppe
   double from = 0.0;
   for (std::size_t place = fresh_ ? 0 : places.size() - usual_places; place < places.size(); ++place) {
     const std::size_t before = found_.size();
-    scan_piece(stepper, system, t, h, from, places[place]);
+    scan_piece(step, system, t, h, from, places[place]);
     from = places[place];
     const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(before);
     std::stable_sort(begin, found_.end(), [](const Found& a, const Found& b) { return a.theta < b.theta; });
@@ -97,11 +97,10 @@ const std::vector<EventWatch::Found>& EventWatch::scan(const PairStepper& steppe
   return found_;
 }
 
-void EventWatch::scan_piece(const PairStepper& stepper, const System& system, double t, double h, double from,
-                            double to) {
+void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to) {
   for (std::size_t k = 0; k < events_.size(); ++k) {
     const auto at = [&](double theta) {
-      stepper.interpolate(system, theta, state_);
+      step.interpolate(system, theta, state_);
       return value(k, t + theta * h, state_);
     };
     const double now = at(to), last = last_value_[k];

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "linkwork/integration/embedded_pair.hpp"
+#include "linkwork/integration/interpolant.hpp"
 
 namespace linkwork {
 
@@ -62,14 +62,13 @@ class EventWatch {
   void start(double t, const VectorXd& y);
   /// The same after an event that has changed the state at t from `before` to y.
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened);
-  /// The events of the step from t to t + h in order of time, none after the first that ends the step. `stepper` can
-  /// interpolate.
-  const std::vector<Found>& scan(const PairStepper& stepper, const System& system, double t, double h);
+  /// The events of the step from t to t + h in order of time, none after the first that ends the step.
+  const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h);
 
  private:
   double value(std::size_t index, double t, const VectorXd& y);
   double rate(const System& system, std::size_t index, double t, const VectorXd& y);
-  void scan_piece(const PairStepper& stepper, const System& system, double t, double h, double from, double to);
+  void scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to);
 
   std::vector<Event> events_;
   std::vector<double> last_value_, last_theta_;  ///< of the last sample that was not zero

@@ -20,17 +20,21 @@ Recorder::Recorder(Dynamics& dynamics)
       residual_(dynamics.system().row_count()) {}
 
 void Recorder::record(double t, const VectorXd& y) {
+  dynamics_.accelerations(v_dot_, lambda_);
+  record(t, y, v_dot_, lambda_);
+}
+
+void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda) {
   const System& system = dynamics_.system();
   const int nq = system.q_size(), nv = system.v_size();
-  dynamics_.accelerations(v_dot_, lambda_);
-  if (!v_dot_.allFinite() || !lambda_.allFinite()) throw_not_finite(system, y, t);
+  if (!v_dot.allFinite() || !lambda.allFinite()) throw_not_finite(system, y, t);
   const Evaluation& at = dynamics_.evaluation();
-  dynamics_.acceleration_residual(v_dot_, residual_);
+  dynamics_.acceleration_residual(v_dot, residual_);
   frames_.t.push_back(t);
   append(frames_.q, y.head(nq));
   append(frames_.v, y.segment(nq, nv));
-  append(frames_.v_dot, v_dot_);
-  append(frames_.lambda, lambda_);
+  append(frames_.v_dot, v_dot);
+  append(frames_.lambda, lambda);
   frames_.kinetic.push_back(system.kinetic_energy(y.segment(nq, nv)));
   frames_.potential.push_back(at.potential);
   frames_.work.push_back(y[nq + nv]);

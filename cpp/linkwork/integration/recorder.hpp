@@ -24,6 +24,9 @@ class Recorder {
   /// Records the state y at t, where `dynamics` is evaluated. NotFiniteError: no NaN is ever recorded.
   void record(double t, const VectorXd& y);
 
+  /// The same with accelerations and multipliers that are known otherwise.
+  void record(double t, const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda);
+
   std::size_t count() const { return frames_.t.size(); }
   Frames take() { return std::exchange(frames_, {}); }
 

@@ -12,7 +12,7 @@ constexpr double same_time = 1e-9;  // relative to the step: roundoff of t_end /
 }  // namespace
 
 Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule)
-    : Run(dynamics), integrator_(std::move(integrator)), schedule_(schedule) {
+    : Run(dynamics), integrator_(std::move(integrator)), schedule_(schedule), crossing_(dynamics) {
   if (!(schedule.step > 0.0) || !std::isfinite(schedule.step))
     throw OptionError("step", "step must be positive and finite");
   if (!(schedule.t_end >= 0.0) || !std::isfinite(schedule.t_end))
@@ -61,21 +61,55 @@ void Simulation::trace_step(double h) {
 }
 
 double Simulation::begin_step() {
-  if (finished_) return 0.0;
-  dated(t(), NAN, [&] { evaluate_and_record(); });
-  finished_ = steps_done_ == steps_total_;
-  kept_y_ = y_;
-  sampling_.before(dynamics_);
-  return finished_ ? 0.0 : next_step();
+  while (!finished_) {
+    dated(t(), NAN, [&] { evaluate_and_record(); });
+    finished_ = steps_done_ == steps_total_;
+    kept_y_ = y_;
+    if (finished_) break;
+    if (!leaping_) dated(t(), next_step(), [&] { begin_leap(); });
+    if (!leaping_) {
+      sampling_.before(dynamics_);
+      return next_step();
+    }
+    follow_leap();
+  }
+  return 0.0;
+}
+
+/// Where a singular pose is ahead.
+void Simulation::begin_leap() {
+  if (!crossing_.due(t(), next_step(), y_)) return;
+  leaping_ = crossing_.leap(t(), next_step(), schedule_.step, schedule_.t_end - t(), y_);
+  if (!leaping_) return dynamics_.evaluate(t(), y_);
+  if (integrator_) integrator_->start(static_cast<int>(y_.size()));
+  stop_at_singular_pose();
+}
+
+void Simulation::follow_leap() {
+  sampling_.pass_over();
+  steps_done_ += 1;
+  leaping_ = t() < crossing_.last().end() - same_time * schedule_.step;
+  if (leaping_) crossing_.interpolate(dynamics_.system(), crossing_.theta(t()), y_);
+  else y_ = crossing_.last().y_new;
+  leapt_ = true;
+  evaluated_ = false;
 }
 
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(t(), y_);
-  keep_to_budget(t());
+  if (!leaping_) keep_to_budget(t());
   evaluated_ = true;
   if (!integrator_) add_work();
-  if (recording_due()) recorder_.record(t(), y_);
+  leapt_ = false;
+  if (recording_due()) record();
+}
+
+void Simulation::record() {
+  if (!leaping_) return recorder_.record(t(), y_);
+  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+  crossing_.interpolate(crossing_.theta(t()), v_dot, lambda);
+  recorder_.record(t(), y_, v_dot, lambda);
 }
 
 void Simulation::finish_step() {
@@ -85,6 +119,7 @@ void Simulation::finish_step() {
   system.normalize(y_.head(system.q_size()));
   if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
   sampling_.after(t(), next_step(), kept_y_, y_);
+  dated(t_new, next_step(), [&] { crossing_.look_back(t(), kept_y_, t_new, y_); });
   steps_done_ += 1;
   evaluated_ = false;
 }
@@ -93,7 +128,7 @@ void Simulation::finish_step() {
 void Simulation::add_work() {
   dynamics_.rates(y_dot_);
   const double power = y_dot_.tail<1>()[0], h = t() - last_t_;
-  if (steps_done_ > 0) y_.tail<1>()[0] += 0.5 * h * (last_power_ + power);
+  if (steps_done_ > 0 && !leapt_) y_.tail<1>()[0] += 0.5 * h * (last_power_ + power);
   last_power_ = power;
   last_t_ = t();
   dynamics_.hold_correction(deadbeat_gains(0.5, next_step()));

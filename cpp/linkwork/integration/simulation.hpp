@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/integration/run.hpp"
 
@@ -37,14 +38,20 @@ class Simulation final : public Run {
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }
   bool recording_due() const;
   void evaluate_and_record();
+  void record();
   void finish_step();
+  void begin_leap();
+  void follow_leap();
   void add_work();
   void trace_step(double h);
 
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
   Schedule schedule_;
   std::int64_t steps_total_ = 0;
+  Crossing crossing_;
   bool evaluated_ = false;
+  bool leaping_ = false;  ///< over a singular pose: states come from the leap
+  bool leapt_ = false;    ///< to the present state
   double last_power_ = 0.0, last_t_ = 0.0;
   VectorXd y_dot_;
   VectorXd kept_y_;  ///< at the start of the step

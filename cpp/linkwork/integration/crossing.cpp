@@ -1,0 +1,425 @@
+#include "linkwork/integration/crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double rank_tolerance = 1e-9;
+constexpr double reach = 0.2;           // of a leap [rad]: what the fastest body of the loops turns
+constexpr double fastest = 0.8;         // the same for any body
+constexpr double least_part = 0.1;      // of that, for leaps over a motion that varies more
+constexpr double near = 0.3;            // of the usual root of the smallest pivot: farther, nothing is due
+constexpr double near_at_start = 0.02;  // the same before there is a usual one
+constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
+constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
+constexpr double stepped_over = 0.9;     // of the usual root: a step passed a pose only if its least is below
+constexpr double straight = 0.1;        // part of the gap between nodes by which a curve may correct a line
+constexpr int most_sweeps = 40, most_attempts = 8;
+constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
+constexpr double at_pose = 0.1;          // root of the pivot in the pose, part of the least at the nodes around it
+constexpr double tolerance = 1e-10;      // of the energy over a leap
+constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
+constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
+constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
+
+/// While it is there the watch does not look at evaluations.
+class Unwatched {
+ public:
+  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.watch_evaluations(false); }
+  ~Unwatched() { dynamics_.watch_evaluations(true); }
+  Unwatched(const Unwatched&) = delete;
+  Unwatched& operator=(const Unwatched&) = delete;
+
+ private:
+  Dynamics& dynamics_;
+};
+
+}  // namespace
+
+bool Crossing::Quality::good() const {
+  return converged && correction <= consistent && resolution <= resolved && energy <= tolerance;
+}
+
+bool Crossing::Quality::fair() const { return converged && correction <= consistent && badness() <= fair_tolerance; }
+
+double Crossing::Quality::badness() const { return std::max(resolution, energy); }
+
+Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics) {
+  const System& system = dynamics.system();
+  if (!dynamics.watches()) return;
+  const LoopCore core(system, dynamics.evaluation(), rank_tolerance);
+  in_loops_.resize(static_cast<std::size_t>(system.body_count()));
+  for (int body = 0; body < system.body_count(); ++body)
+    in_loops_[static_cast<std::size_t>(body)] = core.component_of_body(body) >= 0;
+  prepared_ = core.row_count() > 0;
+  double arm = 0.0;
+  for (const Element& joint : system.model().joints()) {
+    if (joint.i != ground) arm = std::max(arm, joint.at.s_i.norm());
+    if (joint.j != ground) arm = std::max(arm, joint.at.s_j.norm());
+  }
+  if (arm > 0.0) length_ = arm;
+}
+
+/// Of the motion of one body [rad/s].
+double Crossing::rate(const Eigen::Matrix<double, 6, 1>& v) const {
+  return std::max(v.head<3>().norm() / length_, v.tail<3>().norm());
+}
+
+double Crossing::size(const ConstVector& velocities) const {
+  double largest = 0.0;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body)
+    largest = std::max(largest, rate(velocities.segment<6>(6 * body)));
+  return largest;
+}
+
+/// Time in which the mechanism, with these velocities and accelerations, moves by `reach`; infinite for one at rest.
+double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) const {
+  const auto time = [](double way, double speed, double acceleration) {  // speed t + acceleration t^2 / 2 = way
+    return 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * acceleration * way));
+  };
+  double least = INFINITY;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    const double way = in_loops_[static_cast<std::size_t>(body)] ? reach : fastest;
+    least = std::min(least, time(way, rate(v.segment<6>(6 * body)), rate(v_dot.segment<6>(6 * body))));
+  }
+  return least;
+}
+
+/// Time until the pose by the trend of the pivots, infinite where they do not fall.
+double Crossing::foreseen(double t) const {
+  const auto trend = dynamics_.watch().trend();
+  if (!trend || trend->last.root > near * dynamics_.watch().root_of_level()) return INFINITY;
+  const double interval = trend->last.t - trend->other.t;
+  const double fall = (trend->other.root - trend->last.root) * (interval > 0.0 ? 1.0 : -1.0);
+  if (!(fall > 0.0)) return INFINITY;
+  return trend->last.t + trend->last.root * std::abs(interval) / fall - t;
+}
+
+/// Whether the first pivot is so small that the run may begin in a singular pose.
+bool Crossing::starts_near() {
+  const Unwatched unwatched(dynamics_);
+  try {
+    dynamics_.factorize();
+  } catch (const SingularSystemError&) {
+    return true;
+  }
+  return dynamics_.root_of_pivot() < near_at_start;
+}
+
+bool Crossing::due(double t, double h, const VectorXd& y) {
+  if (!prepared_) return false;
+  if (std::exchange(fresh_, false) && starts_near()) return true;
+  const double tau = foreseen(t);
+  if (!(tau >= -h && tau < INFINITY)) return false;
+  const double root = dynamics_.watch().trend()->last.root;
+  if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
+  declined_ = 0.0;
+  const System& system = dynamics_.system();
+  const auto v = y.segment(system.q_size(), system.v_size());
+  return tau < std::max(0.5 * usual_length(v, VectorXd::Zero(v.size())), steps_before * h) + h;
+}
+
+double Crossing::nearest_node(double place) const { return (gauss_.c.array() - place).abs().minCoeff(); }
+
+/// The length among the allowed ones with which the nodes stay farthest from the pose; of equals the shortest.
+double Crossing::best_length(double pose, double grid, double least, double most) const {
+  if (most <= least) return most;
+  double best = least, distance = -1.0;
+  const auto consider = [&](double h) {
+    const double nearest = nearest_node(pose / h);
+    if (nearest <= distance + 1e-3) return;
+    best = h;
+    distance = nearest;
+  };
+  if (grid > 0.0) {
+    const double first = std::max(1.0, std::ceil(least / grid)), last = std::ceil(2.0 * first);
+    const double by = std::max(1.0, std::floor((last - first) / 40.0));
+    for (double k = first; k <= last; k += by) consider(std::min(k * grid, most));
+  } else {
+    for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(std::min(factor * least, most));
+  }
+  return best;
+}
+
+bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
+  const auto trend = dynamics_.watch().trend();
+  if (dynamics_.improve_rows()) return false;
+  declined_ = trend ? trend->last.root : 0.0;
+  Leap best;
+  double badness = INFINITY;
+  GaussCollocation::Weights root;
+  {
+    const Unwatched unwatched(dynamics_);
+    begin(t, y);
+    const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
+    double pose = trend ? foreseen(t) : 0.0, least = std::max({usual, 2.0 * pose, h});
+    for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
+      leap_.h = best_length(pose, grid, least, most);
+      const Quality quality = attempt();
+      if (std::getenv("LWDBG"))
+        std::fprintf(stderr,
+                     "t %.6f L %.4e pose %.4e conv %d corr %.1e res %.1e en %.1e roots %.2e %.2e %.2e %.2e %.2e %.2e "
+                     "place %.3f\n",
+                     t, leap_.h, pose, quality.converged, quality.correction, quality.resolution, quality.energy,
+                     root_[0], root_[1], root_[2], root_[3], root_[4], root_[5], place_of_pose());
+      double place = pose / leap_.h;
+      if (quality.converged) {
+        place = place_of_pose();
+        if (!(place > -0.5 && place < 1.5)) break;
+        pose = place * leap_.h;
+      }
+      const bool beyond = place > 1.0 && leap_.h < most, clear = nearest_node(place) >= margin && !beyond;
+      if ((quality.good() && clear) ||
+          (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
+        best = leap_;
+        root = root_;
+        badness = quality.badness();
+        if (quality.good() && clear) break;
+      }
+      if (beyond) least = 2.0 * pose;
+      else if (!quality.good()) least = std::max(0.6 * least, least_part * usual);
+    }
+  }
+  if (badness == INFINITY) return false;
+  declined_ = 0.0;
+  leap_ = std::move(best);
+  root_ = root;
+  dynamics_.forget_trend();
+  report();
+  return true;
+}
+
+/// At the start of the leap: the state on the constraints, its rates, its energy.
+void Crossing::begin(double t, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  leap_ = {t, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
+  dynamics_.evaluate(t, leap_.y);
+  projection_.positions(t, leap_.y);
+  projection_.velocities(t, leap_.y);
+  dynamics_.evaluate(t, leap_.y);
+  energy_before_ = energy(leap_.y);
+  v_dot_.resize(system.v_size());
+  for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
+  VectorXd lambda(system.row_count());
+  dynamics_.refined_accelerations(v_dot_, lambda);
+  dynamics_.rates(v_dot_, lambda, rates_before_);
+}
+
+Crossing::Quality Crossing::attempt() {
+  Quality quality;
+  leap_.k = rates_before_.replicate(1, stages);
+  try {
+    quality.converged = iterate();
+    if (quality.converged) finish(quality);
+  } catch (const OptionError&) {
+    throw;
+  } catch (const Error&) {
+    return {};
+  }
+  return quality;
+}
+
+/// Fixed-point iteration, node after node: it converges like (h L)^k / k!.
+bool Crossing::iterate() {
+  double last = INFINITY;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double change = 0.0;
+    correction_ = 0.0;
+    for (int i = 0; i < stages; ++i) change = std::max(change, node(i));
+    if (!std::isfinite(change)) return false;
+    if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
+    if (sweep > 3 && change > 2.0 * last) return false;
+    last = change;
+  }
+  return false;
+}
+
+/// k_i at the state that the polynomials give, on the constraints; how much it changed, as a velocity relative to all.
+double Crossing::node(int i) {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  const double t = leap_.t + gauss_.c[i] * leap_.h;
+  y_ = leap_.y;
+  y_.noalias() += leap_.h * (leap_.k * gauss_.A.row(i).transpose());
+  system.normalize(y_.head(nq));
+  rates_ = y_;
+  dynamics_.evaluate(t, y_);
+  projection_.positions(t, y_);
+  projection_.velocities(t, y_);
+  for (int body = 0; body < system.body_count(); ++body) {
+    const double shift = (y_.segment<3>(7 * body) - rates_.segment<3>(7 * body)).norm() / length_;
+    const double turn = 2.0 * (y_.segment<4>(7 * body + 3) - rates_.segment<4>(7 * body + 3)).norm();
+    correction_ = std::max({correction_, shift, turn});
+  }
+  dynamics_.evaluate(t, y_);
+  dynamics_.refined_accelerations(v_dot_, leap_.lambda.col(i));
+  root_[i] = dynamics_.root_of_pivot();
+  dynamics_.rates(v_dot_, leap_.lambda.col(i), rates_);
+  const double change = leap_.h * size(rates_.segment(nq, nv) - leap_.k.col(i).segment(nq, nv));
+  leap_.k.col(i) = rates_;
+  const double speed = size(y_.segment(nq, nv));
+  return speed > 0.0 ? change / speed : change;
+}
+
+double Crossing::energy(const VectorXd& y) const {
+  const System& system = dynamics_.system();
+  return system.kinetic_energy(y.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential -
+         y[y.size() - 1];
+}
+
+void Crossing::finish(Quality& quality) {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  VectorXd& y_new = leap_.y_new;
+  y_new = leap_.y + leap_.h * (leap_.k * gauss_.b);
+  system.normalize(y_new.head(nq));
+  dynamics_.evaluate(leap_.end(), y_new);
+  projection_.positions(leap_.end(), y_new);
+  projection_.velocities(leap_.end(), y_new);
+  dynamics_.evaluate(leap_.end(), y_new);
+  const auto v = leap_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
+  const VectorXd rest = leap_.k * gauss_.last_coefficient();
+  quality.correction = correction_;
+  quality.resolution = leap_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
+  quality.energy =
+      std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
+}
+
+/// Where the roots of the pivots, with the sign of the side, pass through zero, relative to the leap: the signs are
+/// those with which they bend least. It may be outside; NaN where they do not come to zero nearby.
+double Crossing::place_of_pose() const {
+  using Weights = GaussCollocation::Weights;
+  const auto slope = [&](const Weights& x, int i) { return (x[i + 1] - x[i]) / (gauss_.c[i + 1] - gauss_.c[i]); };
+  double least = INFINITY;
+  int side = 0;
+  Weights signed_root = root_;
+  for (int before = 0; before <= stages; ++before) {
+    Weights x = root_;
+    x.head(before) *= -1.0;
+    double bend = 0.0;
+    for (int i = 0; i + 2 < stages; ++i) bend += std::abs(slope(x, i + 1) - slope(x, i));
+    if (!(bend < least)) continue;
+    least = bend;
+    side = before;
+    signed_root = x;
+  }
+  if (side == 0 && root_[0] > root_[stages - 1]) {  // all ahead instead of all behind
+    side = stages;
+    signed_root = -root_;
+  }
+  const int i = std::clamp(side - 1, 0, stages - 2);
+  const double rate = slope(signed_root, i);
+  if (!(rate > 0.0)) return NAN;
+  const double place = gauss_.c[i] - signed_root[i] / rate;
+  if (side == 0 || side == stages) return place;
+  double refined = 0.0;  // inverse interpolation through the four nodes around
+  const int first = std::clamp(i - 1, 0, stages - 4);
+  for (int k = first; k < first + 4; ++k) {
+    double weight = 1.0;
+    for (int j = first; j < first + 4; ++j)
+      if (j != k) weight *= signed_root[j] / (signed_root[j] - signed_root[k]);
+    refined += weight * gauss_.c[k];
+  }
+  return std::abs(refined - place) < straight * (gauss_.c[i + 1] - gauss_.c[i]) ? refined : place;
+}
+
+/// The root of the smallest pivot, 0 where the matrix has no factorization.
+double Crossing::root_at(double t, const VectorXd& y) {
+  const Unwatched unwatched(dynamics_);
+  try {
+    dynamics_.evaluate(t, y);
+    dynamics_.factorize();
+  } catch (const SingularSystemError&) {
+    return 0.0;
+  }
+  return dynamics_.root_of_pivot();
+}
+
+/// Lists the pose where there was one.
+void Crossing::report() {
+  const double place = place_of_pose();
+  if (!(place >= 0.0 && place <= 1.0)) return;
+  interpolate(dynamics_.system(), place, y_);
+  const double root = root_at(leap_.t + place * leap_.h, y_);
+  if (root > at_pose * root_.minCoeff()) return;
+  if (leap_.t + place * leap_.h > last_listed_) dynamics_.cross(y_, root * root);
+  last_listed_ = leap_.end();
+}
+
+// The least of the pivots of this step and the one before it has neighbors on both sides: between it and one of them the
+// roots change their sign, where there is a pose.
+bool Crossing::look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new) {
+  if (!prepared_) return false;
+  const bool follows = before_.t_new == t && before_.t < t;
+  const auto samples = dynamics_.watch().samples(follows ? before_.t : t, t_new);
+  const auto least = std::min_element(samples.begin(), samples.end(),
+                                      [](const auto& a, const auto& b) { return a.root < b.root; });
+  bool evaluated = false;
+  if (samples.size() > 2 && least != samples.begin() && least + 1 != samples.end() &&
+      least->root < stepped_over * dynamics_.watch().root_of_level()) {
+    const auto a = *(least - 1), b = *least, c = *(least + 1);
+    const Piece piece{t, t_new, y, y_new};
+    const auto search = [&](const auto& left, const auto& right) {
+      return find_between(left.t < t && follows ? before_ : piece, left, right);
+    };
+    evaluated = true;
+    if (a.root < c.root ? !search(a, b) : !search(b, c)) a.root < c.root ? search(b, c) : search(a, b);
+  }
+  before_ = {t, t_new, y, y_new};
+  return evaluated;
+}
+
+// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
+void Crossing::interpolate(const Piece& piece, double t, VectorXd& y) const {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  const double h = piece.t_new - piece.t, s = (t - piece.t) / h;
+  VectorXd rates(nq), rates_new(nq);
+  system.position_rates(piece.y.head(nq), piece.y.segment(nq, nv), rates);
+  system.position_rates(piece.y_new.head(nq), piece.y_new.segment(nq, nv), rates_new);
+  y = piece.y;
+  y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * piece.y.head(nq) + s * s * (3 - 2 * s) * piece.y_new.head(nq) +
+               h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
+  system.normalize(y.head(nq));
+}
+
+/// By the secant method; true where a pose was listed.
+bool Crossing::find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b) {
+  const double smallest = std::min(a.root, b.root);
+  for (int k = 0; k < 5; ++k) {
+    const double pose = a.t + (b.t - a.t) * a.root / (a.root + b.root);
+    if (pose <= last_listed_ || pose < piece.t || pose > piece.t_new) return false;
+    interpolate(piece, pose, y_);
+    const double root = root_at(pose, y_);
+    if (root <= at_pose * smallest) {
+      last_listed_ = b.t;
+      return dynamics_.cross(y_, root * root);
+    }
+    if (root > 0.7 * smallest) return false;
+    (a.root / (pose - a.t) > b.root / (b.t - pose) ? a : b) = {pose, root};
+  }
+  return false;
+}
+
+void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {
+  y = leap_.y;
+  y.noalias() += leap_.h * (leap_.k * gauss_.integrals(theta));
+  system.normalize(y.head(system.q_size()));
+}
+
+void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {
+  const System& system = dynamics_.system();
+  const GaussCollocation::Weights l = gauss_.values(theta);
+  v_dot = (leap_.k * l).segment(system.q_size(), system.v_size());
+  lambda = leap_.lambda * l;
+}
+
+}  // namespace linkwork

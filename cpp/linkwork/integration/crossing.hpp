@@ -1,0 +1,111 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "linkwork/formulation/projection.hpp"
+#include "linkwork/integration/gauss_collocation.hpp"
+#include "linkwork/integration/interpolant.hpp"
+
+namespace linkwork {
+
+/// A step by collocation, with everything in between.
+struct Leap {
+  double t = 0.0, h = 0.0;
+  VectorXd y;       ///< at t, on the constraints
+  VectorXd y_new;   ///< at t + h, on the constraints
+  MatrixXd k;       ///< y_dot at the nodes
+  MatrixXd lambda;  ///< multipliers at the nodes
+
+  double end() const { return t + h; }
+};
+
+/// Takes a run through singular poses.
+///
+/// Where branches of motion cross, the constraint matrix loses rank: a state that violates the constraints by delta has
+/// accelerations wrong by delta / sigma, sigma the smallest singular value, and the stages of explicit steps violate
+/// them by about h^2. On the branch itself the motion is smooth. So the pose is foreseen from the smallest pivot, which
+/// falls like the square of the time to it, and taken in one leap by Gauss collocation whose nodes stand on the
+/// constraints, Phi = 0 and D v + Phi_t = 0, and around the pose: none nearer than about an eighth of the leap. The
+/// leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the errors
+/// that roundoff makes grow with 1 / sigma^2.
+class Crossing final : public Interpolant {
+ public:
+  explicit Crossing(Dynamics& dynamics);
+
+  /// Before a step of size h from (t, y), where `dynamics` is evaluated: whether a pose may be too near for it.
+  bool due(double t, double h, const VectorXd& y);
+  /// After a change of the state: it may be near a pose without a trend that tells.
+  void restart() { fresh_ = true; }
+
+  /// Tries to leap from (t, y) over the pose that is due, to t + k `grid`, k whole, or anywhere where that is 0, but
+  /// not beyond t + `most`. Leaves `dynamics` evaluated somewhere else.
+  bool leap(double t, double h, double grid, double most, const VectorXd& y);
+
+  /// After a usual step from (t, y) to (t_new, y_new): lists a pose that it stepped over. True where `dynamics` was
+  /// evaluated somewhere else.
+  bool look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new);
+
+  const Leap& last() const { return leap_; }
+  double theta(double t) const { return (t - leap_.t) / leap_.h; }
+  /// The state in the last leap, with unit Euler parameters.
+  void interpolate(const System& system, double theta, VectorXd& y) const override;
+  /// Accelerations and multipliers there.
+  void interpolate(double theta, MutableVector v_dot, MutableVector lambda) const;
+
+ private:
+  static constexpr int stages = GaussCollocation::stages;
+
+  /// A usual step.
+  struct Piece {
+    double t = 0.0, t_new = 0.0;
+    VectorXd y, y_new;
+  };
+  struct Quality {
+    bool converged = false;
+    double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
+    double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
+    double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
+    double nearest = 0.0;     ///< root of the smallest pivot of the nodes
+    bool good() const;
+    bool fair() const;
+    double badness() const;
+  };
+
+  bool starts_near();
+  double foreseen(double t) const;
+  double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
+  void begin(double t, const VectorXd& y);
+  Quality attempt();
+  bool iterate();
+  double node(int i);
+  void finish(Quality& quality);
+  double energy(const VectorXd& y) const;
+  double nearest_node(double place) const;
+  double best_length(double pose, double grid, double least, double most) const;
+  double place_of_pose() const;
+  void report();
+  double root_at(double t, const VectorXd& y);
+  void interpolate(const Piece& piece, double t, VectorXd& y) const;
+  bool find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b);
+  double rate(const Eigen::Matrix<double, 6, 1>& v) const;
+  double size(const ConstVector& velocities) const;
+
+  Dynamics& dynamics_;
+  Projection projection_;
+  GaussCollocation gauss_;
+  std::vector<char> in_loops_;  ///< bodies
+  double length_ = 1.0;         ///< of the mechanism
+  bool prepared_ = false;
+  bool fresh_ = true;      ///< no step was looked at yet
+  double declined_ = 0.0;  ///< root of the pivot at which there was nothing to leap over
+  Leap leap_;
+  GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
+  Piece before_;                 ///< the last usual step
+  double last_listed_ = -INFINITY;  ///< no pose before is listed any more
+  double correction_ = 0.0;
+  double energy_before_ = 0.0;
+  VectorXd y_, v_dot_, rates_, rates_before_;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+
+#include "linkwork/math/types.hpp"
+
+namespace linkwork {
+
+/// Gauss collocation of order 12: y' is a polynomial of degree 5 in theta = (t - t_0) / h that satisfies the equations
+/// at six nodes, y(theta) = y_0 + h sum_i (integral_0^theta l_i) k_i (E. Hairer, S. P. Norsett, G. Wanner, Solving
+/// Ordinary Differential Equations I, Springer 1993, section II.7). No node is at an end or in the middle.
+struct GaussCollocation {
+  static constexpr int stages = 6;
+  using Weights = Eigen::Matrix<double, stages, 1>;
+
+  GaussCollocation();
+
+  Weights c;                                ///< nodes
+  Eigen::Matrix<double, stages, stages> A;  ///< A_ij = integral of l_j from 0 to c_i
+  Weights b;                                ///< integrals from 0 to 1
+
+  Weights values(double theta) const;     ///< l_i(theta)
+  Weights integrals(double theta) const;  ///< of l_i from 0 to theta
+  /// Of the Legendre polynomial of degree 5 in sum_i k_i l_i: how much of k the polynomial resolves no better.
+  Weights last_coefficient() const;
+
+ private:
+  Eigen::Matrix<double, stages, stages> powers_;  ///< l_i = sum_k powers_ik theta^k
+};
+
+}  // namespace linkwork
