@@ -71,12 +71,20 @@ py::dict to_dict(const std::vector<RunPart>& parts, const std::vector<StepError>
   list("part_change", parts, [](const RunPart& it) { return it.sum_of_changes; });
   list("part", part_of, [](int it) { return it; });
   using E = StepError;
-  const std::pair<const char*, double E::*> numbers[] = {
-      {"t", &E::t},           {"h", &E::h},           {"change", &E::change},
-      {"position", &E::position}, {"rotation", &E::rotation}, {"velocity", &E::velocity},
-      {"omega", &E::omega},   {"force", &E::force},   {"torque", &E::torque},
-      {"speed", &E::speed},   {"spin", &E::spin},     {"largest_force", &E::largest_force},
-      {"largest_torque", &E::largest_torque}, {"violation", &E::violation}};
+  const std::pair<const char*, double E::*> numbers[] = {{"t", &E::t},
+                                                         {"h", &E::h},
+                                                         {"change", &E::change},
+                                                         {"position", &E::position},
+                                                         {"rotation", &E::rotation},
+                                                         {"velocity", &E::velocity},
+                                                         {"omega", &E::omega},
+                                                         {"force", &E::force},
+                                                         {"torque", &E::torque},
+                                                         {"speed", &E::speed},
+                                                         {"spin", &E::spin},
+                                                         {"largest_force", &E::largest_force},
+                                                         {"largest_torque", &E::largest_torque},
+                                                         {"violation", &E::violation}};
   for (const auto& [name, number] : numbers) list(name, errors, [member = number](const E& it) { return it.*member; });
   list("failed", errors, [](const E& it) { return it.failed; });
   return out;
@@ -206,7 +214,8 @@ void bind_runs(py::module_& module) {
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
            "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
            "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, "
-           "largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. `method`: data, or step(t, y, h), of this order where it is known.")
+           "largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. "
+           "`method`: data, or step(t, y, h), of this order where it is known.")
       .def("statistics", &statistics);
 
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")

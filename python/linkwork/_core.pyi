@@ -38,6 +38,7 @@ __all__ = [
     "linear_solvers",
     "special_joint_kinds",
     "stabilizations",
+    "time_sampling",
 ]
 
 class AdaptiveSimulation(Run):
@@ -602,6 +603,16 @@ class Run:
         """
         Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation.
         """
+    def judge(
+        self, dynamics: Dynamics, method: typing.Any, order: typing.SupportsInt | typing.SupportsIndex = 0
+    ) -> dict:
+        """
+        Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. `method`: data, or step(t, y, h), of this order where it is known.
+        """
+    def relative_violation(self) -> float:
+        """
+        Largest violation of a position constraint now, relative to the size of the mechanism.
+        """
     def statistics(self) -> dict: ...
     def take_frames(self) -> dict: ...
     @property
@@ -781,3 +792,7 @@ def special_joint_kinds() -> list[KindInfo]:
     """
 
 def stabilizations() -> list[StabilizationInfo]: ...
+def time_sampling(dynamics: Dynamics, steps: typing.SupportsInt | typing.SupportsIndex) -> float:
+    """
+    Time that a run of so many steps spends on following them for its verdict [s].
+    """

@@ -1,7 +1,8 @@
 """Whether functions of the user's own remember something from one call to the next.
 
-Nobody says so; but what a function can remember is what it reaches: variables of the functions around it, global
-ones, defaults, the attributes of its object. Their contents before and after a run tell.
+Nobody says so; but what a function can remember is what it reaches: variables of the functions around it,
+global ones, defaults, the attributes of its object. Their contents before and after a run tell. What compiled
+functions remember behind an address nobody sees.
 """
 
 from __future__ import annotations
@@ -41,12 +42,13 @@ def contents(functions: Mapping[str, Any]) -> dict[str, bytes]:
 
 def changed(before: Mapping[str, bytes], functions: Mapping[str, Any]) -> list[str]:
     """Those that reach something else than `before`, or what cannot be looked into."""
-    return [name for name, now in contents(functions).items() if now in (UNKNOWN, ) or now != before[name]]
+    return [name for name, now in contents(functions).items() if now in (UNKNOWN,) or now != before[name]]
 
 
 def _digest(function: Any) -> bytes:
     digest, seen, todo = hashlib.blake2b(digest_size=16), set[int](), [function]
-    if isinstance(call := getattr(type(function), "__call__", None), types.FunctionType):  # of an object
+    call = vars(type(function)).get("__call__")
+    if isinstance(call, types.FunctionType):  # of an object
         todo.append(call)
     while todo:
         it = todo.pop()

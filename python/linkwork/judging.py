@@ -19,7 +19,7 @@ from linkwork.verification import Finer, state_error
 
 __all__ = ["Judge", "heed"]
 
-#: Steps after which a run that may be stopped is looked at for the first time, then whenever they have doubled.
+#: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
 FIRST_LOOK = 200
 
 
@@ -71,7 +71,9 @@ class Judge:
         """
         remembering = callbacks.changed(self._contents, self._functions)
         if remembering:
-            return warn(f"verify: no second run was made, as '{remembering[0]}' may remember the calls before")
+            return warn(
+                f"verify: no second run was made, as '{remembering[0]}' may remember the calls before"
+            )
         found = run(self._plan.finer(result.t))
         order = self._resolution().order
         gain = 2.0**order if isinstance(self._plan, Fixed) else 10.0

@@ -434,8 +434,8 @@ class Result:
             raise OptionError(
                 "error_of needs a second, finer run: simulate(..., verify=True)", code="not_verified"
             )
-        both = [_quantity(result, what, name, how) for result in (self, self._finer.result)]
-        return difference(*both, band(self._finer.factor))
+        ours, finer = (_quantity(result, what, name, how) for result in (self, self._finer.result))
+        return difference(ours, finer, band(self._finer.factor))
 
     # --- files, pictures, text ---
 

@@ -79,8 +79,8 @@ def simulate(
                   False: the run starts from them as they are, with a warning
     on_inaccurate "pass", "warn" or "stop": what an estimated error of more than 1 % means to the run, see
                   `Result.verdict`. "stop" looks after it ever doubled the number of its steps, too
-    verify        a second run at half the step, or a tenth of the tolerances: `Result.error_of` then tells the
-                  error of whatever was recorded, and plots have error bands
+    verify        a second run at half the step, or a tenth of the tolerances: `Result.error_of` then tells
+                  the error of whatever was recorded, and plots have error bands
     options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
                   linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
                   tolerance, max_iterations, on_singular="pass",
@@ -95,9 +95,10 @@ def simulate(
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
-    written. ViolationError: on_violation="stop". AccuracyError: on_inaccurate="stop". An error of a run has its `result` up to there and the
-    last `state`. ModelError: initial poses or velocities do not satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected; the run is inaccurate; redundant equations turned out to contradict the others.
+    written. ViolationError: on_violation="stop". AccuracyError: on_inaccurate="stop". An error of a run has
+    its `result` up to there and the last `state`. ModelError: initial poses or velocities do not satisfy the
+    joints, see `assemble`. LinkworkWarning: they were corrected; the run is inaccurate; redundant equations
+    turned out to contradict the others.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()

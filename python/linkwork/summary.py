@@ -137,7 +137,9 @@ def verdict_text(result: Result) -> str:
 def _verdict(result: Result) -> dict[str, Any] | None:
     """The numbers, without those of single steps."""
     verdict = result.verdict
-    return verdict and {name: value for name, value in verdict.numbers().items() if name != "steps"}
+    if verdict is None:
+        return None
+    return {name: value for name, value in verdict.numbers().items() if name != "steps"}
 
 
 def _effort(statistics: dict[str, Any]) -> str:

@@ -1,24 +1,27 @@
 """How accurate a run is, estimated from the run itself.
 
-Some of its steps are taken again in two halves, see `linkwork/integration/step_sampling.hpp`: about 100, spread
-over the run and more where accelerations change most; fewer of a run of less than 2000 steps, all of five. Each
-difference is the local error of that step, by Richardson's extrapolation, in four lengths of every body: its
-position, rotation, velocity, angular velocity. They are relative: errors of poses to L, half of the box in which
-centers of mass move or the longest arm, or to the path where that is shorter; errors of velocities to V, the
-largest speed.
+Some of its steps are taken again in two halves, see `linkwork/integration/step_sampling.hpp`: about 100,
+spread over the run and more where accelerations change most; fewer of less than 2000 steps, all of few.
+Each difference is the local error of that step, by Richardson's extrapolation, in four lengths of every
+body: its position, rotation, velocity, angular velocity. Methods with memory are compared with a one-step
+method. Errors are relative: of poses to L, half of the box in which centers of mass move or the longest
+arm, or to the path where that is shorter; of velocities to V, the largest speed.
 
-Over the run local errors add up. An error of a velocity is also one of positions later: it grows with time, as far
-as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. What does grow on is the error of the
-energy, as that of the speed along the path. The estimate is meant to be large rather than small: on random
-mechanisms it is 0.7 to 18 times the error of the state, 4 times in the median.
+Over the run local errors add up. An error of a velocity is also one of positions later: it grows with time,
+as far as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. What does grow on is the
+error of the energy, as that of the speed along the path. The estimate is meant to be large rather than
+small: of 637 runs of 158 random mechanisms 90 % had one of 0.7 to 30 times the true error, 5 times in the
+median.
 
-The steps are taken again when the run is over, and change nothing in it.
+The steps are taken again when the run is over, and change nothing in it. That takes at most 3 % of its time
+from 10 000 steps on, twice as long at 1000, and may take half as long as the run itself where that has 50
+steps.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
@@ -73,8 +76,7 @@ class Verdict:
     singular_poses, contradictions, break_points
                  poses passed; redundant equations that turned out to contradict the others; steps that
                  contain a time at which a function of time is not smooth
-    verified     error of the state by a second, finer run, the largest over the frames, relative to the motion;
-                 None: there was none
+    verified     error of the state by a second, finer run, the largest over the frames; None: there was none
     before       error of the runs that this one goes on from, see `start`; part of `state`
     """
 
@@ -138,7 +140,7 @@ class Method:
     rtol: float | None = None
 
     def advice(self, error: float) -> str:
-        """"the step is too long: about 4 % off; 2e-4 s would give 1e-4"."""
+        """ "the step is too long: about 4 % off; 2e-4 s would give 1e-4"."""
         if self.rtol is not None:
             better, what = f"rtol {_rounded(self.rtol * AIM / error):g}", "the tolerances are too large"
         else:
@@ -226,8 +228,8 @@ def say(verdict: Verdict, name: str | None) -> str:
 class _Parts:
     """The parts of a run with the steps that are known of them: one, or two, the second the steepest.
 
-    Between the two values go with the change of accelerations, of which the mean is known; the sum over a part is
-    at least what they say.
+    Between the two values go with the change of accelerations, of which the mean is known; the sum over a
+    part is at least what they say.
     """
 
     def __init__(self, found: Mapping[str, Any], ok: NDArray[np.bool_]) -> None:
@@ -235,7 +237,9 @@ class _Parts:
         parts, first = np.unique(found["part"][known].astype(int), return_index=True)
         last = np.append(first[1:], len(known)) - 1
         self._first, self._last = known[first], known[last]
-        self.steps, self.seconds, self.start = (found[f"part_{name}"][parts] for name in ("steps", "seconds", "t"))
+        self.steps, self.seconds, self.start = (
+            found[f"part_{name}"][parts] for name in ("steps", "seconds", "t")
+        )
         mean = found["part_change"][parts] / self.steps - found["change"][self._first]
         with np.errstate(divide="ignore", invalid="ignore"):
             share = mean / (found["change"][self._last] - found["change"][self._first])
@@ -244,16 +248,18 @@ class _Parts:
 
     def sums(self, values: Floats) -> Floats:
         """Over the steps of each part."""
-        return self._means(values) * self.steps * self._missed
+        sums: Floats = self._means(values) * self.steps * self._missed
+        return sums
 
     def integrals(self, values: Floats) -> Floats:
         """Over the time of each part."""
-        return self._means(values) * self.seconds * self._missed
+        integrals: Floats = self._means(values) * self.seconds * self._missed
+        return integrals
 
     def _means(self, values: Floats) -> Floats:
         first, last = values[self._first], values[self._last]
-        means: Floats = first + self._share * (last - first)
-        return np.maximum(means, first + (last - first) / self.steps)
+        means: Floats = np.maximum(first + self._share * (last - first), first + (last - first) / self.steps)
+        return means
 
 
 def _reactions(found: Mapping[str, Any], L: float, ok: NDArray[np.bool_]) -> Floats:
@@ -274,7 +280,7 @@ def _steps(
     return tuple(sorted(steps))
 
 
-def _counts(statistics: Mapping[str, Any]) -> dict[str, int]:
+def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:
     names = {"steps_total": "steps", "singular_poses": "singular_poses", "contradictions": "contradictions",
              "break_points": "break_point_steps"}  # fmt: skip
     return {name: int(statistics.get(key, 0)) for name, key in names.items()}
@@ -292,7 +298,8 @@ def _sentence(error: float, violation: float, state: float, method: Method) -> s
     if error <= GOOD:
         return f"accurate to about {_figure(error)}"
     if violation == error and violation > 10 * state:
-        return f"the constraints are violated by {_percent(violation)} of the mechanism's size: {method.advice(error)}"
+        size = f"{_percent(violation)} of the mechanism's size"
+        return f"the constraints are violated by {size}: {method.advice(error)}"
     return method.advice(error)
 
 

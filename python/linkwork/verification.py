@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Finer", "band", "difference", "state_error"]
 
-#: Frames on either side whose errors count, too: where an error passes through zero its estimate does so a little
-#: earlier or later. At least one, and this share of all.
+#: Frames on either side whose errors count, too: where an error passes through zero its estimate does so a
+#: little earlier or later. At least one, and this share of all.
 NEIGHBORS = 0.01
 
 #: Of the largest value: rounding, which both runs may share.
@@ -43,7 +43,8 @@ def difference(first: Any, second: Any, of: Callable[[Floats, Floats], Floats]) 
         return type(first)(*(difference(a, b, of) for a, b in zip(first, second, strict=True)))
     if is_dataclass(first):
         pairs = {it.name: (getattr(first, it.name), getattr(second, it.name)) for it in fields(first)}
-        return type(first)(**{name: difference(*pair, of) for name, pair in pairs.items()})  # type: ignore[operator]
+        kind: Any = type(first)
+        return kind(**{name: difference(*pair, of) for name, pair in pairs.items()})
     return of(first, second) if isinstance(first, np.ndarray) else first
 
 

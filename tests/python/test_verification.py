@@ -21,8 +21,16 @@ def exact(model: lw.Model, result: lw.Result) -> lw.Result:
                  times=result.t)  # fmt: skip
 
 
-@pytest.mark.parametrize("how", [{"step": 0.01}, {"step": 0.005, "integrator": "heun"}, {"step": 0.002,
-                         "integrator": "ab3"}, {"rtol": 1e-5}, {"rtol": 1e-7, "integrator": "dop853"}])  # fmt: skip
+HOW: list[dict[str, Any]] = [
+    {"step": 0.01},
+    {"step": 0.005, "integrator": "heun"},
+    {"step": 0.002, "integrator": "ab3"},
+    {"rtol": 1e-5},
+    {"rtol": 1e-7, "integrator": "dop853"},
+]
+
+
+@pytest.mark.parametrize("how", HOW)
 @pytest.mark.parametrize("name", ["spatial_slider_crank", "bricard", "four_bar"])
 def test_three_times_the_band_contains_the_true_error(name: str, how: dict[str, Any]) -> None:
     model = mechanisms.MECHANISMS[name].function()

@@ -38,8 +38,7 @@ double RelativeViolation::largest(double t, const VectorXd& y, const std::vector
     }
   double largest = 0.0;
   for (Eigen::Index row = 0; row < squared_.size(); ++row)
-    if (squared_[row] > 0.0)
-      largest = std::max(largest, std::abs(at_.Phi[row]) / (length_ * std::sqrt(squared_[row])));
+    if (squared_[row] > 0.0) largest = std::max(largest, std::abs(at_.Phi[row]) / (length_ * std::sqrt(squared_[row])));
   return largest;
 }
 

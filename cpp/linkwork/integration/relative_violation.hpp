@@ -11,8 +11,8 @@ class RelativeViolation {
  public:
   explicit RelativeViolation(const System& system);
 
-  /// The largest at (t, y), y = (q, v, ...), with what special joints remember (see Evaluation): by how much of its size bodies would have to be displaced, or turned
-  /// [rad], to meet the equation alone.
+  /// The largest at (t, y), y = (q, v, ...), with what special joints remember (see Evaluation): by how much of its
+  /// size bodies would have to be displaced, or turned [rad], to meet the equation alone.
   double largest(double t, const VectorXd& y, const std::vector<double>& memory);
   /// Size of the mechanism [m]: the longest arm from a center of mass to a joint, or its radius of gyration.
   double length() const { return length_; }

@@ -34,7 +34,7 @@ struct StepError {
   double speed = 0.0, spin = 0.0;                                      ///< m/s, rad/s
   double largest_force = 0.0, largest_torque = 0.0;                    ///< NaN likewise
   double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
-  bool failed = false;  ///< it could not be taken again in parts: nothing else but t, h and change is known
+  bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
 };
 
 /// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.

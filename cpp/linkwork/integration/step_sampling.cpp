@@ -9,11 +9,11 @@
 namespace linkwork {
 namespace {
 
-constexpr std::size_t usual_parts = 70;          // with one or two steps each
-constexpr std::size_t most_bytes = 1u << 27;     // that kept steps may take
+constexpr std::size_t usual_parts = 70;                // with one or two steps each
+constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may take
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
-constexpr double steeper = 1.1;                  // than the steepest so far, to be worth a copy
-constexpr double golden = 0.6180339887498949;    // spreads places evenly and in step with no period of the motion
+constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
+constexpr double golden = 0.6180339887498949;          // spreads places evenly and in step with no period of the motion
 
 /// Mean square of the distances of joints from centers of mass, in the metric that makes v and omega comparable.
 double squared_length_of(const System& system) {
@@ -68,7 +68,8 @@ StepSampling::StepSampling(const Dynamics& dynamics)
 }
 
 // A step costs two when it is taken again: 2 % of 10 000 steps. Of shorter runs more than a hundredth is needed to say
-// something: all of a few, then 20, which takes no time in a small mechanism and up to 40 % in a large one of 100 steps.
+// something: all of a few, then 20, which takes no time in a small mechanism and up to 40 % in a large one of 100
+// steps.
 std::int64_t StepSampling::samples(std::int64_t steps, int bodies) {
   const std::int64_t few = bodies <= small_model ? 20 : std::clamp<std::int64_t>(steps / 10, 5, 20);
   if (steps <= few) return steps;

@@ -28,8 +28,8 @@ struct RunPart {
 
 /// Keeps some steps of a run, spread over it and more where accelerations change most, so that they can be taken again
 /// when it is over: the run itself is not touched, and knows nothing of what they give. The run is cut into parts of
-/// equally many steps, with two kept steps each, after the first step, where nobody knows what came before; where nobody knows how many steps will come, parts are joined in pairs
-/// when there are too many.
+/// equally many steps, with two kept steps each, after the first step, where nobody knows what came before; where
+/// nobody knows how many steps will come, parts are joined in pairs when there are too many.
 ///
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the mechanism; in
 /// large models only some bodies are looked at.

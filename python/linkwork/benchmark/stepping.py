@@ -163,7 +163,7 @@ class _Stepped:
 
     def _watching(self) -> float:
         dynamics = System(self.model).compiled()
-        return min(_core.time_sampling(dynamics, self.steps) for _ in range(ROUNDS))
+        return float(min(_core.time_sampling(dynamics, self.steps) for _ in range(ROUNDS)))
 
     def _median(self, name: str) -> float:
         return float(statistics.median(result[name] for result in self.results))

@@ -47,7 +47,7 @@ COUNTS = ("steps", "rejected_steps", "evaluations", "factorizations", "iteration
 #: A state error this large says that the motion is another one.
 WRONG = 1.0
 
-#: Short runs are repeated until they took so long together [s], at most so often, and the shortest time counts.
+#: Short runs are repeated until they took so long together [s], at most so often; the shortest time counts.
 SHORT_SECONDS, REPEATS = 0.1, 9
 
 
@@ -216,8 +216,12 @@ class Runs:
             warnings.simplefilter("ignore")
             given = Cell(study.choice, step=step).options()
             return simulate(
-                self.model, order.WINDOW * self.t_end, record_every=every, progress=False,
-                on_inaccurate="pass", **given
+                self.model,
+                order.WINDOW * self.t_end,
+                record_every=every,
+                progress=False,
+                on_inaccurate="pass",
+                **given,
             )
 
     def cell(self, cell: Cell) -> Outcome:

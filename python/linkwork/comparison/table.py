@@ -88,7 +88,7 @@ class Comparison:
         return found | {study.label: study.order(error) for study in self.studies}
 
     def work(self, outcome: Outcome) -> float | None:
-        """Time that a cell takes [s]: its evaluations by the time of one, the least that any cell of its method shows.
+        """Time that a cell takes [s]: its evaluations by the least time of one in any cell of its method.
 
         The wall time of a short run says as much about the moment as about the method; evaluations are
         counted, and the more steps of a method there are, the more of them.
@@ -105,7 +105,7 @@ class Comparison:
         return None if value is None else max(float(value), 0.0 if math.isnan(own) else own)
 
     def is_noise(self, outcome: Outcome, error: str) -> bool:
-        """Whether the error is within ABOVE_REFERENCE times that of the reference: no order follows from it."""
+        """Whether the error is within ABOVE_REFERENCE times the reference's own: no order follows from it."""
         value = getattr(outcome, error)
         return value is not None and self.reference.error is not None and value <= self._floor(error)
 
@@ -143,10 +143,14 @@ class Comparison:
         )  # fmt: skip
         what, own = of.replace("_", " "), (self.reference.error or {}).get(of, 0.0)
         if own > error and self.is_noise(best, of):
-            return (f"No cell can be shown to meet a {what} of {error:.2g}: the reference itself is only known to "
-                    f"{own:.1g}, which {best.label} with {_with(best)} meets.")  # fmt: skip
-        return (f"No cell meets a {what} of {error:.2g}: the smallest is {self.known_error(best, of):.2g}, by "
-                f"{best.label} with {_with(best)}; try smaller steps.")  # fmt: skip
+            return (
+                f"No cell can be shown to meet a {what} of {error:.2g}: the reference itself is only known "
+                f"to {own:.1g}, which {best.label} with {_with(best)} meets."
+            )
+        return (
+            f"No cell meets a {what} of {error:.2g}: the smallest is {self.known_error(best, of):.2g}, by "
+            f"{best.label} with {_with(best)}; try smaller steps."
+        )
 
     def _cost(self, outcome: Outcome, by: str) -> float:
         return float((self.work(outcome) if by == "seconds" else getattr(outcome, by)) or 0.0)
