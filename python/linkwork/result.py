@@ -131,10 +131,7 @@ class Result:
     @property
     def manifest(self) -> dict[str, Any]:
         """Versions, options and the hash of the model: what is needed to run it again."""
-        verdict = self.verdict
-        said = {} if verdict is None else {"verdict": {"level": verdict.level, "sentence": verdict.sentence,
-                                                       "error": verdict.error}}  # fmt: skip
-        return {**self._header.manifest, **said}
+        return {**self._header.manifest, **self._said()}
 
     @property
     def header(self) -> Header:
@@ -162,6 +159,11 @@ class Result:
         """
         numbers = self.statistics.get("verdict")
         return None if numbers is None else Verdict.of(numbers)
+
+    def _said(self) -> dict[str, Any]:
+        """Of the verdict for the manifest."""
+        found = self.statistics.get("verdict")
+        return {"verdict": {name: found[name] for name in ("level", "sentence", "error")}} if found else {}
 
     @property
     def events(self) -> tuple[Occurrence, ...]:

@@ -20,9 +20,10 @@ steps.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -40,6 +41,9 @@ AIM = 1e-4
 
 #: Characteristic times L / V in which an error of a velocity moves positions.
 GROWTH = 5.0
+
+#: On the estimate: too large is better than too small.
+SAFETY = 1.5
 
 #: Below, relative to L or to L / duration, nothing moves: what is left is rounding.
 STILL = 1e-6
@@ -99,12 +103,12 @@ class Verdict:
 
     def numbers(self) -> dict[str, Any]:
         """As plain data, for files."""
-        return {**asdict(self), "steps": [list(step) for step in self.steps]}
+        return {**vars(self), "steps": list(map(list, self.steps))}
 
     @classmethod
     def of(cls, numbers: Mapping[str, Any]) -> Verdict:
         """The inverse of `numbers`."""
-        return cls(**{**numbers, "steps": tuple(StepEstimate(*step) for step in numbers["steps"])})
+        return cls(**{**numbers, "steps": tuple(itertools.starmap(StepEstimate, numbers["steps"]))})
 
 
 class Energies:
@@ -176,7 +180,7 @@ def estimate(
     accumulated = float(parts.sums(poses).sum() + (parts.sums(velocities) * growth).sum())
     energy, replaced = energies.error()
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
-    state = before + max(accumulated, energy * turns if turns > 1 else 0.0)
+    state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0)
     local = np.maximum(poses, velocities)
     reactions = _reactions(found, L, ok)
     known = ok & np.isfinite(reactions) & (local > 0)
@@ -274,10 +278,9 @@ def _reactions(found: Mapping[str, Any], L: float, ok: NDArray[np.bool_]) -> Flo
 def _steps(
     found: Mapping[str, Any], local: Floats, reactions: Floats, ok: NDArray[np.bool_]
 ) -> tuple[StepEstimate, ...]:
-    numbers = zip(found["t"][ok], found["h"][ok], local[ok], reactions[ok], strict=True)
-    steps = [StepEstimate(float(t), float(h), float(e), float(r) if math.isfinite(r) else None)
-             for t, h, e, r in numbers]  # fmt: skip
-    return tuple(sorted(steps))
+    known = np.where(np.isfinite(reactions), reactions, None)  # type: ignore[call-overload]
+    numbers = (found["t"][ok], found["h"][ok], local[ok], known[ok])
+    return tuple(sorted(itertools.starmap(StepEstimate, zip(*(it.tolist() for it in numbers), strict=True))))
 
 
 def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:

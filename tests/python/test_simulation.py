@@ -93,7 +93,7 @@ def test_drivers_that_part_from_each_other_are_a_warning_that_names_the_one_left
     assert lw.simulate(agreeing, 3.0, 1e-2).violation.max() < 1e-9
     parting = wheel_with_two_drivers(lw.functions.harmonic(1.0, 1.0))
     with pytest.warns(lw.LinkworkWarning, match="redundant equations of (first|second) are violated by 2.9"):
-        lw.simulate(parting, 3.0, 1e-2)
+        lw.simulate(parting, 3.0, 1e-2, on_inaccurate="pass")
 
 
 def test_a_massless_body_is_refused_by_the_standard_formulation() -> None:

@@ -19,6 +19,9 @@ class Projection {
   /// Velocities of y at t, with the positions as they are.
   void velocities(double t, VectorXd& y);
 
+  /// What special joints remember goes on from here; see Dynamics::remember.
+  void remember(const std::vector<double>& memory) { at_.memory = memory; }
+
   /// What the stabilization of the run asks for, if anything; evaluates `dynamics` at (t, y) first.
   void stabilize(double t, VectorXd& y);
 

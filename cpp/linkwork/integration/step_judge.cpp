@@ -94,6 +94,7 @@ void StepJudge::take_again(const KeptStep& step) {
   const double h = step.h / take_.parts;
   y_ = step.y;
   dynamics_.remember(step.memory);
+  projection_.remember(step.memory);
   dynamics_.begin_parts(take_.parts);
   for (int part = 0; part < take_.parts; ++part) {
     const double t = step.t + part * h;
