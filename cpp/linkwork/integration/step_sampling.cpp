@@ -9,7 +9,7 @@
 namespace linkwork {
 namespace {
 
-constexpr std::size_t usual_parts = 70;                // with one or two steps each
+constexpr std::size_t usual_parts = 50;                // with one or two steps each
 constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may take
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
