@@ -1,5 +1,8 @@
+#include <cmath>
+
 #include "bindings.hpp"
 #include "linkwork/constraints/initial_conditions.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
@@ -14,6 +17,18 @@ void check_size(const ConstVector& vector, Eigen::Index size, const char* name) 
         "shape", std::string(name) + " has " + std::to_string(vector.size()) + " entries, not " + std::to_string(size));
 }
 
+/// OptionError: a time that is none. NotFiniteError: what is no state.
+void check_moment(const System& system, double t, const ConstVector& q, const ConstVector& v) {
+  if (!std::isfinite(t)) throw OptionError("not_finite", "t = " + std::to_string(t) + " is not finite");
+  if (q.allFinite() && v.allFinite()) return;
+  int body = 0;
+  while (q.segment<7>(7 * body).allFinite() && v.segment<6>(6 * body).allFinite()) ++body;
+  ErrorDetails details;
+  details.bodies = {system.model().body_name(body)};
+  throw NotFiniteError("not_finite", "body '" + details.bodies.front() + "': its state in q and v is not finite",
+                       details);
+}
+
 /// y = (q, v, 0) of the drivers from y = (q, v) of Python.
 VectorXd with_work(const Dynamics& dynamics, const ConstVector& y) {
   check_size(y, dynamics.y_size() - 1, "y");
@@ -22,9 +37,10 @@ VectorXd with_work(const Dynamics& dynamics, const ConstVector& y) {
   return out;
 }
 
-VectorXd state(const Dynamics& dynamics, const ConstVector& q, const ConstVector& v) {
+VectorXd state(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   check_size(q, dynamics.system().q_size(), "q");
   check_size(v, dynamics.system().v_size(), "v");
+  check_moment(dynamics.system(), t, q, v);
   VectorXd out(dynamics.y_size());
   out << q, v, 0.0;
   return out;
@@ -69,6 +85,7 @@ py::array_t<double> mass_blocks(const System& system) {
 py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   check_size(q, dynamics.system().q_size(), "q");
   check_size(v, dynamics.system().v_size(), "v");
+  check_moment(dynamics.system(), t, q, v);
   const System& system = dynamics.system();
   Evaluation at = system.make_evaluation();
   system.evaluate(t, q, v, at);
@@ -87,7 +104,7 @@ py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, cons
 
 py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   VectorXd v_dot(dynamics.system().v_size()), lambda(dynamics.system().row_count());
-  const VectorXd y = state(dynamics, q, v);
+  const VectorXd y = state(dynamics, t, q, v);
   {
     const py::gil_scoped_release release;
     dynamics.evaluate(t, y);
@@ -98,6 +115,8 @@ py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, cons
 
 VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y) {
   const VectorXd full = with_work(dynamics, y);
+  check_moment(dynamics.system(), t, full.head(dynamics.system().q_size()),
+               full.segment(dynamics.system().q_size(), dynamics.system().v_size()));
   VectorXd y_dot(dynamics.y_size());
   {
     const py::gil_scoped_release release;
@@ -163,7 +182,6 @@ void bind_information(py::module_& module) {
       .def_readonly("documentation", &FormulationInfo::documentation)
       .def_readonly("systems", &FormulationInfo::forms)
       .def_readonly("needs_full_rank", &FormulationInfo::needs_full_rank)
-      .def_readonly("needs_mass", &FormulationInfo::needs_mass)
       .def_readonly("has_penalty", &FormulationInfo::has_penalty)
       .def_readonly("iterative", &FormulationInfo::iterative);
   module.def("formulations", [] { return formulations(); });
@@ -284,6 +302,15 @@ py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& 
   return out;
 }
 
+py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+  const System& system = dynamics.system();
+  check_size(q, system.q_size(), "q");
+  check_size(v, system.v_size(), "v");
+  Evaluation at = system.make_evaluation();
+  system.evaluate(t, q, v, at);
+  return py::make_tuple(row_lengths(system, at), characteristic_rate(system, at, v), roundoff_of_positions(system, q));
+}
+
 /// A system with the correction of its initial conditions.
 class Assembler {
  public:
@@ -314,6 +341,13 @@ class Assembler {
     return py::make_tuple(v, reached);
   }
 
+  VectorXd row_lengths(const ConstVector& q) const {
+    check_size(q, system_.q_size(), "q");
+    Evaluation at = system_.make_evaluation();
+    system_.evaluate_constraints(0.0, q, VectorXd::Zero(system_.v_size()), at);
+    return linkwork::row_lengths(system_, at);
+  }
+
   py::tuple residuals(const ConstVector& q, const ConstVector& v) const {
     check_size(q, system_.q_size(), "q");
     check_size(v, system_.v_size(), "v");
@@ -339,6 +373,8 @@ void bind_assembler(py::module_& module) {
            "(q, whether it is on the constraints): from `start`, near to `given`.")
       .def("velocities", &Assembler::velocities, py::arg("q"), py::arg("given"), "(v, whether it is consistent at q).")
       .def("residuals", &Assembler::residuals, py::arg("q"), py::arg("v"), "(Phi, Phi_dot).")
+      .def("row_lengths", &Assembler::row_lengths, py::arg("q"),
+           "What residuals are relative to: Phi [m or 1] / row length is part of the size of the mechanism.")
       .def("distance", &Assembler::distance, py::arg("given"), py::arg("q"),
            "Displacement of the mass, squared: integral |x - x_given|^2 w dm [kg m2].")
       .def_property_readonly("iterations", &Assembler::iterations);
@@ -360,6 +396,15 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
           },
           py::arg("t"), py::arg("y"), py::arg("repeats"),
           "So many right-hand sides at y = (q, v), reactions included, for others to time.")
+      .def(
+          "redundancy_watch_time",
+          [](Dynamics& self, double t, const ConstVector& y, int repeats) {
+            const VectorXd full = with_work(self, y);
+            const py::gil_scoped_release release;
+            return time_redundancy_watch(self, t, full, repeats);
+          },
+          py::arg("t"), py::arg("y"), py::arg("repeats"),
+          "Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].")
       .def("analysis_time", &time_analysis, py::call_guard<py::gil_scoped_release>(),
            "Time of one symbolic analysis, by a solver like the one in use [s].");
 }
@@ -388,6 +433,10 @@ void bind_formulation(py::module_& module) {
           "y = (q, v), 13 per body.")
       .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"),
            "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power.")
+      .def("residual_scales", &residual_scales, py::arg("t"), py::arg("q"), py::arg("v"),
+           "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
+           "rate "
+           "are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
       .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"),
            "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", &derivative, py::arg("t"), py::arg("y"), "y_dot for y = (q, v).")

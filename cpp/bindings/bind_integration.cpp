@@ -164,12 +164,25 @@ py::list excesses(const Run& run) {
   return out;
 }
 
+py::dict to_dict(const Run& run, const Contradiction& found) {
+  const Model& model = run.dynamics().system().model();
+  py::dict out;
+  out["t"] = found.t;
+  out["largest"] = found.largest;
+  py::list joints;
+  for (const int joint : found.joints) joints.append(model.joint_name(joint));
+  out["joints"] = joints;
+  return out;
+}
+
 py::dict statistics(const Run& run) {
   py::dict out = py::cast(&run.dynamics(), py::return_value_policy::reference).attr("statistics")();
   out["steps"] = run.steps_done();
   out["violations"] = run.budget().count();
   out["projections"] = run.projections();
   out["excesses"] = excesses(run);
+  if (const Contradiction& found = run.contradiction(); !std::isnan(found.t))
+    out["contradiction"] = to_dict(run, found);
   return out;
 }
 
@@ -239,16 +252,23 @@ void bind_runs(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
-                       std::vector<Event> events, double t_start, const VectorXd& start) {
+                       std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks) {
              dynamics.set_interrupt(&look_for_signals);
-             return std::make_unique<AdaptiveSimulation>(
-                 dynamics, pair,
-                 AdaptiveSchedule{t_end, {rtol, atol}, largest_step, record_every, std::move(times), t_start, start},
-                 std::move(events));
+             return std::make_unique<AdaptiveSimulation>(dynamics, pair,
+                                                         AdaptiveSchedule{t_end,
+                                                                          {rtol, atol},
+                                                                          largest_step,
+                                                                          record_every,
+                                                                          std::move(times),
+                                                                          t_start,
+                                                                          start,
+                                                                          std::move(breaks)},
+                                                         std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
-           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
+           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
+           py::keep_alive<1, 2>())
       .def(
           "take_occurrences",
           [](AdaptiveSimulation& run) {
@@ -263,6 +283,8 @@ void bind_runs(py::module_& module) {
         const StepStatistics& steps = run.step_statistics();
         out["rejected_steps"] = steps.rejected;
         out["singular_steps"] = steps.singular;
+        out["breaks"] = steps.breaks;
+        out["impacts"] = steps.impacts;
         out["smallest_step"] = run.steps_done() > 0 ? py::object(py::float_(steps.smallest)) : py::none();
         out["largest_step"] = run.steps_done() > 0 ? py::object(py::float_(steps.largest)) : py::none();
         return out;

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <variant>
 
 #include "bindings.hpp"
@@ -165,10 +166,72 @@ py::array_t<double> poses(const Model& model, const Integers& bodies) {
   return out;
 }
 
+std::string at_time(double t) {
+  char text[48];
+  std::snprintf(text, sizeof text, " at t = %.6g s", t);
+  return text;
+}
+
+/// A value in a message.
+std::string shown(const py::handle& value) {
+  constexpr std::size_t longest = 80;
+  const auto text = py::repr(value).cast<std::string>();
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+/// A Python function of numbers that returns a number; `what` it is for, in messages.
+class PythonFunction {
+ public:
+  PythonFunction(py::object function, std::string what)
+      : function_(new py::object(std::move(function)), &release), what_(std::move(what)) {}
+
+  template <class... Numbers>
+  double operator()(double t, Numbers... rest) const {
+    const py::gil_scoped_acquire gil;
+    const py::object given = (*function_)(t, rest...);
+    if (PyFloat_CheckExact(given.ptr())) return PyFloat_AS_DOUBLE(given.ptr());
+    const bool number = !PyUnicode_Check(given.ptr()) && !PyBytes_Check(given.ptr());
+    const double value = number ? PyFloat_AsDouble(given.ptr()) : -1.0;
+    if (number && !PyErr_Occurred()) return value;
+    PyErr_Clear();
+    throw ModelError("not_a_number", what_ + ": returned " + shown(given) + at_time(t) + ", not a number");
+  }
+
+ private:
+  static void release(const py::object* function) {
+    const py::gil_scoped_acquire gil;
+    delete function;
+  }
+  std::shared_ptr<const py::object> function_;
+  std::string what_;
+};
+
+/// (t, x, x_dot) -> force or torque.
+class PythonLaw final : public CoordinateLaw {
+ public:
+  PythonLaw(py::object function, const std::string& name)
+      : function_(std::move(function), "joint force '" + name + "'") {}
+  double effort(double t, double x, double x_dot) const override { return function_(t, x, x_dot); }
+
+ private:
+  PythonFunction function_;
+};
+
+/// Function, first and second derivative: None where they are not known.
+TimeFunctionPtr python_callback(py::object value, py::object rate, py::object acceleration, const std::string& what) {
+  const auto wrapped = [&](py::object& function, const char* which) -> std::function<double(double)> {
+    if (function.is_none()) return nullptr;
+    return PythonFunction(std::move(function), what + which);
+  };
+  return callback(wrapped(value, ""), wrapped(rate, ", first derivative"),
+                  wrapped(acceleration, ", second derivative"));
+}
+
 /// (t, q (n, 7), v (n, 6)) -> (n, 6).
 class PythonForce final : public UserForce {
  public:
-  explicit PythonForce(py::function function) : function_(std::make_shared<py::function>(std::move(function))) {}
+  PythonForce(py::function function, std::string name)
+      : function_(std::make_shared<py::function>(std::move(function))), name_(std::move(name)) {}
   PythonForce(const PythonForce&) = delete;
   PythonForce& operator=(const PythonForce&) = delete;
   ~PythonForce() override {
@@ -181,13 +244,24 @@ class PythonForce final : public UserForce {
     const auto count = static_cast<py::ssize_t>(bodies);
     const py::array_t<double> positions({count, py::ssize_t{position_size}}, q);
     const py::array_t<double> velocities({count, py::ssize_t{velocity_size}}, v);
-    const Doubles result((*function_)(t, positions, velocities));
-    check_shape(result, {count, py::ssize_t{velocity_size}}, "what a user force returns");
+    const py::object given = (*function_)(t, positions, velocities);
+    const Doubles result = numbers(given, t);
+    check_shape(result, {count, py::ssize_t{velocity_size}}, ("what user force '" + name_ + "' returns").c_str());
     for (py::ssize_t k = 0; k < velocity_size * count; ++k) g[k] += result.data()[k];
   }
 
  private:
+  Doubles numbers(const py::object& given, double t) const {
+    if (!given.is_none()) {
+      if (Doubles out = Doubles::ensure(given)) return out;
+      PyErr_Clear();
+    }
+    throw ModelError("not_a_number", "user force '" + name_ + "': returned " + shown(given) + at_time(t) +
+                                         ", not an array of numbers (n, 6)");
+  }
+
   std::shared_ptr<py::function> function_;
+  std::string name_;
 };
 
 /// void f(double t, int64_t n, const double* q, const double* v, double* g, void* data): runs without Python.
@@ -223,6 +297,22 @@ void bind_time_functions(py::module_& module) {
             return std::const_pointer_cast<TimeFunction>(characteristic(std::move(f)));
           },
           py::arg("function"), "The same function of a coordinate or velocity of a force element.")
+      .def_property_readonly(
+          "breaks",
+          [](const TimeFunction& f) {
+            std::vector<Break> breaks;
+            f.add_breaks(breaks);
+            std::vector<std::pair<double, bool>> out;
+            for (const Break& it : breaks) out.emplace_back(it.t, it.ends_step);
+            return out;
+          },
+          "Times at which it is not smooth, and whether each ends a step whatever the tables say.")
+      .def_static(
+          "with_breaks",
+          [](std::shared_ptr<TimeFunction> f, std::vector<double> times) {
+            return std::const_pointer_cast<TimeFunction>(with_breaks(std::move(f), std::move(times)));
+          },
+          py::arg("function"), py::arg("times"), "The same function, not smooth at these times, either.")
       .def_static(
           "constant", [](double c) { return polynomial({c}); }, py::arg("value"))
       .def_static("polynomial", &polynomial, py::arg("coefficients"), "sum c_k t^k, ascending powers.")
@@ -238,11 +328,21 @@ void bind_time_functions(py::module_& module) {
                   py::arg("offset") = 0.0, "offset + amplitude sin(frequency t + phase); frequency in rad/s.")
       .def_static("piecewise_polynomial", &piecewise_polynomial, py::arg("breaks"), py::arg("coefficients"),
                   "Rows of ascending coefficients in t - breaks[i], flattened.")
-      .def_static("callback", &callback, py::arg("value"), py::arg("rate") = nullptr, py::arg("acceleration") = nullptr,
-                  "Python functions of t.");
+      .def_static(
+          "callback",
+          [](py::object value, py::object rate, py::object acceleration, const std::string& what) {
+            return std::const_pointer_cast<TimeFunction>(
+                python_callback(std::move(value), std::move(rate), std::move(acceleration), what));
+          },
+          py::arg("value"), py::arg("rate") = py::none(), py::arg("acceleration") = py::none(),
+          py::arg("what") = "function of time", "Python functions of t; `what` they are, in messages.");
 }
 
 void bind_kinds(py::module_& module) {
+  py::class_<Bound>(module, "Bound", "What a parameter may be: from `least` on, or above it.")
+      .def_readonly("parameter", &Bound::parameter)
+      .def_readonly("least", &Bound::least)
+      .def_readonly("above", &Bound::above);
   py::class_<KindInfo>(module, "KindInfo", "A registered kind of joint or force.")
       .def_readonly("name", &KindInfo::name)
       .def_readonly("rows", &KindInfo::rows)
@@ -251,6 +351,7 @@ void bind_kinds(py::module_& module) {
       .def_readonly("differentiated", &KindInfo::differentiated)
       .def_readonly("constants", &KindInfo::constants)
       .def_readonly("whole_numbers", &KindInfo::whole_numbers)
+      .def_readonly("bounds", &KindInfo::bounds)
       .def_readonly("functions", &KindInfo::functions)
       .def_readonly("defaults", &KindInfo::defaults)
       .def_readonly("velocity_rows", &KindInfo::velocity_rows)
@@ -310,10 +411,12 @@ void bind_model(py::module_& module) {
       .def(
           "add_signal", [](Model& model, std::shared_ptr<TimeFunction> f) { return model.add_signal(std::move(f)); },
           py::arg("function"))
+      .def("add_breaks", &Model::add_breaks, py::arg("times"), "Times at which users' forces are not smooth.")
+      .def_property_readonly("breaks", &Model::breaks)
       .def(
           "add_user_force",
           [](Model& model, const std::string& name, py::function function) {
-            model.add_user_force(name, std::make_shared<PythonForce>(std::move(function)));
+            model.add_user_force(name, std::make_shared<PythonForce>(std::move(function), name));
           },
           py::arg("name"), py::arg("function"), "A function of (t, q (n, 7), v (n, 6)) that returns forces (n, 6).")
       .def(
@@ -322,6 +425,35 @@ void bind_model(py::module_& module) {
             model.add_user_force(name, std::make_shared<CompiledForce>(function, data));
           },
           py::arg("name"), py::arg("address"), py::arg("data"), "The address of a C function; see linkwork.Model.")
+      .def(
+          "add_joint_force",
+          [](Model& model, const std::string& name, int joint, const std::string& coordinate, const py::object& law) {
+            CoordinateLawPtr compiled = py::isinstance<TimeFunction>(law)
+                                            ? law_of_time(law.cast<std::shared_ptr<TimeFunction>>())
+                                            : std::make_shared<PythonLaw>(law, name);
+            model.add_joint_force(name, joint, coordinate, std::move(compiled));
+          },
+          py::arg("name"), py::arg("joint"), py::arg("coordinate"), py::arg("law"),
+          "A function of (t, x, x_dot), or of time alone, along a free coordinate of a joint.")
+      .def_property_readonly(
+          "joint_forces",
+          [](const Model& model) {
+            std::vector<std::pair<std::string, std::string>> out;
+            for (const JointForce& force : model.joint_forces()) out.emplace_back(force.name, force.coordinate->name);
+            return out;
+          },
+          "(name, coordinate) of the laws along coordinates.")
+      .def(
+          "limited",
+          [](const Model& model) {
+            std::vector<std::tuple<std::string, int, double, int, double, std::string>> out;
+            for (const Limited& it : model.limited())
+              out.emplace_back(it.what, it.value.signal, it.value.constant, it.least.signal, it.least.constant,
+                               it.than);
+            return out;
+          },
+          "Functions of time that must not pass a bound: (what, its signal or -1, its number, signal and number of the "
+          "bound, what that is).")
       .def_property_readonly("gravity", [](const Model& model) { return VectorXd(model.gravity()); })
       .def_property_readonly("body_count", [](const Model& model) { return model.bodies().size(); })
       .def_property_readonly("joint_count", [](const Model& model) { return model.joints().size(); })
@@ -354,6 +486,10 @@ void bind_model(py::module_& module) {
       .def(
           "find_force", [](const Model& model, const std::string& name) { return model.force_names().find(name); },
           py::arg("name"), "Index of a name, -1 where there is none.")
+      .def(
+          "find_user_force",
+          [](const Model& model, const std::string& name) { return model.own_force_names().find(name); },
+          py::arg("name"), "Index of the name of one of the user's own forces, -1 where there is none.")
       .def("describe_row", &Model::describe_row, py::arg("row"))
       .def_property_readonly("joint_rows",
                              [](const Model& model) {

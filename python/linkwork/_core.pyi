@@ -13,6 +13,7 @@ import numpy.typing
 __all__ = [
     "AdaptiveSimulation",
     "Assembler",
+    "Bound",
     "CoupledCoordinate",
     "Dynamics",
     "EmbeddedPair",
@@ -60,6 +61,7 @@ class AdaptiveSimulation(Run):
         events: collections.abc.Sequence[Event] = [],
         t_start: typing.SupportsFloat | typing.SupportsIndex = 0.0,
         start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] = ...,
+        breaks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [],
     ) -> None: ...
     def statistics(self) -> dict: ...
     def take_occurrences(self) -> list:
@@ -106,6 +108,12 @@ class Assembler:
         """
         (Phi, Phi_dot).
         """
+    def row_lengths(
+        self, q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        What residuals are relative to: Phi [m or 1] / row length is part of the size of the mechanism.
+        """
     def velocities(
         self,
         q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
@@ -116,6 +124,19 @@ class Assembler:
         """
     @property
     def iterations(self) -> int: ...
+
+class Bound:
+    """
+    What a parameter may be: from `least` on, or above it.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def above(self) -> bool: ...
+    @property
+    def least(self) -> float: ...
+    @property
+    def parameter(self) -> str: ...
 
 class CoupledCoordinate:
     """
@@ -197,6 +218,15 @@ class Dynamics:
         """
         Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial axes; (k, joints, 3) for k times, states and multipliers.
         """
+    def redundancy_watch_time(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        repeats: typing.SupportsInt | typing.SupportsIndex,
+    ) -> float:
+        """
+        Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].
+        """
     def repeat_right_hand_side(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
@@ -205,6 +235,15 @@ class Dynamics:
     ) -> None:
         """
         So many right-hand sides at y = (q, v), reactions included, for others to time.
+        """
+    def residual_scales(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        (row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.
         """
     def right_hand_side_times(
         self,
@@ -293,8 +332,6 @@ class FormulationInfo:
     @property
     def needs_full_rank(self) -> bool: ...
     @property
-    def needs_mass(self) -> bool: ...
-    @property
     def systems(self) -> list[str]: ...
 
 class HalfExplicit:
@@ -318,6 +355,8 @@ class KindInfo:
     """
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def bounds(self) -> list[Bound]: ...
     @property
     def constants(self) -> list[str]: ...
     @property
@@ -367,6 +406,12 @@ class Model:
         """
         Adds bodies under a prefix (str) or names (list); returns the first index.
         """
+    def add_breaks(
+        self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
+    ) -> None:
+        """
+        Times at which users' forces are not smooth.
+        """
     def add_compiled_force(
         self,
         name: str,
@@ -398,6 +443,12 @@ class Model:
     ) -> int:
         """
         Adds force elements; returns the first index.
+        """
+    def add_joint_force(
+        self, name: str, joint: typing.SupportsInt | typing.SupportsIndex, coordinate: str, law: typing.Any
+    ) -> None:
+        """
+        A function of (t, x, x_dot), or of time alone, along a free coordinate of a joint.
         """
     def add_joints(
         self,
@@ -445,6 +496,10 @@ class Model:
         """
         Index of a name, -1 where there is none.
         """
+    def find_user_force(self, name: str) -> int:
+        """
+        Index of the name of one of the user's own forces, -1 where there is none.
+        """
     def force_arrays(self) -> dict:
         """
         kind, bodies, origin, frame, first_parameter, parameters, signals: what add_forces took.
@@ -460,6 +515,10 @@ class Model:
         """
     def joint_kind(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def joint_name(self, joint: typing.SupportsInt | typing.SupportsIndex) -> str: ...
+    def limited(self) -> list[tuple[str, int, float, int, float, str]]:
+        """
+        Functions of time that must not pass a bound: (what, its signal or -1, its number, signal and number of the bound, what that is).
+        """
     def poses(
         self, bodies: typing.Annotated[numpy.typing.ArrayLike, numpy.int32]
     ) -> numpy.typing.NDArray[numpy.float64]:
@@ -477,6 +536,8 @@ class Model:
     @property
     def body_count(self) -> int: ...
     @property
+    def breaks(self) -> list[float]: ...
+    @property
     def force_count(self) -> int: ...
     @property
     def gravity(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]: ...
@@ -484,6 +545,11 @@ class Model:
     def inertia(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def joint_count(self) -> int: ...
+    @property
+    def joint_forces(self) -> list[tuple[str, str]]:
+        """
+        (name, coordinate) of the laws along coordinates.
+        """
     @property
     def joint_rows(self) -> numpy.typing.NDArray[numpy.int32]: ...
     @property
@@ -718,12 +784,13 @@ class TimeFunction:
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @staticmethod
     def callback(
-        value: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex],
-        rate: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex] = None,
-        acceleration: collections.abc.Callable[[float], typing.SupportsFloat | typing.SupportsIndex] = None,
+        value: typing.Any,
+        rate: typing.Any = None,
+        acceleration: typing.Any = None,
+        what: str = "function of time",
     ) -> TimeFunction:
         """
-        Python functions of t.
+        Python functions of t; `what` they are, in messages.
         """
     @staticmethod
     def characteristic(function: TimeFunction) -> TimeFunction:
@@ -768,9 +835,21 @@ class TimeFunction:
         """
     @staticmethod
     def sum(terms: collections.abc.Sequence[TimeFunction]) -> TimeFunction: ...
+    @staticmethod
+    def with_breaks(
+        function: TimeFunction, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
+    ) -> TimeFunction:
+        """
+        The same function, not smooth at these times, either.
+        """
     def evaluate(self, t: typing.SupportsFloat | typing.SupportsIndex) -> tuple[float, float, float]:
         """
         (value, rate, acceleration) at t.
+        """
+    @property
+    def breaks(self) -> list[tuple[float, bool]]:
+        """
+        Times at which it is not smooth, and whether each ends a step whatever the tables say.
         """
     @property
     def has_derivatives(self) -> bool: ...

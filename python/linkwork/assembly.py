@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwork import _core, branches
 from linkwork.errors import ModelError, NotConvergedError
+from linkwork.given import is_number
 from linkwork.handles import BodiesLike, BodyLike
 from linkwork.model import Model, check_model
 
@@ -102,7 +103,7 @@ def assemble(
     check_model(model)
     core, held = model.compiled(), model.indices(hold)
     held = held[held >= 0]
-    assembler = _core.Assembler(core, _weights(model, weights or {}), held.tolist())
+    assembler = _core.Assembler(core, _weights(model, {} if weights is None else weights), held.tolist())
     q0, v0 = core.q0, core.v0
     given = assembler.residuals(q0, v0)
 
@@ -110,7 +111,7 @@ def assemble(
     v, consistent = assembler.velocities(q, v0)
     found = assembler.residuals(q, v)
     if not consistent:
-        raise _conflict(model, "velocities", "/s", found[1], held)
+        raise _conflict(model, "velocities", "/s", found[1], assembler.row_lengths(q), held)
     pose, pose_given, change = q.reshape(-1, 7), q0.reshape(-1, 7), (v - v0).reshape(-1, 6)
     return Assembly(
         model=model.with_initial_state(q, v),
@@ -143,18 +144,19 @@ def _positions(
     if other_reached and (not reached or assembler.distance(given, other) < assembler.distance(given, q)):
         return other, branches.opposed(core, other)
     if not reached:
-        raise _conflict(model, "positions", "", assembler.residuals(q, np.zeros(len(core.v0)))[0], held)
+        left = assembler.residuals(q, np.zeros(len(core.v0)))[0]
+        raise _conflict(model, "positions", "", left, assembler.row_lengths(q), held)
     return q, opposed
 
 
 def _conflict(
-    model: Model, level: str, unit: str, residuals: Floats, held: NDArray[np.int32]
+    model: Model, level: str, unit: str, residuals: Floats, scales: Floats, held: NDArray[np.int32]
 ) -> NotConvergedError:
     """Where the violation is least, its residuals n satisfy D^T n = 0: those of the joints that conflict."""
     core = model.compiled()
-    each = _per_joint(core, residuals)
-    worst = np.argsort(-each, kind="stable")
-    worst = worst[each[worst] >= CONFLICTING * each[worst[0]]]
+    each, relative = _per_joint(core, residuals), _per_joint(core, residuals / scales)
+    worst = np.argsort(-relative, kind="stable")
+    worst = worst[relative[worst] >= CONFLICTING * relative[worst[0]]]
     names = [core.joint_name(int(joint)) for joint in worst]
     listed = [f"{name} {each[joint]:.3g}{unit}" for name, joint in zip(names[:LISTED], worst, strict=False)]
     more = f"; and {len(names) - LISTED} more" if len(names) > LISTED else ""
@@ -174,13 +176,17 @@ def _conflict(
 
 def _weights(model: Model, weights: Mapping[BodyLike, float]) -> Floats:
     """One for each body, or none at all. ModelError: not positive and finite."""
+    if not isinstance(weights, Mapping):
+        raise ModelError(
+            f"assemble: weights {weights!r:.80} are no mapping of bodies to numbers", code="weight"
+        )
     if not weights:
         return np.zeros(0)
     out = np.ones(model.body_count)
     for body, weight in weights.items():
         (index,) = model.indices(body)
         name = model.compiled().body_name(int(index))
-        if index < 0 or not (np.isfinite(weight) and weight > 0):
+        if index < 0 or not (is_number(weight) and weight > 0):
             why = (
                 "the ground has no weight" if index < 0 else f"weight {weight!r} must be positive and finite"
             )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -79,4 +80,6 @@ class Bodies:
             self.index(bodies[0], subject)
             return bodies.indices
         many = [bodies] if isinstance(bodies, Body | str) else bodies
+        if not isinstance(many, Iterable):
+            subject.refuse(0, f"{many!r:.80} are no bodies: give handles or names", "unknown_body")
         return np.array([self.index(body, subject) for body in many], np.int32)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from linkwork import _core, stiffness
 from linkwork.assembly import Assembly, assemble
 from linkwork.errors import ModelError, OptionError, warn
-from linkwork.extent import extent
+from linkwork.functions import Callback
+from linkwork.given import array, number
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.model import Model, check_model
 from linkwork.result import Snapshot
@@ -20,9 +24,6 @@ Floats = NDArray[np.float64]
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
-
-#: Of a coordinate, relative.
-ROUNDOFF = 1e-14
 
 #: Kinds of force elements that remember what no state holds, and how they begin at one.
 REMEMBERING = {
@@ -36,11 +37,17 @@ REMEMBERING = {
     ),
 }
 
-#: Residuals of equations that others imply, over those of the others, beyond which they are not implied.
-CONTRADICTION = 100.0
+#: Accelerations that redundant equations ask for otherwise than the rest, relative to what they are made of.
+CONTRADICTION = 1e-6
 
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
+
+#: Times at which functions of time are looked at before a run.
+SAMPLES = 257
+
+#: Of the length of Euler parameters at the start, as in a model.
+UNIT_TOLERANCE = 1e-6
 
 #: How many objects a message lists.
 LISTED = 5
@@ -66,6 +73,27 @@ def check_tables(model: Model, t_end: float) -> None:
                 "extend the table or shorten the run",
                 code="time_function_range",
             )
+    _check_limits(model, t_end)
+
+
+def _check_limits(model: Model, t_end: float) -> None:
+    """OptionError: a function of time passes the bound of its parameter, such as a negative stiffness.
+
+    Looked for at many times of the run; of the user's own functions, which may be dear or have a memory, at
+    its start only. The run itself looks in every evaluation.
+    """
+    functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist()
+    for what, signal, constant, least_signal, least, than in model.compiled().limited():
+        given = [functions[place] for place in (signal, least_signal) if place >= 0]
+        for t in times[:1] if any(isinstance(it, Callback) for it in given) else times:
+            value = functions[signal].evaluate(t)[0] if signal >= 0 else constant
+            bound = functions[least_signal].evaluate(t)[0] if least_signal >= 0 else least
+            if value < bound:
+                named = f", which is {than}" if than else ""
+                raise OptionError(
+                    f"{what} is {value:g} at t = {t:g} s, and must not be below {bound:g}{named}; correct it",
+                    code="out_of_bounds",
+                )
 
 
 def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
@@ -80,18 +108,45 @@ def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
     }
 
 
+@dataclass(frozen=True)
+class Residuals:
+    """Of one level, positions or velocities: the largest of each joint (joints,)."""
+
+    level: str  #: "poses" or "velocities"
+    value: Floats  #: [m] or [1], of velocities per second
+    relative: Floats  #: to the size of the mechanism, of velocities to its speed
+    rounding: float  #: what roundoff can make of a relative one
+
+    @property
+    def unit(self) -> str:
+        return "/s" if self.level == "velocities" else ""
+
+
+def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None) -> list[Residuals]:
+    """Of positions and of velocities; without `at` at t = 0."""
+    core = model.compiled()
+    t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
+    found = dynamics.evaluate(t, q, v)
+    lengths, rate, roundoff = dynamics.residual_scales(t, q, v)
+    starts = core.joint_rows[:-1]
+
+    def of(level: str, key: str, scale: Floats) -> Residuals:
+        values = np.abs(found[key])
+        if not len(starts):
+            return Residuals(level, np.zeros(0), np.zeros(0), 0.0)
+        relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > 0)
+        each = (np.maximum.reduceat(x, starts) for x in (values, relative))
+        return Residuals(level, *each, RESIDUAL_TOLERANCE + roundoff)
+
+    return [of("poses", "Phi", lengths), of("velocities", "Phi_dot", lengths * rate)]
+
+
 def joint_residuals(
     model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
 ) -> tuple[Floats, Floats]:
     """Largest of each joint (joints,), of Phi and of Phi_dot = D v + Phi_t; without `at` at t = 0."""
-    core = model.compiled()
-    t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
-    found = dynamics.evaluate(t, q, v)
-    starts = core.joint_rows[:-1]
-    if not len(starts):
-        return np.zeros(0), np.zeros(0)
-    position, velocity = (np.maximum.reduceat(np.abs(found[level]), starts) for level in ("Phi", "Phi_dot"))
-    return position, velocity
+    position, velocity = residuals(model, dynamics, at)
+    return position.value, velocity.value
 
 
 def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> Assembly | None:
@@ -102,15 +157,8 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
     NotConvergedError: joints contradict each other.
     """
     core = model.compiled()
-    size, reach = extent(core)
-    speed = max(1.0, float(np.abs(core.v0).max(initial=0.0))) * max(1.0, size)
-    position, velocity = joint_residuals(model, dynamics)
     small = SMALL_RESIDUAL if correct else np.inf
-    rounding = RESIDUAL_TOLERANCE * max(1.0, size) + ROUNDOFF * reach
-    remarks = [
-        _inaccuracy(core, "poses", position, "", rounding, small * size),
-        _inaccuracy(core, "velocities", velocity, "/s", RESIDUAL_TOLERANCE * speed, small * speed),
-    ]
+    remarks = (_inaccuracy(core, level, level.rounding, small) for level in residuals(model, dynamics))
     found = "; ".join(filter(None, remarks))
     if found and not correct:
         warn(found)
@@ -127,9 +175,12 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
 
 def start_time(start: Snapshot | None) -> float:
     """Where a run begins [s]. OptionError: what is no Snapshot."""
-    if start is not None and not isinstance(start, Snapshot):
-        raise OptionError(f"start {start!r} is no linkwork.Snapshot(t, q, v)", code="start")
-    return 0.0 if start is None else float(start.t)
+    if start is None:
+        return 0.0
+    if not isinstance(start, Snapshot):
+        raise OptionError(f"start {start!r:.80} is no linkwork.Snapshot(t, q, v)", code="start")
+    t = start.t
+    return number(t, "start: t", code="start")
 
 
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
@@ -137,34 +188,54 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
 
     LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
     """
-    core, y = model.compiled(), start.y
-    if len(y) != 13 * model.body_count or not np.isfinite(y).all():
+    core, count = model.compiled(), model.body_count
+    q, v = array(start.q, "start: q"), array(start.v, "start: v")
+    if q.size != 7 * count or v.size != 6 * count or not (np.isfinite(q).all() and np.isfinite(v).all()):
         raise OptionError(
-            f"start: q {np.shape(start.q)} and v {np.shape(start.v)} are no finite state of the "
-            f"{model.body_count} bodies of model '{model.name}'",
+            f"start: q {q.shape} and v {v.shape} are no finite state of the {count} bodies of model "
+            f"'{model.name}': ({count}, 7) and ({count}, 6) are",
             code="start",
         )
-    size, _ = extent(core)
-    speed = max(1.0, float(np.abs(start.v).max(initial=0.0))) * max(1.0, size)
-    position, velocity = joint_residuals(model, dynamics, start)
+    length = np.linalg.norm(q.reshape(-1, 7)[:, 3:], axis=1)
+    if not (np.abs(length - 1.0) <= UNIT_TOLERANCE).all():
+        body = int(np.argmax(np.abs(length - 1.0)))
+        raise OptionError(
+            f"start: body '{core.body_name(body)}': its Euler parameters have norm {length[body]:g}, not 1: "
+            "divide them by it",
+            code="start",
+            bodies=[core.body_name(body)],
+        )
     remarks = [
-        _inaccuracy(core, "poses", position, "", SMALL_RESIDUAL * size, np.inf),
-        _inaccuracy(core, "velocities", velocity, "/s", SMALL_RESIDUAL * speed, np.inf),
+        _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
-    if len(start.memory):
+    memory = _memory(start)
+    if len(memory):
         remembered = len(dynamics.memory)
-        if len(start.memory) != remembered:
+        if len(memory) != remembered:
             raise OptionError(
-                f"start: its memory has {len(start.memory)} numbers, but the springs, stops, contacts and "
+                f"start: its memory has {len(memory)} numbers, but the springs, stops, contacts and "
                 f"couplers of model '{model.name}' remember {remembered}: start from a run of the same "
                 "model, or leave the memory out (start._replace(memory=()))",
                 code="start",
             )
-        dynamics.memory = list(start.memory)
+        dynamics.memory = memory
     elif start.t > 0:
         _check_remembered(core)
+
+
+def _memory(start: Snapshot) -> list[float]:
+    """OptionError: not finite numbers."""
+    memory = array(start.memory, "start: memory")
+    if memory.ndim != 1 or not np.isfinite(memory).all():
+        raise OptionError(
+            f"start: its memory {start.memory!r:.80} is not made of finite numbers: take that of a "
+            "snapshot, or ()",
+            code="start",
+        )
+    found: list[float] = memory.tolist()
+    return found
 
 
 def _check_remembered(core: _core.Model) -> None:
@@ -174,28 +245,46 @@ def _check_remembered(core: _core.Model) -> None:
     for what in sorted(set(filter(None, of_force))):
         names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
+    laws = [name for name, coordinate in core.joint_forces if coordinate != "displacement"]
+    if laws:
+        turns = REMEMBERING["rotational_stop"]
+        warn(f"start: {_listed(len(laws), laws.__getitem__)}: {turns}")
 
 
-def check_redundant(model: Model, dynamics: _core.Dynamics, end: Snapshot) -> None:
-    """LinkworkWarning: what was left out as redundant does not hold at the end, and so contradicts the rest.
+def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str, float]:
+    """Of redundant equations that ask for other accelerations than the rest: what is left of them [1/s2].
 
-    Two drivers of one joint agree at the start and may part later: only one of them was followed.
+    By the equation in words; such as drivers that agree in position and velocity, and are about to part.
     """
     rows = np.asarray(dynamics.rank().redundant_rows, dtype=int)
-    if not len(rows):
-        return
     core = model.compiled()
-    Phi = np.abs(dynamics.evaluate(end.t, np.ravel(end.q), np.ravel(end.v))["Phi"])
-    kept = float(np.delete(Phi, rows).max(initial=0.0))
-    broken = rows[Phi[rows] > max(SMALL_RESIDUAL * extent(core).size, CONTRADICTION * kept)]
-    if len(broken):
-        joints = np.unique(np.searchsorted(core.joint_rows, broken, side="right") - 1)
-        names = [core.joint_name(int(joint)) for joint in joints]
-        warn(
-            f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by "
-            f"{Phi[broken].max():.2g} (m or 1) at t = {end.t:g} s, where the others hold to {kept:.1g}: "
-            "joints or drivers contradict each other, and these were not followed"
-        )
+    if not len(rows):
+        return {}
+    v_dot, _ = dynamics.accelerations(0.0, core.q0, core.v0)
+    found = dynamics.evaluate(0.0, core.q0, core.v0)
+    D = csr_array(
+        tuple(found["D"][part] for part in ("data", "indices", "indptr")), (core.row_count, len(v_dot))
+    )
+    left = np.abs(D @ v_dot - found["gamma"])[rows]
+    size = (abs(D) @ np.abs(v_dot) + np.abs(found["gamma"]))[rows]
+    broken = left > CONTRADICTION * size.max(initial=0.0)
+    return {core.describe_row(int(row)): float(x) for row, x in zip(rows[broken], left[broken], strict=True)}
+
+
+def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:
+    """LinkworkWarning: redundant equations contradict the others, by so little that the run went on.
+
+    Two drivers of one joint agree at the start and part later: only one of them was followed.
+    """
+    found = statistics.get("contradiction")
+    if not found:
+        return
+    names = found["joints"]
+    warn(
+        f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by up to "
+        f"{found['largest']:.2g} (m or 1) from t = {found['t']:.6g} s on, where the others hold: joints or "
+        "drivers contradict each other, and not all were followed"
+    )
 
 
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
@@ -243,26 +332,31 @@ def _complex(value: complex) -> str:
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 
-def _inaccuracy(
-    core: _core.Model, level: str, residuals: Floats, unit: str, rounding: float, most: float
-) -> str:
-    """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much."""
-    worst = np.argsort(-residuals, kind="stable")
-    worst = worst[residuals[worst] > rounding]
+def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: float) -> str:
+    """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much.
+
+    Both are relative to the size or speed of the mechanism.
+    """
+    relative, unit = found.relative, found.unit
+    worst = np.argsort(-relative, kind="stable")
+    worst = worst[relative[worst] > rounding]
     if not len(worst):
         return ""
-    each = _listed(len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {residuals[worst[k]]:.3g}{unit}")
+    each = _listed(
+        len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {found.value[worst[k]]:.3g}{unit}"
+    )
     joints = "1 joint" if len(worst) == 1 else f"{len(worst)} joints"
-    message = f"initial {level} do not satisfy {joints} (residual, m or 1): {each}"
-    if residuals[worst[0]] <= most:
+    message = f"initial {found.level} do not satisfy {joints} (residual, m or 1): {each}"
+    if relative[worst[0]] <= most:
         return message
     names = [core.joint_name(int(joint)) for joint in worst]
+    allowed = most * found.value[worst[0]] / relative[worst[0]]
     raise ModelError(
-        f"{message}: more than {most:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
+        f"{message}: more than {allowed:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
         "linkwork.assemble(model).model gives",
-        code=f"inconsistent_{level}",
+        code=f"inconsistent_{found.level}",
         joints=names,
-        residuals=dict(zip(names, residuals[worst].tolist(), strict=True)),
+        residuals=dict(zip(names, found.value[worst].tolist(), strict=True)),
     )
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from linkwork.errors import OptionError, nearest
+from linkwork.errors import OptionError
+from linkwork.given import is_number, one_of
 
 __all__ = ["contact_hysteresis"]
 
@@ -24,8 +25,9 @@ def contact_hysteresis(law: str, restitution: float) -> float:
 
     OptionError: another law, or a coefficient that is not in (0, 1].
     """
-    if law not in LAWS:
-        raise OptionError(f"contact law '{law}' does not exist{nearest(law, LAWS)}", code="unknown_option")
-    if not 0 < restitution <= 1:
-        raise OptionError(f"restitution {restitution} is not between 0 (exclusive) and 1", code="restitution")
+    one_of(law, LAWS, "contact law")
+    if not is_number(restitution) or not 0 < restitution <= 1:
+        raise OptionError(
+            f"restitution {restitution!r:.80} is not between 0 (exclusive) and 1", code="restitution"
+        )
     return LAWS[law](restitution)

@@ -65,6 +65,8 @@ _COMMON = {
     "name": "of the joint; without it the kind and a number",
 }
 
+_BREAKS = "times [s] at which Python functions are not smooth, see functions.with_breaks"
+
 _ERRORS = """\
 ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name."""
 
@@ -96,13 +98,29 @@ def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
         if name in ("length", "free_length"):
             yield name, False, "a number or a function of time [m]; without it the initial distance"
             continue
-        meaning = "a number or a function of time"
-        if name in kind.constants:
-            meaning = "a whole number" if name in kind.whole_numbers else "a number, not zero"
-        if name in kind.functions:
-            meaning = "a characteristic, or a number for a linear one"
+        meaning = _meaning(kind, name)
         default = _default(kind, name)
         yield name, default is None, meaning if default is None else f"{meaning}; {default:g}"
+
+
+def _of_time(kind: _core.KindInfo) -> bool:
+    """Whether it has parameters that can be functions of time."""
+    return any(name not in (*kind.constants, *kind.functions) for name in kind.parameters)
+
+
+def _meaning(kind: _core.KindInfo, name: str) -> str:
+    """What a parameter may be."""
+    if name in kind.functions:
+        return "a characteristic, or a number for a linear one"
+    bounds = [bound for bound in kind.bounds if bound.parameter == name]
+    if name in kind.whole_numbers:
+        meaning = "a whole number"
+    elif name in kind.constants:
+        meaning = "a number" if bounds else "a number, not zero"
+    else:
+        meaning = "a number or a function of time"
+    limits = (f", {'above' if bound.above else 'at least'} {bound.least:g}" for bound in bounds)
+    return meaning + "".join(limits)
 
 
 def _signature(kind: _core.KindInfo) -> Signature:
@@ -110,12 +128,15 @@ def _signature(kind: _core.KindInfo) -> Signature:
     parameters = [Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in ("self", "a", "b")]
     for name, required, _ in _arguments(kind):
         parameters.append(Parameter(name, keyword, default=nothing if required else _default(kind, name)))
+    if _of_time(kind):
+        parameters.append(Parameter("breaks", keyword, default=()))
     parameters += [Parameter("frames", keyword, default="space"), Parameter("name", keyword, default=None)]
     return Signature(parameters)
 
 
 def _documentation(kind: _core.KindInfo) -> str:
-    meanings = {name: meaning for name, _, meaning in _arguments(kind)} | _COMMON
+    breaks = {"breaks": _BREAKS} if _of_time(kind) else {}
+    meanings = {name: meaning for name, _, meaning in _arguments(kind)} | breaks | _COMMON
     arguments = "\n".join(f"{name:<{max(map(len, meanings))}}  {text}" for name, text in meanings.items())
     parts = [kind.documentation, arguments, _ERRORS]
     if kind.rows:
@@ -188,6 +209,8 @@ def _stub_method(kind: _core.KindInfo) -> str:
         default = _default(kind, name)
         optional = "" if required else " | None = None" if default is None else f" = {default!r}"
         lines.append(f"        {name}: {type_}{optional},")
+    if _of_time(kind):
+        lines.append("        breaks: ArrayLike = (),")
     result = "Joint" if kind.rows else "Force"
     lines += ['        frames: Frames = "space",', "        name: str | None = None,", f"    ) -> {result}:"]
     return "\n".join([*lines, f'        """{kind.documentation}"""', ""])

@@ -90,6 +90,7 @@ class JointMethods:
         *,
         at: ArrayLike,
         length: TimeFunctionLike | None = None,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -229,6 +230,7 @@ class JointMethods:
         at: ArrayLike,
         axis: ArrayLike,
         length: TimeFunctionLike | None = None,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -242,6 +244,7 @@ class JointMethods:
         at: ArrayLike,
         axis: ArrayLike,
         length: TimeFunctionLike | None = None,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -266,6 +269,7 @@ class JointMethods:
         *,
         at: ArrayLike,
         length: TimeFunctionLike | None = None,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -280,6 +284,7 @@ class JointMethods:
         axis: ArrayLike,
         x_axis: ArrayLike | None = None,
         angle: TimeFunctionLike,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -294,6 +299,7 @@ class JointMethods:
         axis: ArrayLike,
         x_axis: ArrayLike | None = None,
         displacement: TimeFunctionLike,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
@@ -335,6 +341,7 @@ class ForceMethods:
         spring: TimeFunctionLike = 0.0,
         damper: TimeFunctionLike = 0.0,
         free_length: TimeFunctionLike | None = None,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -351,6 +358,7 @@ class ForceMethods:
         spring: TimeFunctionLike = 0.0,
         damper: TimeFunctionLike = 0.0,
         free_angle: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -365,6 +373,7 @@ class ForceMethods:
         x_axis: ArrayLike | None = None,
         stiffness: TimeFunctionLike = 0.0,
         damping: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -380,6 +389,7 @@ class ForceMethods:
         x_axis: ArrayLike | None = None,
         curve: TimeFunctionLike,
         throttle: TimeFunctionLike = 1.0,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -396,6 +406,7 @@ class ForceMethods:
         coulomb: TimeFunctionLike = 0.0,
         viscous: TimeFunctionLike = 0.0,
         transition: float = 0.01,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -412,6 +423,7 @@ class ForceMethods:
         coulomb: TimeFunctionLike = 0.0,
         viscous: TimeFunctionLike = 0.0,
         transition: float = 0.001,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -429,6 +441,7 @@ class ForceMethods:
         upper: TimeFunctionLike,
         stiffness: TimeFunctionLike,
         damping: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -446,6 +459,7 @@ class ForceMethods:
         upper: TimeFunctionLike,
         stiffness: TimeFunctionLike,
         damping: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -458,10 +472,24 @@ class ForceMethods:
         *,
         at: ArrayLike,
         coefficient: TimeFunctionLike,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
         """Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u [N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / 2 [N s^2/m^2]. Nothing acts on a."""
+
+    def linear_damping(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike,
+        damping: TimeFunctionLike = 0.0,
+        rotational_damping: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Linear damping of all relative motion: the force on the point of b is -c u [N], u the velocity of that point as seen from a [m/s] and `damping` c [N s/m]; the torque on b is -C w [N m], w the angular velocity of b against a [rad/s] and `rotational_damping` C [N m s/rad]. Both act back on a, at the point of b."""
 
     def sphere_plane_contact(
         self,
@@ -476,6 +504,7 @@ class ForceMethods:
         hysteresis: TimeFunctionLike = 0.0,
         friction: TimeFunctionLike = 0.0,
         transition: float = 0.001,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
@@ -494,6 +523,7 @@ class ForceMethods:
         hysteresis: TimeFunctionLike = 0.0,
         friction: TimeFunctionLike = 0.0,
         transition: float = 0.001,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:

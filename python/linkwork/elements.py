@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.errors import OptionError, nearest
+from linkwork.errors import OptionError
 from linkwork.functions import TimeFunction, as_time_function
+from linkwork.given import UNREADABLE, one_of
 from linkwork.placement import PLACEMENTS, Attachment, Place, Subject
 
 Floats = NDArray[np.float64]
@@ -87,11 +88,7 @@ class Elements:
 
 def kind_info(role: Role, name: str) -> _core.KindInfo:
     """OptionError: there is no such kind."""
-    if name not in KINDS[role]:
-        raise OptionError(
-            f"{role} kind '{name}' does not exist{nearest(name, KINDS[role])}", code="unknown_kind"
-        )
-    return KINDS[role][name]
+    return KINDS[role][one_of(name, KINDS[role], f"{role} kind", "unknown_kind")]
 
 
 def placed(info: _core.KindInfo, place: Place, bodies: Indices, arguments: Mapping[str, Any]) -> Elements:
@@ -122,8 +119,12 @@ def _parameter(subject: Subject, info: _core.KindInfo, what: str, given: Any, pl
         given = None if math.isnan(default) else default
     if given is None:
         subject.refuse(0, f"{what} is missing", "missing")
-    if subject.group and np.shape(given) == (subject.count,):
-        return np.asarray(given, dtype=float)
+    if subject.group and not isinstance(given, TimeFunction) and not callable(given):
+        try:
+            if np.shape(given) == (subject.count,):
+                return np.asarray(given, dtype=float)
+        except UNREADABLE:
+            subject.refuse(0, f"{what} {given!r:.80} is not made of numbers", "not_a_number")
     parameter = as_time_function(given, f"{subject.who(0)}: {what}")
     if not isinstance(parameter, TimeFunction):
         return np.full(subject.count, parameter)

@@ -177,7 +177,7 @@ def unwritable(what: str, path: str | os.PathLike[str], error: Exception) -> Fil
 def nearest(word: str, known: Iterable[str]) -> str:
     """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or all, if they are few."""
     names = list(known)
-    close = difflib.get_close_matches(word, names, n=1, cutoff=0.0 if len(names) > FEW else 0.5)
+    close = difflib.get_close_matches(str(word), names, n=1, cutoff=0.0 if len(names) > FEW else 0.5)
     if close:
         return f"; the nearest is '{close[0]}'"
     return f"; choose from {', '.join(repr(name) for name in names)}" if names else ""

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.errors import ModelError, OptionError
+from linkwork.given import UNREADABLE, is_number
 from linkwork.handles import Body
 from linkwork.model import Model
 
@@ -126,10 +127,31 @@ class Event:
     @property
     def label(self) -> str:
         """Its name, or that of its function."""
-        return self.name or str(getattr(self.function, "__name__", "event"))
+        return (
+            self.name
+            if isinstance(self.name, str) and self.name
+            else str(getattr(self.function, "__name__", "event"))
+        )
+
+    def _check(self) -> None:
+        who = f"event '{self.label}'"
+        if not isinstance(self.name, str):
+            raise OptionError(f"event: name {self.name!r:.80} is no text", code="event")
+        if isinstance(self.direction, bool) or not isinstance(self.direction, int) or abs(self.direction) > 1:
+            raise OptionError(f"{who}: direction {self.direction!r:.80} is not -1, 0 or 1", code="event")
+        if not isinstance(self.terminal, bool | np.bool_):
+            raise OptionError(f"{who}: terminal {self.terminal!r:.80} is not True or False", code="event")
+        if not is_number(self.tolerance) or self.tolerance < 0:
+            raise OptionError(
+                f"{who}: tolerance {self.tolerance!r:.80} must be zero or positive [s]", code="event"
+            )
 
     def compiled(self, model: Model) -> _core.Event:
-        """The same event of a run of `model` in the compiled module. OptionError: what is no function."""
+        """The same event of a run of `model` in the compiled module.
+
+        OptionError: what is no function, or no direction, tolerance, or answer to whether it is terminal.
+        """
+        self._check()
         for what, given in (("function", self.function), ("change", self.change)):
             if not callable(given) and not (given is None and what == "change"):
                 raise OptionError(
@@ -140,7 +162,7 @@ class Event:
             value = self.function(t, State(model, y))
             try:
                 return float(value)
-            except (TypeError, ValueError) as error:
+            except UNREADABLE as error:
                 raise OptionError(
                     f"event '{self.label}': its function returned {value!r}, no number (t = {t:g} s)",
                     code="event",
@@ -161,8 +183,8 @@ class Event:
         return _core.Event(
             self.label,
             function,
-            self.direction,
-            self.terminal,
+            int(self.direction),
+            bool(self.terminal),
             None if self.change is None else change,
             self.tolerance,
         )

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.errors import ModelError
+from linkwork.given import UNREADABLE, array, number
 
 __all__ = [
     "TimeFunction",
@@ -32,6 +33,7 @@ __all__ = [
     "piecewise_polynomial",
     "polynomial",
     "table",
+    "with_breaks",
 ]
 
 Floats = NDArray[np.float64]
@@ -64,13 +66,21 @@ class TimeFunction(ABC):
     def compiled(self) -> _core.TimeFunction:
         """The same function in the compiled module."""
 
+    @property
+    def break_points(self) -> list[float]:
+        """Times [s] at which it is known not to be smooth, ascending: steps that follow tolerances end there.
+
+        Knots of tables with two continuous derivatives are not among them.
+        """
+        return sorted({t for t, ends_step in self.compiled().breaks if ends_step})
+
     def fingerprint(self) -> bytes:
         """Equal for equal functions; a Python function counts by its name."""
         return repr(self).encode()
 
     def evaluate(self, t: float) -> tuple[float, float, float]:
         """(f, df/dt, d2f/dt2) at t [s]; derivatives that are not known are NaN."""
-        value, rate, acceleration = self.compiled().evaluate(t)
+        value, rate, acceleration = self.compiled().evaluate(number(t, "t", ModelError))
         return value, rate, acceleration
 
 
@@ -180,6 +190,7 @@ class Callback(TimeFunction):
     value: Callable[[float], float]
     rate: Callable[[float], float] | None = None
     acceleration: Callable[[float], float] | None = None
+    what: str = "function of time"  #: that it is for, in messages
 
     @property
     def has_derivatives(self) -> bool:
@@ -187,13 +198,80 @@ class Callback(TimeFunction):
 
     def compiled(self) -> _core.TimeFunction:
         if self.rate is None or self.acceleration is None:
-            return _core.TimeFunction.callback(self.value)
-        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration)
+            return _core.TimeFunction.callback(self.value, what=self.what)
+        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration, self.what)
 
     def fingerprint(self) -> bytes:
         return " ".join(
             getattr(f, "__qualname__", "") for f in (self.value, self.rate, self.acceleration)
         ).encode()
+
+
+@dataclass(frozen=True)
+class Broken(TimeFunction):
+    """A function that is not smooth at these times [s], either."""
+
+    function: TimeFunction
+    times: tuple[float, ...]
+
+    @property
+    def span(self) -> tuple[float, float]:
+        return self.function.span
+
+    @property
+    def has_derivatives(self) -> bool:
+        return self.function.has_derivatives
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.with_breaks(self.function.compiled(), list(self.times))
+
+    def fingerprint(self) -> bytes:
+        return self.function.fingerprint() + repr(self.times).encode()
+
+    def integral(self) -> TimeFunction:
+        return Broken(self.function.integral(), self.times)
+
+
+def with_breaks(function: TimeFunctionLike, breaks: ArrayLike) -> TimeFunction:
+    """A function that is not smooth at the times `breaks` (k,) [s]: where a formula of yours has a case.
+
+    with_breaks(lambda t: 5.0 if 1.0 <= t < 1.001 else 0.0, breaks=(1.0, 1.001))
+
+    Steps that follow tolerances end at each of them, and what ends there sees the function before, what
+    begins there the function after it, whichever side the function counts the time itself to. Without them
+    such a step may miss a pulse altogether. `polynomial`, `cycloidal`, `table` and the like know their own.
+    In an `expression` it is what is under sqrt or a broken power that becomes zero, as in sqrt((t - 1)**2).
+    ModelError: no function of time, times that are not finite.
+    """
+    given = as_time_function(function, "with_breaks: function")
+    whole = given if isinstance(given, TimeFunction) else Polynomial((given,))
+    return Broken(whole, check_breaks(breaks, "with_breaks"))
+
+
+def check_breaks(breaks: ArrayLike, who: str) -> tuple[float, ...]:
+    """Times [s], ascending. ModelError: they are no finite numbers."""
+    try:
+        times = np.unique(np.asarray(breaks, dtype=float))
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"{who}: breaks {breaks!r} are not times [s]", code="breaks") from error
+    if not np.isfinite(times).all():
+        raise ModelError(f"{who}: breaks {times.tolist()} are not finite", code="breaks")
+    return tuple(times.tolist())
+
+
+def broken(arguments: Mapping[str, Any], breaks: ArrayLike, who: str) -> dict[str, Any]:
+    """Arguments of an element, functions of time among them, with breaks. ModelError: none is a function."""
+    times = check_breaks(breaks, who)
+    if not times:
+        return dict(arguments)
+    functions = {what: x for what, x in arguments.items() if _is_function(x)}
+    if not functions:
+        raise ModelError(f"{who}: breaks, but no function of time", code="breaks")
+    return {**arguments, **{what: with_breaks(x, times) for what, x in functions.items()}}
+
+
+def _is_function(x: Any) -> bool:
+    return isinstance(x, TimeFunction) or callable(x) or (isinstance(x, tuple) and all(map(callable, x)))
 
 
 def constant(value: float) -> TimeFunction:
@@ -235,7 +313,8 @@ def cycloidal(rise: float, duration: float, start: float = 0.0) -> TimeFunction:
 def expression(text: str) -> TimeFunction:
     """A formula in t, such as "0.3 * sin(2*pi*t)**2", with its exact derivatives.
 
-    Numbers, t, pi, e, + - * / **, and sin, cos, tan, exp, log, sqrt, tanh. It runs in Python: what
+    Numbers, t, pi, e, + - * / **, and sin, cos, tan, exp, log, sqrt, tanh. Where it is not smooth, as
+    sqrt((t - 1)**2) at 1 s, say so by `with_breaks`: it is not known in advance. It runs in Python: what
     `polynomial`, `harmonic`, `cycloidal` and `table` can say is much faster by them.
     ModelError: anything else, or no finite value at t = 0.
     """
@@ -257,7 +336,9 @@ class Expression(TimeFunction):
         from linkwork.expressions import Formula
 
         formula = Formula(self.text)
-        return _core.TimeFunction.callback(*(partial(formula.derivative, order=k) for k in range(3)))
+        return _core.TimeFunction.callback(
+            *(partial(formula.derivative, order=k) for k in range(3)), what=f"expression '{self.text}'"
+        )
 
 
 def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
@@ -267,7 +348,9 @@ def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
     defined between the first and the last time only: a run that goes beyond is refused.
     ModelError: fewer than two samples, unequal lengths, times not increasing, values not finite.
     """
-    breaks, samples = np.array(t, dtype=float), np.array(values, dtype=float)
+    breaks, samples = (
+        array(x, f"table: {what}", ModelError).copy() for x, what in ((t, "t"), (values, "values"))
+    )
     _check_samples(breaks, samples)
     from scipy.interpolate import CubicSpline
 
@@ -281,7 +364,8 @@ def piecewise_polynomial(breaks: ArrayLike, coefficients: ArrayLike) -> TimeFunc
     first and the last time only. ModelError: breaks that do not increase, no row for each interval, not
     finite.
     """
-    times, rows = np.array(breaks, dtype=float), np.array(coefficients, dtype=float)
+    times = array(breaks, "piecewise_polynomial: breaks", ModelError).copy()
+    rows = array(coefficients, "piecewise_polynomial: coefficients", ModelError).copy()
     _check_samples(times, times)
     if rows.ndim != 2 or len(rows) != len(times) - 1 or not rows.size:
         shape = f"breaks {times.shape} and coefficients {rows.shape}"
@@ -307,7 +391,7 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
             _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
         if len(x) == 3:
             _check_derivatives(*x, what)
-        return Callback(*x)
+        return Callback(*x, what=what)
     return _finite(x, what)
 
 
@@ -320,35 +404,26 @@ def _at_zero(function: Callable[[float], Any], what: str) -> Any:
         raise
 
 
-#: Where derivatives are compared with differences [s], and by what they may differ, relative.
-_CHECKED_AT, _DIFFERENCE, _AGREE = (0.0, 0.173, 1.31), 1e-4, 1e-3
-
-
 def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
-    """ModelError: `df` or `ddf` is not the derivative of what comes before it, at some times."""
+    """ModelError: `df` or `ddf` is not the derivative of what comes before it."""
+    from linkwork.derivatives import disagreement
+
     for name, function, derivative in (("first", f, df), ("second", df, ddf)):
-        for t in _CHECKED_AT:
-            try:
-                samples = [float(function(t + k * _DIFFERENCE)) for k in (0, 1, 2)]
-                given = float(derivative(t))
-            except Exception:
-                continue  # not defined there: the run will tell
-            slope = (-3 * samples[0] + 4 * samples[1] - samples[2]) / (2 * _DIFFERENCE)
-            size = max(abs(slope), abs(given), 1e-3 * max(map(abs, samples)), 1e-6)
-            if abs(slope - given) > _AGREE * size:
-                found = f"is {given:g}, but differences give {slope:g}"
-                raise ModelError(
-                    f"{what}: the {name} derivative at t = {t:g} s {found}",
-                    code="derivatives",
-                )
+        if found := disagreement(function, derivative):
+            before = "value" if name == "first" else "first derivative"
+            raise ModelError(
+                f"{what}: the {name} derivative adds up to {found.integral:.6g} from t = {found.start:g} to "
+                f"{found.end:g} s, where the {before} changes by {found.change:.6g}; correct it",
+                code="derivatives",
+            )
 
 
 def _finite(x: Any, what: str) -> float:
     try:
         value = float(x)
-    except (TypeError, ValueError) as error:
+    except UNREADABLE as error:
         choices = "a number, a function of time, or a tuple of functions (f, df, ddf)"
-        raise ModelError(f"{what}: {x!r} is not {choices}", code="not_a_number") from error
+        raise ModelError(f"{what}: {x!r:.80} is not {choices}", code="not_a_number") from error
     if not math.isfinite(value):
         raise ModelError(f"{what}: {value} is not finite", code="not_finite")
     return value

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from linkwork import rotation
 from linkwork.elements import KINDS
 from linkwork.errors import ModelError
+from linkwork.given import is_one_of
 
 Floats = NDArray[np.float64]
 
@@ -105,10 +106,11 @@ def coordinate_of(kind: str, name: str, which: str | None) -> str:
         )
     if which is None and len(known) == 1:
         which = known[0]
-    if which is None or which not in known:
+    if not is_one_of(which, known):
         there = f"it has {' and '.join(known)}"
-        given = "say which" if which is None else f"not {which!r}"
+        given = "say which" if which is None else f"not {which!r:.80}"
         raise ModelError(f"{kind} '{name}': free coordinates: {there}, {given}", code="coordinate")
+    assert which is not None
     return which
 
 

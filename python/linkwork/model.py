@@ -13,7 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core, functions
+from linkwork import _core, functions, given
 from linkwork.bodies import Bodies
 from linkwork.element_methods import ForceMethods, JointMethods
 from linkwork.elements import Elements, Role, kind_info, placed, with_parameters
@@ -21,7 +21,6 @@ from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
-from linkwork.joint_force import along_coordinate
 from linkwork.placement import Attachment, Frames, Place, Subject
 from linkwork.shapes import Shape, Shapes, ShapesLike
 from linkwork.special_joints import CouplerData, CurveData, SpecialJointMethods
@@ -44,13 +43,16 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
 
     def __init__(self, gravity: ArrayLike = (0.0, 0.0, -9.81), name: str = "") -> None:
         """`gravity`: acceleration (3,), inertial [m/s2]. ModelError: not three finite numbers."""
+        if not isinstance(name, str):
+            raise ModelError(f"model: name {name!r:.80} is no text", code="name")
         self.name = name
         self._core = _core.Model(_numbers(gravity, [(3,)], "model", "gravity"))
         self._bodies = Bodies(self, self._core)
         self._counts: Counter[str] = Counter()
         self._signals: list[tuple[str, TimeFunction]] = []
+        self._drivers: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[TimeFunction] = []
-        self._user_forces: list[tuple[str, Any]] = []
+        self._user_forces: list[tuple[str, Any, str]] = []  # name, law, joint and coordinate of one
         self._shapes = Shapes()
         self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
         self._special: dict[int, CouplerData | CurveData] = {}  # by joint
@@ -68,7 +70,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         from linkwork import model_file
 
-        return model_file.read(path).model
+        return model_file.read(given.path(path, "model file")).model
 
     def save(self, path: str | os.PathLike[str], *, simulation: Mapping[str, Any] | None = None) -> None:
         """Write the model to a file (.yaml, .yml, .json), exactly: what is loaded has the same bits.
@@ -79,7 +81,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         from linkwork import model_file
 
-        model_file.write(self, path, simulation or {})
+        if simulation is not None and not isinstance(simulation, Mapping):
+            raise OptionError(
+                f"simulation {simulation!r:.80} is no mapping of names to values", code="option"
+            )
+        model_file.write(self, given.path(path, "model file"), {} if simulation is None else simulation)
 
     # --- bodies ---------------------------------------------------------------------------------------------
 
@@ -206,6 +212,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         velocity: TimeFunctionLike = None,
         acceleration: TimeFunctionLike = None,
         coordinate: str | None = None,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Joint:
         """Prescribe a free coordinate of a joint over time, by its position, velocity or acceleration.
@@ -214,6 +221,10 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         velocity      its rate; the position is its integral from the initial pose on
         acceleration  likewise, from the initial pose and velocity on
         coordinate    "angle" or "displacement"; not needed where the joint has only one
+        breaks        times [s] at which a Python function is not smooth, see functions.with_breaks
+
+        A position may not jump. Where a velocity jumps the bodies are struck, by impulses in the joints
+        alone, in runs with steps that follow tolerances.
 
         The driver is a joint of its own, `angle_driver` or `displacement_driver`: its reaction drives.
         ModelError: no such joint or coordinate; no motion or several; one without derivatives or integral.
@@ -222,8 +233,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
         if which not in ("angle", "displacement"):
             raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
-        given = {"position": position, "velocity": velocity, "acceleration": acceleration}
-        motions = [(what, motion) for what, motion in given.items() if motion is not None]
+        named = {"position": position, "velocity": velocity, "acceleration": acceleration}
+        motions = [(what, motion) for what, motion in named.items() if motion is not None]
         if len(motions) != 1:
             raise ModelError(f"drive '{text}': give one of position, velocity, acceleration", code="drive")
         arrays = self._core.joint_arrays()
@@ -231,7 +242,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         bodies = arrays["bodies"][[index]]
         kind = f"{which}_driver"
         subject = Subject(kind, self._named(name, kind, self._counts[kind]), False, 1)
-        function = _motion(*motions[0], self._initial_coordinate(which, bodies[0], place), subject.who(0))
+        what, motion = motions[0]
+        motion = functions.broken({what: motion}, breaks, subject.who(0))[what]
+        function = _motion(what, motion, self._initial_coordinate(which, bodies[0], place), subject.who(0))
         self._add(with_parameters(kind_info("joint", kind), subject, bodies, place, {which: function}))
         return self._joint(self.joint_count - 1)
 
@@ -266,12 +279,14 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         torque: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         at: ArrayLike | None = None,
         frame: Literal["inertial", "body"] = "inertial",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Apply a force [N] and a torque [N m] to a body; components are numbers or functions of time.
 
         at     the point of application (3,) in body coordinates [m]; without it the center of mass
         frame  axes of the components: "inertial", or "body" that turn with the body
+        breaks times [s] at which Python functions are not smooth, see functions.with_breaks
         """
         _choose("frame", frame, ("inertial", "body"))
         subject = Subject("applied", self._named(name, "applied", self._counts["applied"]), False, 1)
@@ -280,6 +295,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         axes = np.broadcast_to(np.eye(3), (1, 2, 3, 3))
         place = Attachment(np.stack([np.zeros_like(s), s], axis=1), axes, np.zeros(1))
         components = subject.components(force, "force") | subject.components(torque, "torque")
+        components = functions.broken(components, breaks, subject.who(0))
         bodies = np.array([[-1 if frame == "inertial" else index, index]], np.int32)
         self._add(with_parameters(kind_info("force", "applied"), subject, bodies, place, components))
         return self._force(self.force_count - 1, "applied")
@@ -295,6 +311,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_length: TimeFunctionLike = None,
         force: TimeFunctionLike = 0.0,
         frames: Frames = "space",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Join two points by spring, damper and actuator: they pull with k (l - l_0) + c l_dot + f.
@@ -306,10 +323,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_length  l_0 [m]; without it the initial length
         force        f [N], positive pulls the points together
 
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
         own = {"stiffness": stiffness, "damping": damping, "free_length": free_length, "force": force}
-        return self._add_force("spring_damper", a, b, frames, name, {"at": at, **own})
+        return self._add_force("spring_damper", a, b, frames, name, {"at": at, **own, "breaks": breaks})
 
     def rotational_spring_damper(
         self,
@@ -324,6 +342,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_angle: TimeFunctionLike = 0.0,
         torque: TimeFunctionLike = 0.0,
         frames: Frames = "space",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Join bodies by rotational spring, damper, motor: -k (theta - theta_0) - c theta_dot + n acts on b.
@@ -339,19 +358,23 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         free_angle  theta_0 [rad]
         torque      n [N m], positive turns b about +axis
 
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
         origin = (0.0, 0.0, 0.0)
         point = at if at is not None else ((origin, origin) if frames == "body" else origin)
         place = {"at": point, "axis": axis, "x_axis": x_axis}
         own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
-        return self._add_force("rotational_spring_damper", a, b, frames, name, {**place, **own})
+        return self._add_force(
+            "rotational_spring_damper", a, b, frames, name, {**place, **own, "breaks": breaks}
+        )
 
     def user_force(
         self,
         function: Callable[..., ArrayLike],
         bodies: BodyLike | BodiesLike | None = None,
         *,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> None:
         """Let a Python function apply forces: one call an evaluation, for all its bodies at once.
@@ -360,6 +383,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         function  of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
                   and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
                   Within a step the Euler parameters may be off unit length by little
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
 
         All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
         threads out: see `compiled_force`.
@@ -373,44 +397,53 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         if bodies is not None:
             single = isinstance(bodies, Body | str)
             whole = _on_bodies(function, self.indices(bodies), single, name)
+        times = functions.check_breaks(breaks, f"user force '{name}'")
         self._core.add_user_force(name, whole)
-        self._user_forces.append((name, function))
+        self._core.add_breaks(times)
+        self._user_forces.append((name, function, ""))
 
     def joint_force(
         self,
         joint: Joint | str,
-        function: Callable[[float, float, float], ArrayLike],
+        function: Callable[[float, float, float], float] | TimeFunction | float,
         *,
         coordinate: str | None = None,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> None:
-        """Let a Python function act along a free coordinate of a joint: a controller, a clutch, friction.
+        """Let a law of your own act along a free coordinate of a joint: a controller, a clutch, friction.
 
-        function    of t [s], the coordinate x and its rate, which returns the force [N] or torque [N m]
-                    Q that does the work Q dx: it acts on b, and back on a
+        function    a Python function of t [s], the coordinate x and its rate, which returns the force [N] or
+                    torque [N m] Q that does the work Q dx: it acts on b, and back on a. Or Q as a number or a
+                    function of time, such as linkwork.functions.table(t, torques)
         coordinate  as `Result.coordinate` names it; not needed where the joint has only one. Angles are
-                    within half a turn of zero
+                    within half a turn of zero at the initial pose and go on over full turns
+        breaks      times [s] at which it is not smooth: steps that follow tolerances end there
 
-        All its power counts as work. For compiled laws see the force elements and `compiled_force`.
+        All its power counts as work. A Python function costs about a microsecond an evaluation, a function of
+        time much less. For compiled laws see the force elements and `compiled_force`.
 
-        ModelError: no such joint or coordinate, not a function; at run time: it returned no number.
+        ModelError: no such joint or coordinate, no law; at run time: it returned no number.
         """
         index, text = self._joint_named(joint, "joint_force")
         name = self._named(name, "joint force", len(self._user_forces))
-        if not callable(function):
-            raise ModelError(f"joint force '{name}': {function!r} is not a function", code="not_callable")
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
-        arrays = self._core.joint_arrays()
-        a, b = arrays["bodies"][index].tolist()
-        whole = along_coordinate(
-            function, which, (a, b), arrays["origin"][index], arrays["frame"][index], name
-        )
-        self._core.add_user_force(name, whole)
-        self._user_forces.append((name, function))
+        law, compiled = function, function
+        if not callable(function):
+            law = _effort(function, name)
+            compiled = law.compiled()
+        times = functions.check_breaks(breaks, f"joint force '{name}'")
+        self._core.add_joint_force(name, index, which, compiled)
+        self._core.add_breaks(times)
+        self._user_forces.append((name, law, f"{index} {which}"))
+        if isinstance(law, TimeFunction):
+            self._signals.append((f"joint force '{name}'", law))
 
     def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
         text = joint.name if isinstance(joint, Joint) else joint
         index = self._core.find_joint(text) if isinstance(text, str) else -1
+        if isinstance(joint, Joint) and index >= 0 and self._joint(index) != joint:
+            raise ModelError(f"{who}: joint '{text}' belongs to another model", code="unknown_joint")
         if index < 0:
             known = [self._core.joint_name(k) for k in range(min(self.joint_count, 10_000))]
             raise ModelError(
@@ -418,7 +451,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             )
         return index, text
 
-    def compiled_force(self, function: Any, *, data: int = 0, name: str | None = None) -> None:
+    def compiled_force(
+        self, function: Any, *, data: int = 0, breaks: ArrayLike = (), name: str | None = None
+    ) -> None:
         """Let a compiled function apply forces; it runs without Python.
 
         function  void f(double t, int64_t n, const double *q, const double *v, double *g, void *data), which
@@ -426,12 +461,16 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
                   an address, a function of ctypes, or a numba.cfunc of float64, int64, three pointers to
                   float64 and one to void
         data      the address that it gets; what is there must live as long as the model
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
 
         ModelError: nothing that has an address.
         """
         name = self._named(name, "compiled force", len(self._user_forces))
+        data = given.whole(data, 0, f"compiled force '{name}': data", ModelError)
+        times = functions.check_breaks(breaks, f"compiled force '{name}'")
         self._core.add_compiled_force(name, _address(function, name), data)
-        self._user_forces.append((name, function))
+        self._core.add_breaks(times)
+        self._user_forces.append((name, function, ""))
 
     def bushing(
         self,
@@ -445,6 +484,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         rotational_damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         frames: Frames = "space",
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
         """Join frames of a and b elastically: -k u - c u_dot along a's axes, -K phi - C phi_dot about them.
@@ -456,9 +496,10 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         stiffness             k [N/m] along x, y, z         rotational_stiffness  K [N m/rad]
         damping               c [N s/m]                     rotational_damping    C [N m s/rad]
 
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
-        subject = Subject("bushing", name or "bushing", False, 1)
+        subject = Subject("bushing", name if isinstance(name, str) else "bushing", False, 1)
         own: dict[str, Any] = {}
         for what, values in (
             ("stiffness", stiffness),
@@ -467,7 +508,9 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             ("rotational_damping", rotational_damping),
         ):
             own |= subject.components(values, what)
-        return self._add_force("bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own})
+        return self._add_force(
+            "bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own, "breaks": breaks}
+        )
 
     def forces(
         self,
@@ -517,7 +560,12 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
     @property
     def user_forces(self) -> Sequence[tuple[str, Any]]:
         """The user's own forces, each a name and the function that was given."""
-        return tuple(self._user_forces)
+        return tuple((name, function) for name, function, _ in self._user_forces)
+
+    @property
+    def drivers(self) -> Sequence[tuple[str, TimeFunction]]:
+        """Those of the `signals` that drive joints."""
+        return tuple(self._drivers)
 
     @property
     def shapes(self) -> Shapes:
@@ -551,6 +599,7 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         out._core = self._core.with_initial_state(q.ravel(), v.ravel())
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
+        out._drivers = self._drivers.copy()
         out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
         out._shapes = self._shapes.copy()
         out._functions, out._special = self._functions.copy(), self._special.copy()
@@ -577,8 +626,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             digest.update(f"{joint} {special.arguments()}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
-        for name, own in self._user_forces:
-            digest.update(f"{name} {getattr(own, '__qualname__', '')}".encode())
+        for name, own, place in self._user_forces:
+            digest.update(f"{name} {getattr(own, '__qualname__', '')} {place}".encode())
         return digest.hexdigest()
 
     def describe(self) -> str:
@@ -609,18 +658,22 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """Add one element or a group; `arguments` are those of the placement and the parameters."""
         info = kind_info(role, kind)
         _choose("frames", frames, ("space", "body"))
-        given = name if group and name is not None and not isinstance(name, str) else None
-        name = kind if given is not None else self._named(name, kind, self._counts[kind])
+        several = name if group and name is not None and not isinstance(name, str) else None
+        name = kind if several is not None else self._named(name, kind, self._counts[kind])
         pairs = self._bodies.pairs if group else self._bodies.pair
         bodies = pairs(a, b, Subject(kind, name, False, 1))
-        each = [] if given is None else _names_of_all(kind, given, len(bodies))
+        each = [] if several is None else _names_of_all(kind, several, len(bodies))
         subject = Subject(kind, name, group, len(bodies), each)
         first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
+        arguments = dict(arguments)
+        arguments = functions.broken(arguments, arguments.pop("breaks", ()), subject.who(0))
         self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
 
     def _add(self, elements: Elements) -> None:
         self._functions |= elements.add_to(self._core)
         self._signals += elements.signals()
+        if elements.info.rows:
+            self._drivers += elements.signals()
         self._characteristics += elements.characteristics()
         self._counts[elements.info.name] += elements.subject.count
 
@@ -642,7 +695,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
             if not isinstance(name, str) or not name.isprintable():
                 raise ModelError(f"{kind}: name {name!r} is not printable text", code="name")
             return name
-        finders = (self._core.find_body, self._core.find_joint, self._core.find_force)
+        core = self._core
+        finders = (core.find_body, core.find_joint, core.find_force, core.find_user_force)
         while any(
             find(kind_and_number) >= 0 for find in finders for kind_and_number in _names(kind, count + 1)
         ):
@@ -670,9 +724,9 @@ def check_model(model: object) -> None:
         raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
 
 
-def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
+def _motion(what: str, motion: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
     """A coordinate over time from its position, velocity or acceleration."""
-    function = as_time_function(given, f"{who}: {what}")
+    function = as_time_function(motion, f"{who}: {what}")
     function = function if isinstance(function, TimeFunction) else functions.constant(function)
     value, rate = float(start.value[0]), float(start.rate[0])
     if what == "position":
@@ -682,21 +736,37 @@ def _motion(what: str, given: TimeFunctionLike, start: JointCoordinate, who: str
     return Sum((functions.polynomial(value, rate), function.integral().integral()))
 
 
+def _effort(law: object, name: str) -> TimeFunction:
+    """A law that is a function of time alone. ModelError: it is none."""
+    if isinstance(law, TimeFunction):
+        return law
+    if isinstance(law, int | float | np.number):
+        return functions.constant(as_time_function(law, f"joint force '{name}'"))
+    wanted = "not a function of (t, x, x_dot), a function of time, or a number"
+    raise ModelError(f"joint force '{name}': {law!r:.80} is {wanted}", code="not_callable")
+
+
 def _on_bodies(
     function: Callable[..., ArrayLike], bodies: NDArray[np.int32], single: bool, name: str
 ) -> Callable[..., Floats]:
     """A force on some bodies as one on all."""
-    if len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
-        raise ModelError(f"user force '{name}': its bodies must differ, without the ground", code="bodies")
+    if not len(bodies) or len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
+        why = "must be one or more that differ, without the ground"
+        raise ModelError(f"user force '{name}': its bodies {why}", code="bodies")
     chosen: Any = int(bodies[0]) if single else bodies
 
     def whole(t: float, q: Floats, v: Floats) -> Floats:
         out = np.zeros_like(v)
-        given = np.asarray(function(t, q[chosen], v[chosen]), dtype=float)
-        if given.shape != out[chosen].shape:
-            wanted = f"returned shape {given.shape}, not {out[chosen].shape}"
+        returned = function(t, q[chosen], v[chosen])
+        try:
+            force = np.asarray(returned, dtype=float)
+        except given.UNREADABLE as error:
+            why = f"returned {returned!r:.80} at t = {t:g} s, not an array of numbers"
+            raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error
+        if force.shape != out[chosen].shape:
+            wanted = f"returned shape {force.shape}, not {out[chosen].shape}"
             raise ModelError(f"user force '{name}': {wanted}", code="shape")
-        out[chosen] = given
+        out[chosen] = force
         return out
 
     return whole
@@ -704,8 +774,8 @@ def _on_bodies(
 
 def _address(function: Any, name: str) -> int:
     """Of a C function: a number, a numba.cfunc, or a function of ctypes."""
-    if isinstance(function, int) and function > 0:
-        return function
+    if isinstance(function, int):
+        return given.whole(function, 1, f"compiled force '{name}': address", ModelError)
     if isinstance(getattr(function, "address", None), int):
         return int(function.address)
     try:
@@ -724,10 +794,7 @@ def _names(kind: str, number: int) -> tuple[str, str]:
 
 def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:
     """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{who}: {what} {value!r} is not made of numbers", code="not_a_number") from error
+    array = given.array(value, f"{who}: {what}", ModelError)
     for shape in shapes:
         if len(shape) == array.ndim and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True)):
             return array
@@ -736,7 +803,4 @@ def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> F
 
 
 def _choose(what: str, value: str, known: Sequence[str]) -> None:
-    if value not in known:
-        raise OptionError(
-            f"{what} '{value}' does not exist{nearest(str(value), known)}", code="unknown_option"
-        )
+    given.one_of(value, known, what)

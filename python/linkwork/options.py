@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any, TypedDict
 
-from linkwork import _core
+from linkwork import _core, given
 from linkwork.errors import OptionError, nearest
 
 __all__ = ["Options", "compile_options"]
@@ -57,14 +57,14 @@ POLICIES = ("pass", "warn", "stop")
 TEXTBOOK_DAMPING_RATIO, TEXTBOOK_FREQUENCY = 1.0, 10.0
 
 
-def compile_options(given: Mapping[str, Any]) -> _core.Options:
+def compile_options(choices: Mapping[str, Any]) -> _core.Options:
     """The options of the compiled module. OptionError: a name or value that does not exist, or a conflict."""
-    for name in given:
+    for name in choices:
         if name not in Options.__annotations__:
             raise OptionError(
                 f"option '{name}' does not exist{nearest(name, Options.__annotations__)}", code="option"
             )
-    chosen = {name: value for name, value in given.items() if value is not None}
+    chosen = {name: value for name, value in choices.items() if value is not None}
     _check_names(chosen)
     _check_numbers(chosen)
     _check_formulation(chosen)
@@ -96,8 +96,7 @@ def _check_names(chosen: Mapping[str, Any]) -> None:
 
 def check_name(what: str, name: Any, known: Iterable[str]) -> None:
     """OptionError: it is none of the known."""
-    if name not in known:
-        raise OptionError(f"{what} '{name}' does not exist{nearest(str(name), known)}", code="unknown_option")
+    given.one_of(name, known, what)
 
 
 def _check_numbers(chosen: Mapping[str, Any]) -> None:
@@ -105,7 +104,7 @@ def _check_numbers(chosen: Mapping[str, Any]) -> None:
         if name in chosen:
             check_number(name, chosen[name], positive=name in ("penalty", "tolerance", "frequency"))
     iterations = chosen.get("max_iterations", 1)
-    if not isinstance(iterations, int) or iterations < 1:
+    if not isinstance(iterations, int) or not 1 <= iterations < 2**31:
         raise OptionError(
             f"max_iterations {iterations!r} is not a positive whole number", code="max_iterations"
         )
@@ -113,11 +112,10 @@ def _check_numbers(chosen: Mapping[str, Any]) -> None:
 
 def check_number(name: str, value: Any, *, positive: bool, unit: str = "") -> None:
     """OptionError: not a finite number, or negative, or (`positive`) zero."""
-    number = isinstance(value, int | float) or hasattr(value, "__float__")
-    if not number or not math.isfinite(value) or value < 0 or (positive and value == 0):
+    if not given.is_number(value) or value < 0 or (positive and value == 0):
         wanted = "positive" if positive else "zero or positive"
         raise OptionError(
-            f"{name} {value!r}{unit and ' ' + unit} must be a finite number, {wanted}", code=name
+            f"{name} {value!r:.80}{unit and ' ' + unit} must be a finite number, {wanted}", code=name
         )
 
 
@@ -143,12 +141,12 @@ def _refuse(option: str, formulation: str, why: str, others: Iterable[str]) -> N
 
 def _limits(chosen: Mapping[str, Any]) -> dict[str, Any]:
     """violation_limit level by level."""
-    given = chosen.get("violation_limit")
-    if given is None:
+    limits = chosen.get("violation_limit")
+    if limits is None:
         if "on_violation" in chosen:
             raise OptionError("on_violation needs a violation_limit", code="conflict")
         return {}
-    by_level = given if isinstance(given, Mapping) else {LEVELS[0]: given}
+    by_level = limits if isinstance(limits, Mapping) else {LEVELS[0]: limits}
     for level, limit in by_level.items():
         if level not in LEVELS:
             raise OptionError(

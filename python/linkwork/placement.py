@@ -66,8 +66,8 @@ class Subject:
         """`value` as (k, size): the same for all, or one for each element; finite."""
         try:
             given = np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            self.refuse(0, f"{what} {value!r} is not made of numbers", "not_a_number")
+        except (TypeError, ValueError, OverflowError):
+            self.refuse(0, f"{what} {value!r:.80} is not made of numbers", "not_a_number")
         if given.shape not in ((size,), (self.count, size)):
             each = f" or ({self.count}, {size})" if self.group else ""
             self.refuse(0, f"{what} has shape {given.shape}, not ({size},){each}", "shape")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwork import plotting
-from linkwork.errors import OptionError, nearest
+from linkwork.errors import ModelError, OptionError
+from linkwork.given import one_of
 from linkwork.header import Floats
 from linkwork.joint_coordinates import known_coordinates
 from linkwork.plotting import BODIES, COLORS, JOINTS
@@ -43,15 +44,15 @@ def plot(
     joints: Sequence[Named] = (),
 ) -> Figure:
     """One figure of a kind in KINDS. OptionError: no such kind. ModelError: no such body or joint."""
-    if kind not in KINDS:
-        raise OptionError(
-            f"plot kind '{kind}' does not exist{nearest(str(kind), KINDS)}", code="unknown_option"
-        )
+    one_of(kind, KINDS, "plot kind")
+    for what, names in (("bodies", bodies), ("joints", joints)):
+        if not isinstance(names, Iterable) or isinstance(names, str):
+            raise ModelError(f"{what} {names!r:.80} is no list of names, indices or handles", code="names")
     if not len(result):
         raise OptionError("the result has no frames: there is nothing to plot", code="empty")
+    chosen = Chosen([result.index("body", it) for it in bodies], [result.index("joint", it) for it in joints])
     if kind == "overview":
         return plotting.plot(result, path)
-    chosen = Chosen([result.index("body", it) for it in bodies], [result.index("joint", it) for it in joints])
     figure = KINDS[kind](result, chosen)
     figure.suptitle(plotting.title_of(result), fontsize=11)
     return plotting.written(figure, path)

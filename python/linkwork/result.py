@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.errors import ModelError, OptionError, nearest, warn
+from linkwork.given import one_of
+from linkwork.given import path as path_of
 from linkwork.handles import Body, Joint
 from linkwork.header import Floats, Header, record_reactions
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
@@ -268,8 +270,17 @@ class Result:
         """The state of one frame, for simulate(..., start=...).
 
         Only that of the last frame of a run that finished has what force elements and couplers remember.
+        OptionError: there is no such frame.
         """
-        last = self.finished and frame in (-1, len(self) - 1)
+        count = len(self)
+        whole = isinstance(frame, int | np.integer) and not isinstance(frame, bool)
+        if not whole or not -count <= frame < count:
+            raise OptionError(
+                f"frame {frame!r:.80} is none of the {count} of this result: give a whole number from 0 to "
+                f"{count - 1}, or -1 for the last",
+                code="frame",
+            )
+        last = self.finished and frame in (-1, count - 1)
         memory = self.statistics.get("memory", ()) if last else ()
         state = self._field("q", frame), self._field("v", frame)
         return Snapshot(float(self.t[frame]), *state, memory, self._error_at(frame))
@@ -307,8 +318,7 @@ class Result:
         `unique_reactions` says whether it follows from the motion.
         ModelError: no such joint.
         """
-        if frame not in ("inertial", "joint"):
-            raise OptionError(f"frame {frame!r} is neither 'inertial' nor 'joint'", code="unknown_option")
+        one_of(frame, ("inertial", "joint"), "frame")
         joint = self._place("joint", name)
         self._need_reactions()
         force, torque = (
@@ -354,17 +364,24 @@ class Result:
     # --- samples, for what must stay quick on large results ---
 
     def recorded(self, name: str, part: Any = np.s_[:]) -> Floats:
-        """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them."""
+        """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them.
+
+        OptionError: there is no such field.
+        """
+        known = self._header.frame_shapes()
+        one_of(name, known, "field", "unknown_name")
         if name in ("reaction_force", "reaction_torque"):
             self._need_reactions()
         return self._field(name, part)
 
     def sampled_positions(self, every: int) -> Floats:
-        """Centers of mass (., n, 3) of every so manyth frame [m]."""
+        """Centers of mass (., n, 3) of every so manyth frame [m]. OptionError: not a whole number."""
+        _check_every(every)
         return self._field("q", np.s_[::every, :, :3])
 
     def sampled_reactions(self, every: int) -> Reaction:
-        """Reactions (., J, 3) of every so manyth frame."""
+        """Reactions (., J, 3) of every so manyth frame. OptionError: not a positive whole number."""
+        _check_every(every)
         self._need_reactions()
         force, torque = (
             self._field(field, np.s_[::every]) for field in ("reaction_force", "reaction_torque")
@@ -446,16 +463,18 @@ class Result:
         from linkwork import result_file
 
         self._need_reactions()
-        result_file.save(path, self._header, self._frames, self.statistics, self._run, self._events)
+        result_file.save(
+            path_of(path, "result"), self._header, self._frames, self.statistics, self._run, self._events
+        )
         if self._finer is not None:
-            result_file.add_finer(path, self._finer, self.statistics)
+            result_file.add_finer(path_of(path, "result"), self._finer, self.statistics)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
         """A result file, also of an interrupted run. FileError: missing, damaged, or of another kind."""
         from linkwork import stored_result
 
-        stored = stored_result.read(path)
+        stored = stored_result.read(path_of(path, "result"))
         result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
         if stored.finer is not None:
             factor, fields = stored.finer
@@ -483,6 +502,7 @@ class Result:
         """
         from linkwork import plot_kinds
 
+        path = None if path is None else path_of(path, "picture")
         return plot_kinds.plot(self, path, kind, bodies, joints)
 
     def index(self, what: Literal["body", "joint"], name: Named) -> int:
@@ -530,7 +550,7 @@ class Result:
 
         page = view([self] if other is None else [self, other], labels, limit)
         if path is not None:
-            page.save(path)
+            page.save(path_of(path, "page"))
         return page
 
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
@@ -542,7 +562,7 @@ class Result:
 
         page = report(self)
         if path is not None:
-            page.save(path)
+            page.save(path_of(path, "page"))
         return page
 
     def summary(self) -> str:
@@ -569,6 +589,7 @@ class Result:
 
     def _place(self, what: Literal["body", "joint"], name: Named) -> int:
         """Index of a body or joint given by name, index or handle."""
+        one_of(what, ("body", "joint"), "what")
         names = self.body_names if what == "body" else self.joint_names
         if isinstance(name, int | np.integer):
             if not -len(names) <= name < len(names):
@@ -601,6 +622,11 @@ def _quantity(result: Result, what: str, name: tuple[Any, ...], how: Mapping[str
         )
     found = getattr(result, what)
     return found(*name, **how) if callable(found) else found
+
+
+def _check_every(every: object) -> None:
+    if not isinstance(every, int | np.integer) or every < 1:
+        raise OptionError(f"every {every!r:.80} is not a positive whole number of frames", code="every")
 
 
 def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:

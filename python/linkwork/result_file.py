@@ -38,6 +38,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork.errors import FileError, cause, unwritable
 from linkwork.events import Occurrence
+from linkwork.given import path as path_of
 from linkwork.header import MODEL_NAMES, Floats, Header, record_reactions
 from linkwork.shapes_file import write_shapes
 from linkwork.verification import Finer
@@ -90,7 +91,7 @@ class ResultWriter:
     """
 
     def __init__(self, path: str | os.PathLike[str], header: Header, *, run: str | None = None) -> None:
-        self.path = Path(path)
+        self.path = path_of(path, "result")
         self._header = header
         self._frames = 0
         self._pending: list[Floats] = []

@@ -8,9 +8,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from linkwork.errors import ModelError
+from linkwork.given import array
+
 __all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
 
 Floats = NDArray[np.float64]
+
+#: Of the products of a rotation matrix' columns, beyond which it is none.
+ORTHONORMAL = 1e-3
 
 
 def matrix(p: ArrayLike) -> Floats:
@@ -18,7 +24,7 @@ def matrix(p: ArrayLike) -> Floats:
 
     A = (2 e0^2 - 1) I + 2 (e e^T + e0 e~)
     """
-    p = np.asarray(p, dtype=float)
+    p = _vectors(p, 4, "p")
     e0, e = p[..., :1, None], p[..., 1:]
     result: Floats = (2 * e0**2 - 1) * np.eye(3) + 2 * (e[..., :, None] * e[..., None, :] + e0 * _skew(e))
     return result
@@ -26,8 +32,10 @@ def matrix(p: ArrayLike) -> Floats:
 
 def about(axis: ArrayLike, angle: ArrayLike) -> Floats:
     """Euler parameters (..., 4) of a turn by `angle` (...) [rad] about `axis` (..., 3), of any length."""
-    axis, half = np.asarray(axis, dtype=float), np.asarray(angle, dtype=float)[..., None] / 2
-    e = np.sin(half) * axis / np.linalg.norm(axis, axis=-1, keepdims=True)
+    half = array(angle, "rotation.about: angle", ModelError)[..., None] / 2
+    if not np.isfinite(half).all():
+        raise ModelError(f"rotation.about: angle {angle!r:.80} is not finite", code="not_finite")
+    e = np.sin(half) * _unit(_vectors(axis, 3, "about: axis"), "about: axis")
     e0 = np.broadcast_to(np.cos(half), (*e.shape[:-1], 1))
     return np.concatenate([e0, e], axis=-1)
 
@@ -37,7 +45,11 @@ def from_matrix(A: ArrayLike) -> Floats:
 
     4 p p^T follows from the entries of A; its longest column is the one to divide by (Shepperd 1978).
     """
-    A = np.asarray(A, dtype=float)
+    A = array(A, "rotation.from_matrix: A", ModelError)
+    if A.shape[-2:] != (3, 3) or (np.abs(A @ np.swapaxes(A, -1, -2) - np.eye(3)) > ORTHONORMAL).any():
+        raise ModelError(
+            f"rotation.from_matrix: A {A!r:.80} is no rotation matrix (..., 3, 3)", code="rotation"
+        )
     trace = np.trace(A, axis1=-2, axis2=-1)[..., None, None]
     antisymmetric = A - np.swapaxes(A, -1, -2)
     s = np.stack([antisymmetric[..., 2, 1], antisymmetric[..., 0, 2], antisymmetric[..., 1, 0]], axis=-1)
@@ -53,8 +65,8 @@ def from_matrix(A: ArrayLike) -> Floats:
 
 def from_axes(x: ArrayLike, y: ArrayLike) -> Floats:
     """Euler parameters (..., 4) of a body with its x axis along `x` (..., 3), its y axis nearest to `y`."""
-    x = _unit(np.asarray(x, dtype=float))
-    z = _unit(np.cross(x, np.asarray(y, dtype=float)))
+    x = _unit(_vectors(x, 3, "from_axes: x"), "from_axes: x")
+    z = _unit(np.cross(x, _vectors(y, 3, "from_axes: y")), "from_axes: x across y")
     return from_matrix(np.stack([x, np.cross(z, x), z], axis=-1))
 
 
@@ -63,21 +75,35 @@ def perpendicular(z: ArrayLike) -> Floats:
 
     The inertial axis that is farthest from z is projected; at a tie the first one.
     """
-    z = _unit(np.asarray(z, dtype=float))
+    z = _unit(_vectors(z, 3, "perpendicular: z"), "perpendicular: z")
     farthest = np.eye(3)[np.argmin(np.abs(z), axis=-1)]
-    return _unit(farthest - np.sum(farthest * z, axis=-1, keepdims=True) * z)
+    return _unit(farthest - np.sum(farthest * z, axis=-1, keepdims=True) * z, "perpendicular: z")
 
 
 def between(a: ArrayLike, b: ArrayLike) -> Floats:
     """The shortest rotation (..., 3, 3) that turns unit vectors a (..., 3) into b, not opposite to a."""
-    a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
+    a, b = _vectors(a, 3, "between: a"), _vectors(b, 3, "between: b")
+    if not np.isfinite(np.sum(a * b)):
+        raise ModelError("rotation.between: a or b is not finite", code="not_finite")
     tilde = _skew(np.cross(a, b))
     turn: Floats = np.eye(3) + tilde + tilde @ tilde / (1 + np.sum(a * b, axis=-1))[..., None, None]
     return turn
 
 
-def _unit(a: Floats) -> Floats:
-    unit: Floats = a / np.linalg.norm(a, axis=-1, keepdims=True)
+def _vectors(given: ArrayLike, size: int, what: str) -> Floats:
+    """ModelError: no numbers, or not so many along the last axis."""
+    vectors = array(given, f"rotation: {what}", ModelError)
+    if vectors.shape[-1:] != (size,):
+        raise ModelError(f"rotation: {what} has shape {vectors.shape}, not (..., {size})", code="shape")
+    return vectors
+
+
+def _unit(a: Floats, what: str) -> Floats:
+    """ModelError: a vector without a direction."""
+    length = np.linalg.norm(a, axis=-1, keepdims=True)
+    if not (length > 0).all():
+        raise ModelError(f"rotation.{what} has no direction", code="zero_axis")
+    unit: Floats = a / length
     return unit
 
 

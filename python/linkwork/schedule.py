@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, checks
 from linkwork.errors import OptionError
+from linkwork.given import array
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.options import check_number
 from linkwork.recording import PythonStep
@@ -25,6 +26,9 @@ FRAMES, FRAME_BYTES = 1000, 2**30
 
 #: Beyond, a run is refused by the driver.
 MOST_STEPS = 1e15
+
+#: Times that are one, relative to the step.
+SAME_TIME = 1e-9
 
 #: Where only the other tolerance is given; the smallest rtol that double precision holds.
 USUAL_RTOL, USUAL_RATIO, LEAST_RTOL = 1e-6, 1e-3, 1e-13
@@ -47,6 +51,9 @@ class Fixed:
         """Arguments of a run with half the step and frames at the same times."""
         return {"step": self.step / 2, "record_every": 2 * self.record_every}
 
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.step
+
     def chosen(self) -> dict[str, Any]:
         return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
 
@@ -62,6 +69,7 @@ class Fixed:
         system: System,
         events: Sequence[_core.Event],
         start: Snapshot | None = None,
+        breaks: Sequence[float] = (),
     ) -> _core.Simulation:
         """OptionError: events, for which there is no interpolant."""
         if events:
@@ -73,6 +81,11 @@ class Fixed:
         return _core.Simulation(
             system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
         )
+
+    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+        """How many steps contain break points, inside or at their ends, where the last stage may be."""
+        steps = {math.ceil((t - t_start) / self.step - SAME_TIME) for t in breaks}
+        return {"steps_with_breaks": len(steps)} if steps else {}
 
 
 @dataclass(frozen=True)
@@ -96,6 +109,9 @@ class Adaptive:
         largest = self.largest_step if math.isfinite(self.largest_step) else None
         rtol = max(self.rtol / 10, LEAST_RTOL)
         return {"rtol": rtol, "atol": self.atol / 10, "step": largest, "times": np.unique(times)}
+
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.largest_step
 
     def chosen(self) -> dict[str, Any]:
         return {
@@ -125,6 +141,7 @@ class Adaptive:
         system: System,
         events: Sequence[_core.Event],
         start: Snapshot | None = None,
+        breaks: Sequence[float] = (),
     ) -> _core.AdaptiveSimulation:
         assert isinstance(method, EmbeddedPair)
         return _core.AdaptiveSimulation(
@@ -137,8 +154,13 @@ class Adaptive:
             self.record_every,
             self.times.tolist(),
             list(events),
-            *_from(start),
+            *(_from(start) or (0.0, np.zeros(0))),
+            list(breaks),
         )
+
+    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+        """None: steps end at each."""
+        return {}
 
 
 def _from(start: Snapshot | None) -> tuple[()] | tuple[float, NDArray[np.float64]]:
@@ -182,6 +204,14 @@ def _fixed(
             "times needs steps that follow tolerances: give rtol, or record_every instead of times",
             code="conflict",
         )
+    if t_start > t_end:
+        raise OptionError(f"the start, at {t_start:g} s, is after t_end {t_end:g} s", code="start")
+    if t_start < t_end and step > (t_end - t_start) * (1 + SAME_TIME):
+        raise OptionError(
+            f"step {step:g} s is longer than the run, from {t_start:g} to {t_end:g} s: give a step of "
+            f"{t_end - t_start:g} s or less",
+            code="step",
+        )
     every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
     return Fixed(t_end, step, int(every))
 
@@ -218,10 +248,7 @@ def _adaptive(
 
 
 def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np.float64]:
-    try:
-        asked = np.atleast_1d(np.asarray(times, dtype=float))
-    except (TypeError, ValueError) as error:
-        raise OptionError(f"times {times!r} are not numbers", code="times") from error
+    asked = np.atleast_1d(array(times, "times"))
     if asked.ndim != 1 or not len(asked) or not np.isfinite(asked).all() or (np.diff(asked) <= 0).any():
         raise OptionError("times must be finite and ascending, one at least", code="times")
     if asked[0] < t_start or asked[-1] > t_end:
@@ -233,7 +260,7 @@ def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np
 
 
 def _check_record_every(given: Any) -> None:
-    if not isinstance(given, int | np.integer) or given < 1:
+    if isinstance(given, bool) or not isinstance(given, int | np.integer) or not 1 <= given < 2**63:
         raise OptionError(
             f"record_every {given!r} is not a positive whole number of steps", code="record_every"
         )

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import rotation
 from linkwork.errors import FileError, ModelError
+from linkwork.given import array, is_number
 
 __all__ = ["Box", "Cylinder", "Mesh", "Rod", "Shape", "Shapes", "ShapesLike", "Sphere"]
 
@@ -222,7 +223,7 @@ class Shapes:
     @staticmethod
     def checked(shapes: ShapesLike) -> tuple[Shape, ...]:
         """One or several as a tuple. ModelError: what is no shape."""
-        several = (shapes,) if isinstance(shapes, Shape) else tuple(shapes)
+        several = tuple(shapes) if isinstance(shapes, Iterable) else (shapes,)
         for shape in several:
             if not isinstance(shape, Shape):
                 raise ModelError(f"shape {shape!r} is no Box, Cylinder, Sphere, Rod or Mesh", code="shape")
@@ -254,18 +255,16 @@ def _runs(bodies: Indices) -> list[range]:
 
 
 def _vector(kind: str, what: str, value: ArrayLike, size: int) -> Floats:
-    try:
-        vector = np.array(value, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{kind}: {what} {value!r} is not made of numbers", code="not_a_number") from error
+    vector = array(value, f"{kind}: {what}", ModelError).copy()
     if vector.shape != (size,) or not np.isfinite(vector).all():
         raise ModelError(f"{kind}: {what} {value!r} is not {size} finite numbers", code="shape")
     return vector
 
 
 def _positive(kind: str, what: str, value: Any) -> float:
-    if not isinstance(value, int | float | np.number) or not 0 < value < np.inf:
-        raise ModelError(f"{kind}: {what} {value} is not a positive number", code="shape")
+    if not is_number(value) or not value > 0:
+        shown = value.item() if isinstance(value, np.number) else value
+        raise ModelError(f"{kind}: {what} {shown!r:.80} is not a positive number", code="shape")
     return float(value)
 
 
@@ -280,13 +279,13 @@ def _along(axis: Floats, what: str) -> Floats:
 
 def _color(color: str | None) -> str | None:
     """ "#rrggbb" of that or of a name that matplotlib knows."""
-    if color is None or re.fullmatch(r"#[0-9a-f]{6}", color):
+    if color is None or (isinstance(color, str) and re.fullmatch(r"#[0-9a-f]{6}", color)):
         return color
     from matplotlib.colors import to_hex
 
     try:
         return to_hex(color)
-    except ValueError as error:
+    except (ValueError, TypeError) as error:
         raise ModelError(
             f"color {color!r} is neither '#rrggbb' nor a name such as 'red'", code="color"
         ) from error

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import time
@@ -10,10 +11,11 @@ from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
-from linkwork import checks, integrators, judging, recording, schedule
+from linkwork import break_points, checks, duration, integrators, judging, recording, schedule
 from linkwork.assembly import Assembly
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, unwritable
 from linkwork.events import Event, compile_events
+from linkwork.given import path as path_of
 from linkwork.header import Header
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.interrupts import Interrupts
@@ -44,6 +46,7 @@ def simulate(
     record_every: int | None = None,
     times: ArrayLike | None = None,
     events: Event | Iterable[Event] = (),
+    breaks: ArrayLike = (),
     start: Snapshot | None = None,
     output: str | os.PathLike[str] | None = None,
     progress: ProgressOption = None,
@@ -54,7 +57,9 @@ def simulate(
 ) -> Result:
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
 
-    step          fixed, or with rtol or atol the largest that is taken (None: no limit)
+    step          fixed, not longer than the run, or with rtol or atol the largest that is taken (None: no
+                  limit). What would take hours is told before the first step by a LinkworkWarning, what would
+                  take more than a month is refused
     integrator    a name in linkwork.integrators.METHODS, a method as data, or step(system, t, y, h);
                   None: "rk4", or "dopri5" with rtol or atol
     rtol, atol    bounds of the error of each step, rtol * size + atol, for each body's position [m],
@@ -67,6 +72,9 @@ def simulate(
                   limits a step. Without record_every and times: at most about 1000 frames, evenly
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
+    breaks        times [s] at which something is not smooth, beside those that functions of time and forces
+                  declare: steps that follow tolerances end there; of fixed ones the summary says how many
+                  contain one
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot()` or the
                   `state` of an error. The work and multistep methods begin anew, and so do full turns
                   of rotational springs and contacts that are under way where the state is not the last
@@ -95,10 +103,11 @@ def simulate(
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
-    written. ViolationError: on_violation="stop". AccuracyError: on_inaccurate="stop". An error of a run has
-    its `result` up to there and the last `state`. ModelError: initial poses or velocities do not satisfy the
-    joints, see `assemble`. LinkworkWarning: they were corrected; the run is inaccurate; redundant equations
-    turned out to contradict the others.
+    written. ViolationError: on_violation="stop", or joints and drivers contradict each other. AccuracyError:
+    on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`. ModelError:
+    initial poses or velocities do not satisfy the joints, see `assemble`.
+    LinkworkWarning: they were corrected; the run is inaccurate; redundant equations contradict the others a
+    little.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
@@ -107,22 +116,29 @@ def simulate(
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
     check_name("on_inaccurate", on_inaccurate, POLICIES)
+    if not isinstance(assemble, bool):
+        raise OptionError(f"assemble {assemble!r:.80} is not True or False", code="assemble")
     checks.check_tables(model, t_end)
+    known = break_points.of_run(model, breaks, t_start, t_end)
+    break_points.check_drivers(model, t_start, t_end, adaptive=isinstance(plan, schedule.Adaptive))
     watched = compile_events(events, model)
     method = _method(plan.usual_integrator if integrator is None else integrator)
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
-             "record_every": record_every, "assemble": assemble, "on_inaccurate": on_inaccurate,
-             **options}  # fmt: skip
+             "record_every": record_every, "breaks": breaks, "assemble": assemble,
+             "on_inaccurate": on_inaccurate, **options}  # fmt: skip
     system, assembly = _system(model, method, options, plan, assemble, start)
 
-    run = plan.run(method, system, [event for _, event in watched], start)
+    run = plan.run(method, system, [event for _, event in watched], start, known)
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, given, chosen),
+        "breaks": {"count": len(known), **plan.steps_with_breaks(known, t_start)},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
     }
+    _check_folder(output)
+    duration.announce(system.model, options, method, plan.least_steps(t_start), start)
     header = Header.of(
         system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes,
         system.model.curves,
@@ -136,7 +152,8 @@ def simulate(
         labels, warns = facts["events"], system.options["on_singular"] == "warn"
         judge = judging.Judge(run, method, system, options, start, plan, stops=on_inaccurate == "stop")
         driver_seconds = recording.record(run, pieces, recorder, report, labels, judge, warns=warns)
-        statistics, memory, driven = run.statistics(), run.memory, time.perf_counter()
+        statistics = {**run.statistics(), **plan.steps_with_breaks(known, t_start)}
+        memory, driven = run.memory, time.perf_counter()
         verdict = judge.verdict(statistics)
         verdict_seconds = time.perf_counter() - driven
     seconds = time.perf_counter() - started
@@ -146,13 +163,14 @@ def simulate(
     kept = {"memory": memory} if 0 < len(memory) <= MOST_REMEMBERED else {}
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
     result = recorder.result({**statistics, **times_spent, **kept, **found})
+    checks.warn_of_contradiction(result.statistics)
     if verify:
-        again: dict[str, Any] = {"integrator": method, "events": events, "start": start, "assemble": assemble}
+        again: dict[str, Any] = {"integrator": method, "events": events, "breaks": breaks, "start": start,
+                                 "assemble": assemble}  # fmt: skip
         judge.verify(result, output, lambda finer: simulate(
             model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass", **options
         ))  # fmt: skip
     judging.heed(result, on_inaccurate)
-    checks.check_redundant(system.model, system.compiled(), Snapshot.of(run.t, run.last_state))
     return result
 
 
@@ -174,6 +192,12 @@ def _system(
         return system, None
     assembly = checks.consistent(model, system.compiled(), correct=assemble)
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
+
+
+def _check_folder(output: str | os.PathLike[str] | None) -> None:
+    """FileError: there is no folder for it, which is told before how long the run would take."""
+    if output is not None and not path_of(output, "result").absolute().parent.is_dir():
+        raise unwritable("result", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 
 def _listed(chosen: Mapping[str, Any]) -> str:

@@ -13,7 +13,8 @@ from scipy.interpolate import CubicSpline
 
 from linkwork import _core, rotation
 from linkwork.errors import ModelError
-from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function
+from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken
+from linkwork.given import UNREADABLE, is_one_of
 from linkwork.handles import BodyLike, Joint
 from linkwork.joint_coordinates import coordinate_of
 from linkwork.placement import Frames, Subject
@@ -82,11 +83,13 @@ def _coupled(core: _core.Model, terms: Sequence[Any], who: str) -> tuple[Coupled
         name = term[0].name if isinstance(term[0], Joint) else term[0]
         index = core.find_joint(name) if isinstance(name, str) else -1
         if index < 0:
-            raise ModelError(f"{who}: no joint named {name!r}", code="unknown_name")
+            raise ModelError(f"{who}: no joint named {name!r:.80}", code="unknown_name")
+        if isinstance(term[0], Joint) and (index, core.joint_kind(index)) != (term[0].index, term[0].kind):
+            raise ModelError(f"{who}: joint '{name}' belongs to another model", code="unknown_joint")
         coordinate = coordinate_of(core.joint_kind(index), str(name), term[1] if len(term) == 3 else None)
         try:
             factor = float(term[-1])
-        except (TypeError, ValueError) as error:
+        except UNREADABLE as error:
             why = f"factor {term[-1]!r} of '{name}' is not a number"
             raise ModelError(f"{who}: {why}", code="factor") from error
         if not np.isfinite(factor) or factor == 0.0:
@@ -106,6 +109,7 @@ class SpecialJointMethods:
         coordinates: Sequence[tuple[Joint | str, float] | tuple[Joint | str, str, float]],
         *,
         offset: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Joint:
         """Add a linear relation between free coordinates of joints: sum factor x coordinate = offset.
@@ -116,6 +120,7 @@ class SpecialJointMethods:
         coordinates  (joint, factor), or (joint, coordinate, factor) where a joint has several; joints that
                      were added before, or their names. Coordinates as `Result.coordinate` gives them [rad, m]
         offset       a number or a function of time; in the unit of the sum
+        breaks       times [s] at which a Python function is not smooth, see functions.with_breaks
 
         Angles count over full turns from the initial pose on, where they are within half a turn of zero. The
         multiplier is the generalized force of the sum; the reaction is what acts on the second body of the
@@ -127,7 +132,7 @@ class SpecialJointMethods:
         name = model._named(name, "coupler", model._counts["coupler"])
         who = f"coupler '{name}'"
         terms = _coupled(model._core, coordinates, who)
-        function = as_time_function(offset, f"{who}: offset")
+        function = as_time_function(broken({"offset": offset}, breaks, who)["offset"], f"{who}: offset")
         constant, signal = 0.0, -1
         if not isinstance(function, TimeFunction):
             constant = function
@@ -135,6 +140,7 @@ class SpecialJointMethods:
             signal = model._core.add_signal(function.compiled())
             model._functions[signal] = function
             model._signals.append((f"{who}: offset", function))
+            model._drivers.append((f"{who}: offset", function))
         else:
             remedy = "a tuple of functions (f, df, ddf), or one of linkwork.functions such as table"
             why = f"offset enters with its time derivatives: give {remedy}"
@@ -170,12 +176,14 @@ class SpecialJointMethods:
         name = model._named(name, "point_on_curve", model._counts["point_on_curve"])
         subject = Subject("point_on_curve", name, False, 1)
         bodies = model._bodies.pair(a, b, subject)
+        if not is_one_of(frames, ("space", "body")):
+            subject.refuse(0, f"frames {frames!r:.80} is not 'space' or 'body'", "unknown_option")
+        if not isinstance(closed, bool | np.bool_):
+            subject.refuse(0, f"closed {closed!r:.80} is not True or False", "closed")
         curve, point = _points(points, subject), subject.array(at, 3, "at")[0]
         (r_a, A_a), (r_b, A_b) = ((q[:3], rotation.matrix(q[3:])) for q in model._core.poses(bodies[0]))
         if frames == "space":
             curve, point = (curve - r_a) @ A_a, (point - r_b) @ A_b
-        elif frames != "body":
-            subject.refuse(0, f"frames {frames!r} is not 'space' or 'body'", "unknown_option")
         knots, pieces, across = _spline(curve - curve[0], closed, subject)
         origin, frame = np.stack([curve[0], point])[None], np.broadcast_to(np.eye(3), (1, 2, 3, 3))
         index = model._core.add_point_on_curve(
@@ -187,7 +195,7 @@ class SpecialJointMethods:
 def _points(points: ArrayLike, subject: Subject) -> Floats:
     try:
         array = np.array(points, dtype=float)
-    except (TypeError, ValueError):
+    except UNREADABLE:
         subject.refuse(0, "points are not made of numbers", "not_a_number")
     if array.ndim != 2 or array.shape[1] != 3:
         subject.refuse(0, f"points have shape {array.shape}, not (k, 3)", "shape")

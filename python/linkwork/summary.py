@@ -32,6 +32,8 @@ def numbers(result: Result) -> dict[str, Any]:
         "unique_reactions": int(result.unique_reactions.sum()),
         "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
         "events": [{"name": it.name, "t": it.t} for it in result.events],
+        "breaks": int(result.statistics.get("breaks", 0)),
+        "steps_with_breaks": int(result.statistics.get("steps_with_breaks", 0)),
         "violations": int(result.statistics.get("violations", 0)),
         "projections": int(result.statistics.get("projections", 0)),
         "singular_poses": int(result.statistics.get("singular_poses", 0)),
@@ -62,7 +64,9 @@ def lines(result: Result) -> list[tuple[str, str]]:
                    f"{_figure(found['max_energy_error'])} J"),
         ("reactions", _reactions(found)),
         ("events", _events(result)),
+        ("breaks", _breaks(result)),
         ("singular", _singular(result)),
+        ("redundant", _row_changes(result)),
         ("limits", _excesses(result)),
         ("effort", _effort(result.statistics)),
     ]  # fmt: skip
@@ -96,6 +100,15 @@ def _events(result: Result) -> str:
     return ", ".join(f"{name} {count} times" if count > 1 else name for name, count in counts.items())
 
 
+def _breaks(result: Result) -> str:
+    """Only of fixed steps, which go over times at which something jumps."""
+    count = int(result.statistics.get("steps_with_breaks", 0))
+    if not count:
+        return ""
+    steps = "1 step contains" if count == 1 else f"{count} steps contain"
+    return f"{steps} break points, where the method loses its order; rtol makes steps that end there"
+
+
 def _singular(result: Result) -> str:
     """When the first singular poses came, and in which joints."""
     count, poses = int(result.statistics.get("singular_poses", 0)), result.singular_poses
@@ -105,6 +118,21 @@ def _singular(result: Result) -> str:
     names = ", ".join(f"'{name}'" for name in poses[0].joints[:LISTED])
     more = ", ..." if len(poses[0].joints) > LISTED else ""
     return f"{count} {'pose' if count == 1 else 'poses'} passed at {times} s, first in {names}{more}"
+
+
+def _row_changes(result: Result) -> str:
+    """Where other equations became redundant in the course of the motion, or contradicted the others."""
+    count, found = int(result.statistics.get("row_changes", 0)), result.statistics.get("contradiction")
+    changes = [it for it in result.statistics.get("passages", ()) if it["rows_changed"]]
+    words = []
+    if count and changes:
+        names = ", ".join(f"'{name}'" for name in changes[0]["joints"][:LISTED])
+        times = "once" if count == 1 else f"{count} times"
+        words.append(f"other equations chosen {times}, first at {changes[0]['t']:.4g} s for those of {names}")
+    if found:
+        names = ", ".join(f"'{name}'" for name in found["joints"][:LISTED])
+        words.append(f"{names} contradict each other by {found['largest']:.2g} from {found['t']:.4g} s on")
+    return "; ".join(words)
 
 
 def _excesses(result: Result) -> str:
@@ -130,8 +158,7 @@ def verdict_text(result: Result) -> str:
              "violation": verdict.violation}  # fmt: skip
     numbers = ", ".join(f"{name} {value:.0e}{'/s' if name == 'local error' else ''}".replace("e-0", "e-")
                         for name, value in found.items() if value is not None)  # fmt: skip
-    broken = f"; {verdict.break_points} steps contain a break point" if verdict.break_points else ""
-    return f"{verdict.sentence} ({numbers}; {len(verdict.steps)} of {verdict.steps_total:,} steps){broken}"
+    return f"{verdict.sentence} ({numbers}; {len(verdict.steps)} of {verdict.steps_total:,} steps)"
 
 
 def _verdict(result: Result) -> dict[str, Any] | None:

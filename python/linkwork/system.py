@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
+from linkwork.errors import OptionError
+from linkwork.given import array, number
 from linkwork.model import Model, check_model
 from linkwork.options import LEVELS, Options, compile_options
 
@@ -79,20 +81,43 @@ class System:
 
         SingularSystemError, NotConvergedError, NotFiniteError: where there is no acceleration.
         """
-        rates: Floats = self._dynamics.derivative(t, np.asarray(y, dtype=float))
+        rates: Floats = self._dynamics.derivative(_time(t), _numbers(y, "y", 13, self.model.body_count))
         return rates
 
     def accelerations(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[Floats, Floats]:
-        """(v_dot (6n,), multipliers (m,)) of the mechanism itself, without stabilization."""
-        v_dot, multipliers = self._dynamics.accelerations(t, np.ravel(q), np.ravel(v))
+        """(v_dot (6n,), multipliers (m,)) of the mechanism itself, without stabilization.
+
+        t [s], q (n, 7) or (7n,), v (n, 6) or (6n,). OptionError: another shape, no numbers, no finite time.
+        """
+        v_dot, multipliers = self._dynamics.accelerations(*self._moment(t, q, v))
         return v_dot, multipliers
 
     def evaluate(self, t: float, q: ArrayLike, v: ArrayLike) -> Evaluation:
-        """The terms of the equations of motion at one state."""
-        found = self._dynamics.evaluate(t, np.ravel(q), np.ravel(v))
+        """The terms of the equations of motion at one state, which is given as in `accelerations`."""
+        found = self._dynamics.evaluate(*self._moment(t, q, v))
         D = found.pop("D")
         return Evaluation(D=(D["data"], D["indices"], D["indptr"]), **found)
+
+    def _moment(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[float, Floats, Floats]:
+        n = self.model.body_count
+        return _time(t), _numbers(q, "q", 7, n), _numbers(v, "v", 6, n)
 
     def __repr__(self) -> str:
         chosen = self._dynamics.options
         return f"<System {chosen.formulation}, {chosen.linear_solver}: {self.model.describe()}>"
+
+
+def _time(t: Any) -> float:
+    """OptionError: no number. Whether it is finite, the compiled module says."""
+    return t if type(t) is float else number(t, "t [s]")
+
+
+def _numbers(given: ArrayLike, what: str, each: int, bodies: int) -> Floats:
+    """(each * bodies,). OptionError: no numbers, or not so many."""
+    numbers = array(given, what)
+    if numbers.shape in ((each * bodies,), (bodies, each)):
+        return numbers.ravel()
+    raise OptionError(
+        f"{what} has shape {numbers.shape}, not ({each * bodies},) or ({bodies}, {each}), of {bodies} bodies",
+        code="shape",
+    )

@@ -78,8 +78,8 @@ class Verdict:
     steps_total  of the run
     left_out     why no step was taken again
     singular_poses, contradictions, break_points
-                 poses passed; redundant equations that turned out to contradict the others; steps that
-                 contain a time at which a function of time is not smooth
+                 poses passed; joints whose redundant equations turned out to contradict the others; steps
+                 that contain a time at which what acts on the mechanism is not smooth
     verified     error of the state by a second, finer run, the largest over the frames; None: there was none
     before       error of the runs that this one goes on from, see `start`; part of `state`
     """
@@ -284,9 +284,9 @@ def _steps(
 
 
 def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:
-    names = {"steps_total": "steps", "singular_poses": "singular_poses", "contradictions": "contradictions",
-             "break_points": "break_point_steps"}  # fmt: skip
-    return {name: int(statistics.get(key, 0)) for name, key in names.items()}
+    names = {"steps_total": "steps", "singular_poses": "singular_poses", "break_points": "steps_with_breaks"}
+    counts = {name: int(statistics.get(key, 0)) for name, key in names.items()}
+    return {**counts, "contradictions": len(statistics.get("contradiction", {}).get("joints", ()))}
 
 
 def _level(error: float) -> Literal["good", "coarse", "wrong"]:

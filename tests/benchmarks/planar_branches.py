@@ -39,7 +39,9 @@ class Jet:
 
     def __mul__(self, other: Jet | float) -> Jet:
         o = other if isinstance(other, Jet) else Jet(other)
-        return Jet(self.f * o.f, self.d * o.f + self.f * o.d, self.dd * o.f + 2 * self.d * o.d + self.f * o.dd)
+        return Jet(
+            self.f * o.f, self.d * o.f + self.f * o.d, self.dd * o.f + 2 * self.d * o.d + self.f * o.dd
+        )
 
     __rmul__ = __mul__
 
@@ -177,7 +179,9 @@ class Branch:
         spin = np.array([0.0, state[3] if self.turntable is not None else 0.0, 0.0])
         base: lw.Body = model.ground
         if self.turntable is not None:
-            base = model.body("turntable", mass=1.0, inertia=np.full(3, self.turntable), position=(0, 0, 0), omega=spin)
+            base = model.body(
+                "turntable", mass=1.0, inertia=np.full(3, self.turntable), position=(0, 0, 0), omega=spin
+            )
             model.revolute(model.ground, base, at=(0, 0, 0), axis=(0, 1, 0), name="column")
         bodies = []
         for k, (link, (x, y, angle)) in enumerate(zip(self.links, self.centers(state[0]), strict=True)):
@@ -225,13 +229,19 @@ def parallelogram(
 def slider_crank() -> Branch:
     """Crank and rod of one length: singular where both stand upright and the slider is at the crank's pin."""
     L = 0.5
-    links = (Link(1.0, L * L / 12, L / 2), Link(0.3, 0.3 * L * L / 10, 0.35 * L, 0.05 * L), Link(2.0, 0.01, 0.0))
+    links = (
+        Link(1.0, L * L / 12, L / 2),
+        Link(0.3, 0.3 * L * L / 10, 0.35 * L, 0.05 * L),
+        Link(2.0, 0.01, 0.0),
+    )
 
     def pose(s: Jet) -> Sequence[tuple[Jet, Jet, Jet]]:
         return (Jet(0), Jet(0), s), (L * cos(s), L * sin(s), -s), (2 * L * cos(s), Jet(0), Jet(0))
 
     pins = ((0, 0.0, -1, 0.0), (1, 0.0, 0, L), (1, L, 2, 0.0))
-    return Branch("slider-crank", links, pins, pose, sliders=(2,), singular=np.pi / 2, speed=(1.0, 3.0), size=L)
+    return Branch(
+        "slider-crank", links, pins, pose, sliders=(2,), singular=np.pi / 2, speed=(1.0, 3.0), size=L
+    )
 
 
 def row_of_two(masses: Sequence[float], lengths: tuple[float, float, float], name: str) -> Branch:

@@ -143,7 +143,11 @@ def crossings(branch: Branch, start: np.ndarray, t_end: float) -> int:
     def passes(_t: float, y: np.ndarray) -> float:
         return float(np.sin((y[0] - branch.singular) * np.pi / branch.period))
 
-    return len(solve_ivp(branch.rates, (0, t_end), start, "DOP853", rtol=1e-10, atol=1e-10, events=passes).t_events[0])
+    return len(
+        solve_ivp(branch.rates, (0, t_end), start, "DOP853", rtol=1e-10, atol=1e-10, events=passes).t_events[
+            0
+        ]
+    )
 
 
 def table(found: list[Found]) -> str:
@@ -165,7 +169,9 @@ def table(found: list[Found]) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--runs", type=int, default=200, help="of default, penalty and dopri5")
     parser.add_argument("--few", type=int, default=20, help="of the others")
     parser.add_argument("--only", nargs="*", default=[], help="mechanisms or methods")

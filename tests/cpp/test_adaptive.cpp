@@ -237,7 +237,7 @@ TEST_CASE("a trial step, its interpolation and a half-explicit step do not alloc
   VectorXd y = dynamics.initial_y(), between(dynamics.y_size());
   const auto trial = [&] {
     dynamics.evaluate(0.0, y);
-    stepper.trial(dynamics, measure, 0.0, 1e-3, y);
+    stepper.trial(dynamics, measure, {0.0, 1e-3}, y);
     stepper.prepare_interpolation(dynamics);
     stepper.interpolate(dynamics.system(), 0.5, between);
   };

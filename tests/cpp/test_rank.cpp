@@ -165,6 +165,60 @@ TEST_CASE("a heavy and a light mechanism in one model have the rank that each ha
   CHECK(rank_of_constraints(system, evaluate_initially(system)).rank == 2 * 17);
 }
 
+TEST_CASE("the rank does not change with masses, however thin the rods") {
+  for (const double inertia : {1e-2, 1e-6, 1e-10, 1e-14, 0.0}) {
+    INFO(inertia);
+    const Model original = four_bar();
+    Model model;
+    for (Body body : original.bodies()) {
+      body.inertia = Vec3<double>(1e-2, inertia, 1e-2).asDiagonal();
+      model.add_body("b" + std::to_string(model.bodies().size()), body);
+    }
+    for (const Element& joint : original.joints())
+      model.add_joint("revolute", "j" + std::to_string(model.joints().size()), joint.i, joint.j, joint.at);
+    const System system(model);
+    CHECK(rank_of_constraints(system, evaluate_initially(system)).rank == 17);
+    CHECK(examine_rank(system).redundant_rows == examine_rank(System(original)).redundant_rows);
+  }
+}
+
+/// A door of this size on two hinges; on the ground the upper one is off by this part of the size. Both hold at first
+/// if `placed`, else the door is made for hinges that are not off.
+Model door(double size, const Vec3<double>& off, bool placed) {
+  Model model;
+  Body body = at({0.5 * size, 0, 0.5 * size});
+  body.inertia *= size * size;
+  model.add_body("door", body);
+  const Mat3<double> I = Mat3<double>::Identity();
+  const Vec3<double> low{0, 0, 0}, high{0, 0, size}, on_ground = high + size * off;
+  model.add_joint("revolute", "low", ground, 0, place(model, ground, 0, low, low, I, I));
+  model.add_joint("revolute", "high", ground, 0, place(model, ground, 0, on_ground, placed ? on_ground : high, I, I));
+  return model;
+}
+
+TEST_CASE("hinges out of line lock a door of any size, those that are off by less than anybody knows do not") {
+  for (const double size : {1e-6, 1.0, 1e6})
+    for (const auto& [off, rank] : {std::pair{1e-12, 5}, {1e-10, 5}, {1e-8, 6}, {1e-4, 6}}) {
+      INFO(size, " ", off);
+      CHECK(examine_rank(System(door(size, {off, 0, 0}, true))).rank == rank);
+    }
+}
+
+TEST_CASE("what is left of a door's residual is not told from its rank") {
+  for (const double size : {1e-6, 1.0, 1e6})
+    for (const double off : {1e-12, 1e-10, 1e-9, 1e-8})
+      for (const Vec3<double>& direction : {Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}}) {
+        INFO(size, " ", off);
+        CHECK(examine_rank(System(door(size, off * direction, false))).rank == 5);
+      }
+}
+
+TEST_CASE("joints that contradict each other leave a rank of at most six for each body") {
+  for (const double off : {1e-4, 1e-2})
+    for (const Vec3<double>& direction : {Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}})
+      CHECK(examine_rank(System(door(1.0, off * direction, false))).rank <= 6);
+}
+
 TEST_CASE("a universal joint whose axes are parallel has a dependent row, at the end of a branch too") {
   Random random(124);
   Model model;

@@ -67,20 +67,20 @@ TEST_CASE("pivots are compared with the largest of the run") {
   SingularWatch watch;
   CHECK(watch.usual(1e-12));  // a long chain: its own level
   CHECK(watch.usual(1e-13));
-  CHECK_FALSE(watch.usual(1e-16));
+  CHECK_FALSE(watch.usual(1e-18));
   watch.suspect_less();
-  CHECK(watch.usual(1e-16));
+  CHECK(watch.usual(1e-18));
   CHECK(watch.usual(0.5));
-  CHECK_FALSE(watch.usual(1e-16));
+  CHECK_FALSE(watch.usual(1e-18));
   CHECK(watch.untrustworthy(1e-11));
 }
 
 TEST_CASE("a passage lasts until the pivots have recovered, and remembers the smallest") {
   SingularWatch watch;
   CHECK(watch.usual(1.0));
-  CHECK_FALSE(watch.usual(1e-5));
-  watch.begin(1.0, 1e-5, {3});
-  for (const auto& [t, pivot] : {std::pair{1.1, 1e-7}, {1.2, 1e-5}, {1.3, 1e-3}}) {
+  CHECK_FALSE(watch.usual(1e-6));
+  watch.begin(1.0, 1e-6, {3});
+  for (const auto& [t, pivot] : {std::pair{1.1, 1e-7}, {1.2, 1e-6}, {1.3, 1e-5}}) {
     CHECK_FALSE(watch.usual(pivot));
     watch.go_on(t, pivot);
     CHECK(watch.open());

@@ -329,8 +329,9 @@ class Maker:
         if choice == 0:
             return distance
         if choice == 1:
-            return lw.functions.polynomial(distance, self.rng.uniform(-1, 1), self.rng.uniform(-1, 1))
-        amplitude, phase = self.rng.uniform(0, 0.3), self.rng.uniform(-3, 3)
+            rate, bend = self.rng.uniform(-1, 1), self.rng.uniform(0.3, 1)  # bend: never down to zero
+            return lw.functions.polynomial(distance, rate, bend * rate**2 / distance)
+        amplitude, phase = self.rng.uniform(0, 0.3) * distance, self.rng.uniform(-3, 3)
         return lw.functions.harmonic(
             amplitude, self.rng.uniform(0, 5), phase, distance - amplitude * np.sin(phase)
         )
@@ -341,7 +342,7 @@ class Maker:
 
     def quantity(self, size: float, what: str) -> Any:
         """A number; for a third of the forces a function of time."""
-        value = size * self.rng.uniform(0.1, 1)
+        value = size * self.rng.uniform(0.5 if what == "exponent" else 0.1, 1)
         if what.startswith(("force", "torque")):
             value *= self.rng.choice([-1, 1])
             if self.rng.random() < 1 / 3:

@@ -79,3 +79,17 @@ def driven_pendulum() -> lw.Model:
     driven = lw.functions.harmonic(amplitude=0.1, frequency=4.0, offset=length)
     model.distance(model.ground, bob, at=((0, 0, 0), start), length=driven, name="rod")
     return model
+
+
+def slider_crank_at(angle: float, crank: float = 0.3, rod: float = 1.0) -> lw.Model:
+    """In the plane y = 0 with its crank at this angle [rad] to the slider's guide, the x axis."""
+    pin = crank * np.array([np.cos(angle), 0, np.sin(angle)])
+    end = np.array([pin[0] + np.sqrt(rod**2 - pin[2] ** 2), 0, 0])
+    model, Y = lw.Model(), (0, 1, 0)
+    for name, position in (("crank", pin / 2), ("rod", (pin + end) / 2), ("piston", end)):
+        model.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1), position=position)
+    model.revolute("ground", "crank", at=(0, 0, 0), axis=Y, name="bearing")
+    model.revolute("crank", "rod", at=pin, axis=Y, name="crank pin")
+    model.revolute("rod", "piston", at=end, axis=Y, name="piston pin")
+    model.translational("ground", "piston", at=end, axis=(1, 0, 0), name="guide")
+    return model

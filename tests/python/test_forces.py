@@ -109,6 +109,34 @@ def test_a_falling_body_approaches_the_speed_at_which_drag_bears_it() -> None:
     assert np.abs(result.energy_error).max() < 1e-9
 
 
+def test_linear_damping_slows_all_motion_alike() -> None:
+    """v_dot = -c v / m, J w_dot = -C w, about any axis: both fall exponentially."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("ball", mass=2.0, inertia=(0.2, 0.2, 0.2), velocity=(1, -2, 3), omega=(0.3, 2, -1))
+    model.linear_damping(model.ground, body, at=(0, 0, 0), damping=0.8, rotational_damping=0.1)
+    result = run(model, 2.0)
+    assert np.abs(result.v[:, 0, :3] - np.outer(np.exp(-0.4 * result.t), (1, -2, 3))).max() < 1e-10
+    assert np.abs(result.v[:, 0, 3:] - np.outer(np.exp(-0.5 * result.t), (0.3, 2, -1))).max() < 1e-10
+    assert np.abs(result.energy_error).max() < 1e-9
+
+
+def test_linear_damping_does_not_resist_a_common_rigid_motion() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    omega, at = np.array([0.3, -1.0, 2.0]), np.array([1.0, 0.4, -0.2])
+    one = model.body("one", mass=1.0, inertia=(1, 1, 1), omega=omega, velocity=(1, 0, 0))
+    other = model.body(
+        "other",
+        mass=1.0,
+        inertia=(1, 1, 1),
+        position=at,
+        omega=omega,
+        velocity=np.array([1, 0, 0]) + np.cross(omega, at),
+    )
+    model.linear_damping(one, other, at=(0.3, 0.2, 0.1), damping=3.0, rotational_damping=2.0)
+    core = model.compiled()
+    assert np.abs(lw.System(model).accelerations(0.0, core.q0, core.v0)[0]).max() < 1e-14
+
+
 def test_a_motor_runs_up_along_its_curve() -> None:
     """J w_dot = n_0 (1 - w / w_0): w = w_0 (1 - exp(-n_0 t / (J w_0)))."""
     model = lw.Model()

@@ -9,15 +9,17 @@ import linkwork as lw
 import mujoco
 import numpy as np
 import pytest
+from mujoco_comparison import largest_difference
+from random_mjcf import RandomFile
 from robot_files import ROBOTS, accelerations
 
 SLIDER_CRANK = ROBOTS / "slider_crank.xml"
 
 
-def written(tmp_path: Path, body: str, rest: str = "") -> Path:
+def written(tmp_path: Path, body: str, rest: str = "", flags: str = "") -> Path:
     path = tmp_path / "model.xml"
     path.write_text(
-        f'<mujoco model="test">\n<option gravity="0 0 -9.81"/>\n'
+        f'<mujoco model="test">\n<option gravity="0 0 -9.81"><flag {flags}/></option>\n'
         f"<worldbody>\n{body}\n</worldbody>\n{rest}\n</mujoco>\n"
     )
     return path
@@ -185,3 +187,137 @@ def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
     )
     topics = {note.topic for note in lw.import_mjcf(written(tmp_path, body, rest)).notes}
     assert topics == {"limits", "friction", "equality", "actuator", "contact", "visual"}
+
+
+# --- against MuJoCo, attribute by attribute -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_random_files_accelerate_as_in_mujoco(seed: int, tmp_path: Path) -> None:
+    """With all kinds of joints and what acts at them, poses and inertias in all forms, defaults and flags."""
+    path = tmp_path / "model.xml"
+    path.write_text(RandomFile(seed).text())
+    assert largest_difference(path, np.random.default_rng(seed)) < 1e-9
+
+
+def hinged(attributes: str, inner: str = "") -> str:
+    """A free body with another one hinged to it."""
+    inner = f'<joint name="q" axis="1 2 0" pos="0.1 0 0"/>{INERTIAL}{inner}'
+    return (f'<body name="a" pos="0 0 1" quat="0.8 0.2 0.4 0.1"><freejoint/>{INERTIAL}'
+            f'<body name="b" pos="0.5 0.1 0" {attributes}>{inner}</body></body>')  # fmt: skip
+
+
+PLACE = 'name="a" pos="1 2 3" quat="0.8 0.2 0.4 0.1"'
+
+ROOT = f'<body {PLACE}><joint name="root" type="free" {{}}/>{INERTIAL}</body>'
+
+BALL = (f'<body {PLACE}><freejoint/>{INERTIAL}<body name="b" pos="0 0 0.3">'
+        f'<joint name="ball" type="ball" pos="0.1 0.2 0" {{}}/>{INERTIAL}</body></body>')  # fmt: skip
+
+#: Bodies, what follows them, and flags: each changes the accelerations, and in no other way than in MuJoCo.
+CHANGES = {
+    "free damping": (ROOT.format('damping="0.7"'), "", ""),
+    "free armature": (ROOT.format('armature="0.9"'), "", ""),
+    "free spring": (ROOT.format('stiffness="5"'), "", ""),
+    "free with all": (ROOT.format('damping="0.7" armature="0.9" stiffness="5"'), "", ""),
+    "ball damping": (BALL.format('damping="0.7"'), "", ""),
+    "ball spring": (BALL.format('stiffness="5"'), "", ""),
+    "gravity compensation": (hinged('gravcomp="0.6"'), "", ""),
+    "rotor of an actuator": (
+        hinged(""),
+        '<actuator><motor joint="q" gear="5" armature="0.02"/></actuator>',
+        "",
+    ),
+    "damper of an actuator": (
+        hinged(""),
+        '<actuator><motor joint="q" gear="5" damping="0.4"/></actuator>',
+        "",
+    ),
+    "no gravity": (ROOT.format('damping="0.7" armature="0.9"'), "", 'gravity="disable"'),
+    "no gravity to compensate": (hinged('gravcomp="0.6"'), "", 'gravity="disable"'),
+    "no dampers": (ROOT.format('damping="0.7" stiffness="5"'), "", 'damper="disable"'),
+    "no springs": (ROOT.format('damping="0.7" stiffness="5"'), "", 'spring="disable"'),
+    "no passive forces": (hinged('gravcomp="0.6"'), "", 'spring="disable" damper="disable"'),
+}
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_what_acts_on_joints_acts_as_in_mujoco(name: str, tmp_path: Path) -> None:
+    path = written(tmp_path, *CHANGES[name])
+    for seed in range(3):
+        assert largest_difference(path, np.random.default_rng(seed), spread=2.0) < 1e-12
+
+
+def test_a_damped_free_body_approaches_its_speed_of_fall(tmp_path: Path) -> None:
+    """(m + a) v_dot = -m g - d v: the armature a has no weight."""
+    inertial = '<inertial pos="0 0 0" mass="2" diaginertia="0.1 0.1 0.1"/>'
+    path = written(
+        tmp_path, f'<body name="ball"><joint type="free" damping="0.8" armature="0.5"/>{inertial}</body>'
+    )
+    model = lw.import_mjcf(path).model
+    result = lw.simulate(model, t_end=4.0, step=1e-3)
+    terminal, rate = 2 * 9.81 / 0.8, 0.8 / 2.5
+    expected = -terminal * (1 - np.exp(-rate * result.t))
+    assert np.abs(result.v[:, model.find("ball").index, 2] - expected).max() < 1e-9
+
+
+@pytest.mark.parametrize("flag", ["equality", "constraint"])
+def test_equalities_that_a_flag_disables_are_left_out_and_noted(flag: str, tmp_path: Path) -> None:
+    bodies = "".join(
+        f'<body name="{name}"><joint name="q{name}" axis="0 0 1"/>{INERTIAL}</body>' for name in "ab"
+    )
+    glue, gear = '<weld name="glue" body1="a" body2="b"/>', '<joint name="gear" joint1="qa" joint2="qb"/>'
+    rest = f"<equality>{glue}{gear}</equality>"
+    imported = lw.import_mjcf(written(tmp_path, bodies, rest, f'{flag}="disable"'))
+    assert imported.model.joint_count == 2
+    found = {note.subject for note in imported.notes if "disabled by a flag" in note.message}
+    assert found == {"equality 'glue'", "equality 'gear'"}
+    assert lw.import_mjcf(written(tmp_path, bodies, rest)).model.joint_count == 4
+
+
+@pytest.mark.parametrize(
+    ("flags", "topics"),
+    [("", {"limits", "contact", "friction"}), ('limit="disable"', {"contact", "friction"}),
+     ('contact="disable"', {"limits", "friction"}), ('frictionloss="disable"', {"limits", "contact"}),
+     ('constraint="disable"', set())],
+)  # fmt: skip
+def test_what_a_flag_disables_is_not_missing(flags: str, topics: set[str], tmp_path: Path) -> None:
+    body = (f'<body name="a"><joint name="j" range="-1 1" limited="true" frictionloss="0.2"/>{INERTIAL}'
+            f'<geom size="0.1"/></body>')  # fmt: skip
+    found = {note.topic for note in lw.import_mjcf(written(tmp_path, body, flags=flags)).notes}
+    assert found - {"visual"} == topics
+
+
+def test_coordinates_of_several_joints_of_a_body_are_from_their_references(tmp_path: Path) -> None:
+    """q - ref is the motion from the file's pose: by each of the joints."""
+    slides = ('<joint name="x" type="slide" axis="1 0 0" ref="0.4"/>'
+              '<joint name="y" type="slide" axis="0 1 0" ref="-0.2"/>')  # fmt: skip
+    turn = '<joint name="turn" axis="0 0 1" ref="90"/>'
+    body = f'<body name="a" pos="0.3 0 0">{slides}{turn}{INERTIAL}</body>'
+    path = written(tmp_path, body)
+    theirs = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(theirs)
+    data.qpos[:] = 1.0, 0.5, 0.3
+    mujoco.mj_forward(theirs, data)
+    core = lw.import_mjcf(path, coordinates={"x+y+turn": (1.0, 0.5, 0.3)}).model.compiled()
+    assert core.q0[:3] == pytest.approx(data.xipos[1], abs=1e-14)
+    at_rest = lw.import_mjcf(path, coordinates={"x+y+turn": (0.4, -0.2, np.pi / 2)}).model.compiled()
+    assert at_rest.q0 == pytest.approx(lw.import_mjcf(path).model.compiled().q0, abs=1e-14)
+
+
+def test_what_is_not_linear_or_cannot_be_at_a_joint_is_noted(tmp_path: Path) -> None:
+    bodies = (f'<body name="a"><joint name="j" stiffness="1 2" damping="0.3 0 0.1"/>{INERTIAL}</body>'
+              f'<body name="b"><joint name="k" type="ball" armature="0.3"/>{INERTIAL}</body>'
+              f'<body name="c"><joint name="f" type="free" frictionloss="3"/>{INERTIAL}</body>')  # fmt: skip
+    rest = '<actuator><motor name="m" joint="k" gear="1 2 3" armature="0.1"/></actuator>'
+    notes = {(note.topic, note.subject) for note in lw.import_mjcf(written(tmp_path, bodies, rest)).notes}
+    assert notes >= {("nonlinear", "joint 'j'"), ("armature", "joint 'k'"), ("friction", "joint 'f'")}
+    said = "\n".join(map(str, lw.import_mjcf(written(tmp_path, bodies, rest)).notes))
+    assert "actuator 'm': is not represented, nor its damping and armature" in said
+
+
+def test_a_weld_without_torque_is_a_ball(tmp_path: Path) -> None:
+    free = f"<freejoint/>{INERTIAL}"
+    bodies = f'<body name="a">{free}</body><body name="b" pos="1 0 0">{free}</body>'
+    rest = '<equality><weld body1="a" body2="b" torquescale="0"/></equality>'
+    assert lw.import_mjcf(written(tmp_path, bodies, rest)).model.row_count == 3

@@ -270,3 +270,21 @@ def test_wrong_files_are_refused_with_line_and_field(
 ) -> None:
     text = f'<?xml version="1.0"?>\n<sdf version="1.9"><model name="m">\n{GOOD}\n</model></sdf>\n'
     check_refused(lw.import_sdf, tmp_path / "model.sdf", text, part, by, message)
+
+
+@pytest.mark.parametrize("text", ["false", "0", "False"])
+def test_links_without_gravity_are_not_pulled(text: str, tmp_path: Path) -> None:
+    """In a group of links that are fixed to each other, only the weight of the others acts."""
+    lift = f"<gravity>{text}</gravity>"
+    bodies = link("a").replace("</link>", f"{lift}</link>")
+    bodies += link("b").replace("</link>", "<gravity>1</gravity></link>")
+    model = loaded(tmp_path, bodies).model
+    assert accelerations(model) == pytest.approx(np.array([[0.0] * 6, [0, 0, -9.8, 0, 0, 0]]), abs=1e-14)
+    glued = bodies + joint("j", "fixed", "a", "b")
+    for merge in (False, True):
+        found = accelerations(loaded(tmp_path, glued, merge_fixed=merge).model)
+        assert found[:, 2] == pytest.approx(-4.9, abs=1e-10)
+
+
+def test_true_in_capitals_is_true(tmp_path: Path) -> None:
+    assert loaded(tmp_path, "<static>True</static>" + link("a")).model.body_count == 0

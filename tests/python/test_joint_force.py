@@ -96,8 +96,16 @@ def test_a_torque_about_one_axis_of_a_cross_does_its_work_there_only(which: str)
     [
         ("nix", law, "joint_force: no joint named 'nix'"),
         ("joint", "law", "joint force 'f': 'law' is not a function"),
-        ("joint", lambda t, x, rate: (1.0, 2.0), "joint force 'f': returned shape (2,), not a number"),
-        ("joint", lambda t, x, rate: "much", "joint force 'f': returned 'much', not a number"),
+        ("joint", None, "joint force 'f': None is not a function"),
+        ("joint", float("nan"), "joint force 'f': nan is not finite"),
+        (
+            "joint",
+            lambda t, x, rate: (1.0, 2.0),
+            "joint force 'f': returned (1.0, 2.0) at t = 0 s, not a number",
+        ),
+        ("joint", lambda t, x, rate: "much", "joint force 'f': returned 'much' at t = 0 s, not a number"),
+        ("joint", lambda t, x, rate: "3.0", "joint force 'f': returned '3.0' at t = 0 s, not a number"),
+        ("joint", lambda t, x, rate: None, "joint force 'f': returned None at t = 0 s, not a number"),
     ],
 )
 def test_a_mistake_is_named(joint: str, function: Any, message: str) -> None:
@@ -106,3 +114,96 @@ def test_a_mistake_is_named(joint: str, function: Any, message: str) -> None:
         model.joint_force(joint, function, name="f")
         lw.simulate(model, t_end=0.1, step=1e-2)
     assert message in str(found.value)
+
+
+def turning(omega: float = 0.0) -> lw.Model:
+    """A wheel about a vertical axis; nothing acts on it."""
+    model = lw.Model()
+    model.body("wheel", mass=1.0, inertia=(0.1, 0.1, 0.2), omega=(0, 0, omega))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name="bearing")
+    return model
+
+
+def test_the_angle_goes_on_over_full_turns() -> None:
+    """I x_ddot = -k x: the wheel swings by more than a turn to either side."""
+    model, k, omega = turning(omega=40.0), 0.2 * 9.0, 40.0
+    model.joint_force("bearing", lambda t, x, rate: -k * x)
+    result = lw.simulate(model, t_end=3.0, step=1e-3)
+    angle = result.coordinate("bearing").value
+    assert np.abs(angle).max() > 4 * np.pi
+    assert np.abs(angle - omega / 3.0 * np.sin(3.0 * result.t)).max() < 1e-6
+
+
+def test_full_turns_go_on_where_a_run_goes_on() -> None:
+    model = turning(omega=40.0)
+    model.joint_force("bearing", lambda t, x, rate: -1.8 * x)
+    whole = lw.simulate(model, t_end=1.0, step=1e-3)
+    half = lw.simulate(model, t_end=0.5, step=1e-3)
+    rest = lw.simulate(model, t_end=1.0, step=1e-3, start=half.snapshot())
+    assert np.abs(rest.v[-1] - whole.v[-1]).max() < 1e-9
+
+
+T = np.linspace(0, 1, 5)
+
+
+@pytest.mark.parametrize(
+    "given, impulse",
+    [
+        (0.7, 0.7),
+        (lw.functions.polynomial(0.0, 2.0), 1.0),
+        (lw.functions.harmonic(1.0, np.pi), 2 / np.pi),
+        (lw.functions.table(T, T**3), 0.25),
+        (lambda t, x, rate: np.float32(0.5), 0.5),
+        (lambda t, x, rate: 2, 2.0),
+    ],
+)
+def test_a_number_and_a_function_of_time_are_laws(given: Any, impulse: float) -> None:
+    """The change of angular momentum is the integral of the torque."""
+    model = turning()
+    model.joint_force("bearing", given)
+    result = lw.simulate(model, t_end=1.0, step=1e-3)
+    assert 0.2 * result.v[-1, 0, 5] == pytest.approx(impulse, rel=1e-9)
+
+
+def test_a_run_beyond_a_table_is_refused_before_it_starts() -> None:
+    model = turning()
+    model.joint_force("bearing", lw.functions.table(T, T), name="motor")
+    with pytest.raises(lw.OptionError, match="joint force 'motor': is given from 0 to 1 s"):
+        lw.simulate(model, t_end=2.0, step=1e-3)
+
+
+def test_a_law_that_is_not_finite_is_named() -> None:
+    model = turning()
+    model.joint_force("bearing", lambda t, x, rate: np.nan if t > 0.05 else 1.0, name="torn")
+    with pytest.raises(lw.NotFiniteError, match="force 'torn'"):
+        lw.simulate(model, t_end=0.1, step=1e-3)
+
+
+def test_an_error_in_the_law_reaches_the_user() -> None:
+    def law(t: float, x: float, rate: float) -> float:
+        raise ZeroDivisionError("of mine")
+
+    model = turning()
+    model.joint_force("bearing", law)
+    with pytest.raises(ZeroDivisionError, match="of mine"):
+        lw.simulate(model, t_end=0.1, step=1e-3)
+
+
+def test_names_of_own_forces_are_taken_once() -> None:
+    model = turning()
+    model.joint_force("bearing", 1.0, name="motor")
+    with pytest.raises(ModelError, match="'motor' exists already"):
+        model.user_force(lambda t, q, v: np.zeros_like(v), name="motor")
+    model.joint_force("bearing", 1.0, name="joint force 3")
+    model.joint_force("bearing", 1.0)
+    model.joint_force("bearing", 1.0)
+    assert model.user_force_count == 4
+
+
+def test_models_differ_by_where_a_law_acts() -> None:
+    hashes = set()
+    for coordinate in ("angle_a", "angle_b"):
+        model = two_bodies("universal", at=(0.1, 0.05, 0.1), axes=((1, 0, 0), (0, 1, 0)))
+        model.joint_force("joint", law, coordinate=coordinate, name="it")
+        hashes.add(model.hash())
+    assert len(hashes) == 2

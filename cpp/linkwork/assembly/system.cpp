@@ -3,8 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <numeric>
 
+#include "linkwork/math/error.hpp"
 #include "linkwork/math/rotation.hpp"
 
 namespace linkwork {
@@ -153,6 +155,10 @@ void System::compile_forces() {
                             first + static_cast<std::ptrdiff_t>(kind.info.parameters.size()));
     memory_size_ += kind.memory;
   }
+  for (const JointForce& force : model_.joint_forces()) {
+    joint_force_memory_.push_back(memory_size_);
+    memory_size_ += force.memory();
+  }
 }
 
 Evaluation System::make_evaluation() const {
@@ -174,7 +180,31 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, Eval
   out.potential = body_forces_(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
   out.power = 0.0;
   if (!model_.forces().empty()) evaluate_elements(q, v, out);
+  if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
+}
+
+Wrenches<double> System::joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,
+                                     double* memory) const {
+  const JointForce& force = model_.joint_forces()[k];
+  Wrenches<double> out;
+  force.evaluate(t, moving(force.i, q, v), moving(force.j, q, v), memory, out);
+  return out;
+}
+
+void System::evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  for (std::size_t k = 0; k < model_.joint_forces().size(); ++k) {
+    const JointForce& force = model_.joint_forces()[k];
+    const Wrenches<double> wrenches = joint_force(k, t, q, v, out.memory.data() + joint_force_memory_[k]);
+    const auto add = [&](int body, const Vec3<double>& F, const Vec3<double>& n) {
+      if (body == ground) return;
+      out.g.segment<3>(velocity_size * body) += F;
+      out.g.segment<3>(velocity_size * body + 3) += n;
+    };
+    add(force.i, wrenches.force_i, wrenches.torque_i);
+    add(force.j, wrenches.force_j, wrenches.torque_j);
+    out.power += wrenches.power;
+  }
 }
 
 void System::evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
@@ -189,10 +219,22 @@ void System::evaluate_user_forces(double t, const ConstVector& q, const ConstVec
 void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   for (std::size_t s = 0; s < out.signals.size(); ++s)
     if (model_.signals()[s]->of_time()) out.signals[s] = model_.signals()[s]->evaluate(t);
+  if (!model_.limited().empty()) check_limits(t, out.signals);
   const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
   for (const CompiledJoints& joints : joints_)
     joints.evaluate(joints.batch.arrays(), q.data(), v.data(), out.signals.data(), arrays);
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, out);
+}
+
+/// OptionError: a function of time is where no value of its parameter can be.
+void System::check_limits(double t, const std::vector<Signal<double>>& signals) const {
+  for (const Limited& it : model_.limited()) {
+    const double value = current(it.value, signals.data()).value, least = current(it.least, signals.data()).value;
+    if (!(value < least)) continue;
+    char numbers[96];
+    std::snprintf(numbers, sizeof numbers, " is %.6g at t = %.6g s, and must not be below %.6g", value, t, least);
+    throw OptionError("out_of_bounds", it.what + numbers + (it.than.empty() ? "" : ", which is " + it.than));
+  }
 }
 
 void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstVector& q, const ConstVector& v,

@@ -73,6 +73,10 @@ class System {
   /// Scales every p to unit length.
   void normalize(MutableVector q) const;
 
+  /// What one of the user's own laws along coordinates applies, from what it remembers.
+  Wrenches<double> joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,
+                               double* memory) const;
+
   // The mass matrix: blocks diag(m I, J), constant.
   double mass(int body) const { return mass_[static_cast<std::size_t>(body)].m; }
   double inverse_mass(int body) const { return inverse_mass_[static_cast<std::size_t>(body)].m; }
@@ -124,6 +128,8 @@ class System {
   BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
   BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
   const ConstraintBlock& block_of_body(int joint, int body) const;
+  void check_limits(double t, const std::vector<Signal<double>>& signals) const;
+  void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               Evaluation& out) const;
@@ -134,8 +140,9 @@ class System {
   BodyForces body_forces_;
   std::vector<MassBlock> mass_, inverse_mass_;
   std::vector<int> massless_;
-  std::vector<CompiledJoints> joints_;  ///< one per kind in use
-  std::vector<Batch> force_batches_;    ///< one per registered kind
+  std::vector<CompiledJoints> joints_;              ///< one per kind in use
+  std::vector<Batch> force_batches_;                ///< one per registered kind
+  std::vector<std::ptrdiff_t> joint_force_memory_;  ///< places
   std::vector<CompiledSpecialJoint> special_joints_;
   std::size_t most_bodies_ = 0;  ///< of a special joint
   std::vector<ConstraintBlock> blocks_;

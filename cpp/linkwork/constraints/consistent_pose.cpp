@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "linkwork/constraints/length_scale.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -71,15 +73,10 @@ class Components {
       if (const int c = core_.component_of_body(body); c >= 0) visit(body, static_cast<std::size_t>(c));
   }
 
-  /// The longest way from a center of mass to a joint.
   void measure_lengths() {
-    length_.assign(count(), 0.0);
-    for (const Element& joint : system_.model().joints())
-      for (const auto& [body, s] : {std::pair{joint.i, joint.at.s_i}, std::pair{joint.j, joint.at.s_j}})
-        if (const int c = body == ground ? -1 : core_.component_of_body(body); c >= 0)
-          length_[static_cast<std::size_t>(c)] = std::max(length_[static_cast<std::size_t>(c)], s.norm());
-    for (double& length : length_)
-      if (length == 0.0) length = 1.0;
+    const VectorXd lengths = characteristic_lengths(system_);
+    length_.assign(count(), 1.0);
+    for_each_body([&](int body, std::size_t c) { length_[c] = lengths[body]; });
   }
 
   void measure_reach() {
@@ -153,7 +150,7 @@ ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Vecto
   return pull_back(solver, core, Components(solver.system(), core), q, t);
 }
 
-PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q) {
+PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q, const std::vector<int>& freedoms) {
   const System& system = solver.system();
   const Components components(system, core);
   Evaluation at = system.make_evaluation();
@@ -167,7 +164,7 @@ PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd
   PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};
   std::vector<double> unit = components.sizes(velocity);
   const std::vector<double> all = components.sizes(random);
-  for (std::size_t c = 0; c < components.count(); ++c) out.mobile[c] = unit[c] > immobile * all[c];
+  for (std::size_t c = 0; c < components.count(); ++c) out.mobile[c] = freedoms[c] > 0 && unit[c] > immobile * all[c];
   for (std::size_t c = 0; c < unit.size(); ++c) unit[c] = out.mobile[c] && unit[c] > 0.0 ? 1.0 / unit[c] : 0.0;
   components.multiply(unit, velocity);
 

@@ -14,15 +14,16 @@ struct ConsistentPose {
   std::vector<char> reached;  ///< per component of the core
 };
 
-/// Pulls a pose onto the constraints, which may be redundant: Gauss-Newton steps in the metric of the masses,
+/// Pulls a pose onto the constraints, which may be redundant: Gauss-Newton steps in the solver's metric M,
 ///   dq = -M^-1 D^T (D M^-1 D^T + E)^-1 Phi,   E a tiny part of the diagonal.
 ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const VectorXd& q, double t = 0.0);
 
 /// A random pose near the pose `q`, consistent at t = 0, the same in every run: a step along a random velocity that the
-/// constraints allow, pulled back onto them. Components without such a velocity are not `mobile` and stay.
+/// constraints allow, pulled back onto them. Components without such a velocity are not `mobile` and stay: they have no
+/// `freedoms` (6 per body less the rank), or too small a part of a velocity is allowed.
 struct PerturbedPose : ConsistentPose {
   std::vector<char> mobile;
 };
-PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q);
+PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q, const std::vector<int>& freedoms);
 
 }  // namespace linkwork

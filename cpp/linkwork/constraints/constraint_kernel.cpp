@@ -10,15 +10,16 @@ ConstraintKernel::ConstraintKernel(MetricSolver& solver, const LoopCore& core, c
       core_(core),
       at_(at),
       scale_(solver.system().row_mobility(at).cwiseSqrt()),
-      dropped_(solver.system(), dependent) {
+      dropped_(solver.system(), dependent),
+      refinement_(solver.system()) {
   const System& system = solver.system();
   scale_ = (scale_.array() > 0.0).select(scale_, 1.0);
   dropped_.take_out(at_);
   VectorXd e = VectorXd::Zero(system.row_count());
   dropped_.scatter(VectorXd::Ones(dropped_.count()), e);
   regular_ = solver.factorize(at_, e);
-  for (VectorXd* velocities : {&a_, &x_, &dx_}) velocities->setZero(system.v_size());
-  for (VectorXd* values : {&b_, &lambda_, &dlambda_}) values->setZero(system.row_count());
+  for (VectorXd* velocities : {&a_, &x_}) velocities->setZero(system.v_size());
+  for (VectorXd* values : {&b_, &lambda_}) values->setZero(system.row_count());
 }
 
 VectorXd ConstraintKernel::vector(const VectorXd& n_d) {
@@ -29,23 +30,13 @@ VectorXd ConstraintKernel::vector(const VectorXd& n_d) {
   b_.setZero();
   dropped_.add_transposed(omega, a_);
   solver_.solve(a_, b_, x_, lambda_);
-  refine();
+  const auto once_more = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
+                                MutableVector dlambda) { solver_.solve(r_1, r_2, dx, dlambda); };
+  refinement_.correct(at_, a_, b_, x_, lambda_, once_more);
   dropped_.scatter(omega, lambda_);
   VectorXd n(core_.row_count());
   for (int place = 0; place < core_.row_count(); ++place) n[place] = lambda_[row(place)] * scale_[row(place)];
   return n;
-}
-
-/// M x - D^T lambda = a, D x = 0 once more for the residuals.
-void ConstraintKernel::refine() {
-  const System& system = solver_.system();
-  system.multiply_mass(x_, dx_);
-  a_ -= dx_;
-  system.add_D_transposed(at_, lambda_, a_);
-  system.multiply_D(at_, x_, b_);
-  b_ = -b_;
-  solver_.solve(a_, b_, dx_, dlambda_);
-  lambda_ += dlambda_;
 }
 
 void ConstraintKernel::mark_members(std::vector<char>& marks) {

@@ -3,12 +3,13 @@
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/constraints/loop_core.hpp"
 #include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/refinement.hpp"
 
 namespace linkwork {
 
 /// ker D^T of the core at an evaluation, by its values at dependent rows d: with the others, k, independent,
 ///   n_k = -(D_k M^-1 D_k^T)^-1 D_k M^-1 D_d^T n_d.
-/// Vectors are over the core and refer to rows of unit length in the metric M^-1.
+/// Vectors are over the core and refer to rows of unit length in the solver's metric M^-1.
 class ConstraintKernel {
  public:
   /// `dependent` are constraint rows of the core. One kernel at a time may use a solver.
@@ -29,13 +30,13 @@ class ConstraintKernel {
 
  private:
   int row(int place) const { return core_.rows()[static_cast<std::size_t>(place)]; }
-  void refine();
 
   MetricSolver& solver_;
   const LoopCore& core_;
   Evaluation at_;
-  VectorXd scale_, a_, b_, x_, lambda_, dx_, dlambda_;
+  VectorXd scale_, a_, b_, x_, lambda_;
   DroppedRows dropped_;
+  Refinement refinement_;
   bool regular_ = false;
 };
 

@@ -15,6 +15,13 @@ DroppedRows::DroppedRows(const System& system, std::vector<int> rows) : rows_(st
   }
 }
 
+std::vector<char> DroppedRows::translating() const {
+  std::vector<char> out(rows_.size(), 0);
+  for (const Piece& piece : pieces_)
+    if (piece.entries.head<3>().cwiseAbs().maxCoeff() > 0.0) out[static_cast<std::size_t>(piece.place)] = 1;
+  return out;
+}
+
 void DroppedRows::take_out(Evaluation& at) {
   for (Piece& piece : pieces_) {
     Eigen::Map<Row> entries(at.D.data() + piece.offset);

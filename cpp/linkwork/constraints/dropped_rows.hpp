@@ -19,6 +19,8 @@ class DroppedRows {
   const std::vector<int>& rows() const { return rows_; }
   int count() const { return static_cast<int>(rows_.size()); }
   bool empty() const { return rows_.empty(); }
+  /// Of each row, as last taken out, whether it holds translations; else it is of rotations alone.
+  std::vector<char> translating() const;
 
   /// Takes the rows out of the D of an evaluation, and keeps their entries.
   void take_out(Evaluation& at);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "linkwork/constraints/displacement.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/math/rotation.hpp"
 
 namespace linkwork {
@@ -13,22 +14,21 @@ namespace {
 constexpr double exact = 1e-15, roundoff = 1e-12;  // violations, relative to the size of the mechanism
 constexpr double least_damping = 1e-10, most_damping = 1e8;
 constexpr double stationary = 1e-9;      // part of the violation that a step should take away
-constexpr double longest_step = 0.5;     // relative to 1 + |r|, or rad
-constexpr double least_mobility = 1e-2;  // of the largest of a joint
+constexpr double longest_step = 0.5;     // relative to the extent of the mechanism, or rad
+constexpr double least_mobility = 1e-2;  // of a row of rotations, of its usual one
 constexpr double nearest = 1e-11;        // displacement that is none
 constexpr double shortest_part = 1e-4;   // of a step along the constraints
-constexpr double nudge = 0.05;           // [rad, or m relative to the size], off a saddle
+constexpr double nudge = 0.05;           // [rad, or relative to the length of a body], off a saddle
 constexpr int most_descents = 300, most_approaches = 100, most_nudges = 4, most_refinements = 40;
 constexpr double most_velocity_damping = 1e-8, least_velocity_damping = 1e-13;
 
 double largest(const VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
 
-double reach_of(const System& system) {
-  double reach = 1.0;
-  for (const Body& body : system.model().bodies()) reach = std::max(reach, body.position.norm());
-  for (const Element& joint : system.model().joints())
-    reach = std::max({reach, joint.at.s_i.norm(), joint.at.s_j.norm()});
-  return reach;
+/// The longest side of the box around the centers of mass, or the longest length of a body.
+double extent_of(const System& system, const VectorXd& lengths) {
+  const VectorXd q = system.model().initial_q();
+  const auto positions = q.reshaped(position_size, system.body_count()).topRows<3>();
+  return std::max((positions.rowwise().maxCoeff() - positions.rowwise().minCoeff()).maxCoeff(), lengths.maxCoeff());
 }
 
 /// integral rho rho^T dm over a body, rho from the center of mass in body axes: tr(J)/2 I - J.
@@ -41,12 +41,11 @@ Mat3<double> orientation(const VectorXd& q, int body) {
   return rotation_matrix<double>(q.segment<4>(position_size * body + 3));
 }
 
-/// Largest displacement, as `displace` measures it.
-double size_of(const System& system, const VectorXd& x, const VectorXd& q) {
+/// Largest displacement, relative to the extent of the mechanism, or [rad].
+double size_of(const VectorXd& x, double extent) {
   double out = 0.0;
-  for (int body = 0; body < system.body_count(); ++body)
-    out = std::max({out, x.segment<3>(6 * body).norm() / (1.0 + q.segment<3>(7 * body).norm()),
-                    x.segment<3>(6 * body + 3).norm()});
+  for (Eigen::Index k = 0; k < x.size(); k += velocity_size)
+    out = std::max({out, x.segment<3>(k).norm() / extent, x.segment<3>(k + 3).norm()});
   return out;
 }
 
@@ -59,14 +58,20 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
       rest_(VectorXd::Zero(system.v_size())),
       x_(system.v_size()),
       lambda_(system.row_count()),
-      reach_(reach_of(system)) {
+      lengths_(characteristic_lengths(system)),
+      extent_(extent_of(system, lengths_)),
+      rounding_(std::max(1.0, farthest_position(system, system.model().initial_q()))) {
   this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, at_);
+  row_lengths_ = row_lengths(system, at_);
   mobility_ = this->system().row_mobility(at_);
-  const std::vector<int>& first = system.model().joint_rows();
-  for (std::size_t joint = 0; joint + 1 < first.size(); ++joint) {
-    auto rows = mobility_.segment(first[joint], first[joint + 1] - first[joint]);
-    const double most = rows.maxCoeff();
-    rows = rows.cwiseMax(most > 0.0 ? least_mobility * most : 1.0);  // a row may have none in one pose only
+  const std::vector<char> rotations = rows_of_rotations(system, at_);
+  VectorXd usual = VectorXd::Zero(system.row_count());  // of rows of rotations, which may have none in one pose only
+  for (const ConstraintBlock& block : this->system().blocks())
+    usual.segment(block.row, block.rows).array() += this->system().inverse_inertia(block.body).trace() / 3.0;
+  for (int row = 0; row < system.row_count(); ++row) {
+    if (rotations[static_cast<std::size_t>(row)])
+      mobility_[row] = std::max(mobility_[row], least_mobility * usual[row]);
+    if (!(mobility_[row] > 0.0)) mobility_[row] = 1.0;
   }
 }
 
@@ -87,6 +92,11 @@ bool InitialConditions::solve(const VectorXd& a, const VectorXd& b, double dampi
   return x_.allFinite() && lambda_.allFinite();
 }
 
+/// Largest, relative to the size of the mechanism and the roundoff of its positions.
+double InitialConditions::relative(const VectorXd& residuals) const {
+  return largest(residuals.cwiseQuotient(row_lengths_)) / rounding_;
+}
+
 double InitialConditions::merit() const { return (at_.Phi.array().square() / mobility_.array()).sum(); }
 
 // Levenberg and Marquardt's method for min f = Phi^T W^-1 Phi, W = diag(w) of the mobilities:
@@ -98,19 +108,19 @@ bool InitialConditions::descend(VectorXd& q) {
   double c = 1.0, last = INFINITY;
   for (int k = 0; k < most_descents; ++k) {
     evaluate(q, rest_);
-    const double violation = largest(at_.Phi) / reach_, f = merit();
-    if (violation <= exact || (violation <= roundoff && violation > 0.5 * last)) return true;
-    last = violation;
+    const double now = relative(at_.Phi), f = merit();
+    if (now <= exact || (now <= roundoff && now > 0.5 * last)) return true;
+    last = now;
     for (;; c *= 8.0) {
-      const double mu = std::max(least_damping, c * violation);
-      if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return violation <= roundoff;
+      const double mu = std::max(least_damping, c * now);
+      if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return now <= roundoff;
       const double expected = f - mu * mu * (lambda_.array().square() * mobility_.array()).sum();
-      if (!(expected > stationary * f) && mu <= 1.0) return violation <= roundoff;
-      const double size = size_of(system(), x_, q), part = std::min(1.0, longest_step / std::max(size, longest_step));
+      if (!(expected > stationary * f) && mu <= 1.0) return now <= roundoff;
+      const double size = size_of(x_, extent_), part = std::min(1.0, longest_step / std::max(size, longest_step));
       VectorXd next = q;
       displace(system(), part * x_, next);
       evaluate(next, rest_);
-      if (merit() < f - 1e-4 * part * expected || violation <= roundoff) {
+      if (merit() < f - 1e-4 * part * expected || now <= roundoff) {
         q = next;
         c = std::max(1e-3, c / 4.0);
         break;
@@ -151,7 +161,7 @@ void InitialConditions::approach(const VectorXd& given, VectorXd& q) {
   for (int k = 0; k < most_approaches && part > shortest_part; ++k) {
     evaluate(q, rest_);
     if (!solve(pull(given, q), -at_.Phi, least_damping)) return;
-    const double size = size_of(system(), x_, q);
+    const double size = size_of(x_, extent_);
     if (size <= nearest) return;
     VectorXd next = q;
     displace(system(), std::min(part, longest_step / size) * x_, next);
@@ -176,6 +186,7 @@ bool InitialConditions::positions(const VectorXd& given, VectorXd& q) {
   for (int k = 0; k < most_nudges && !reached; ++k) {  // the way may have ended in a saddle, such as a half turn
     VectorXd next = best, random(system().v_size());
     for (double& x : random) x = nudge * (static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0);
+    random.array() *= velocity_scale(system()).array();
     for (const int body : held_) random.segment<6>(6 * body).setZero();
     displace(system(), random, next);
     reached = descend(next);
@@ -191,21 +202,29 @@ bool InitialConditions::positions(const VectorXd& given, VectorXd& q) {
   return reached;
 }
 
+/// Of velocities and drivers [1/s].
+double InitialConditions::rate(const VectorXd& v) const {
+  double out = largest(at_.Phi_t.cwiseQuotient(row_lengths_));
+  for (int body = 0; body < system().body_count(); ++body)
+    out = std::max({out, v.segment<3>(6 * body).norm() / lengths_[body], v.segment<3>(6 * body + 3).norm()});
+  return out;
+}
+
 // dv = -M^-1 D^T (D M^-1 D^T + mu W)^-1 (D v + Phi_t), again for what mu left; long chains need a smaller one.
 bool InitialConditions::velocities(const VectorXd& q, VectorXd& v) {
   if (system().row_count() == 0) return true;
   VectorXd found = v;
-  double least = INFINITY, mu = most_velocity_damping;
+  double least = INFINITY, mu = most_velocity_damping, size = 0.0;  // the rate of the given velocities, or a larger one
   for (int k = 0; k < most_refinements; ++k) {
     evaluate(q, found);
-    const double size = reach_ * std::max({1.0, largest(found), largest(at_.Phi_t)});
-    const double violation = largest(at_.Phi_dot) / size;
-    const bool shrinking = violation < 0.5 * least;
-    if (violation < least) {
+    size = std::max(size, rate(found));
+    const double now = size > 0.0 ? relative(at_.Phi_dot) / size : 0.0;
+    const bool shrinking = now < 0.5 * least;
+    if (now < least) {
       v = found;
-      least = violation;
+      least = now;
     }
-    if (violation <= exact || (!shrinking && violation <= roundoff)) break;
+    if (now <= exact || (!shrinking && now <= roundoff)) break;
     if (!shrinking && (mu *= 0.01) < least_velocity_damping) break;
     if (!solve(rest_, -at_.Phi_dot, mu)) break;
     found += x_;

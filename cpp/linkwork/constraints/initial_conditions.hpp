@@ -32,6 +32,8 @@ class InitialConditions {
   const System& system() const { return solver_.system(); }
   void evaluate(const VectorXd& q, const VectorXd& v);
   bool solve(const VectorXd& a, const VectorXd& b, double damping);
+  double relative(const VectorXd& residuals) const;
+  double rate(const VectorXd& v) const;
   double merit() const;
   bool descend(VectorXd& q);
   void approach(const VectorXd& given, VectorXd& q);
@@ -41,7 +43,10 @@ class InitialConditions {
   std::vector<int> held_;
   Evaluation at_;
   VectorXd mobility_, rest_, x_, lambda_;
-  double reach_ = 1.0;  ///< size of the mechanism, at least 1 m
+  VectorXd lengths_;      ///< of the bodies, see characteristic_lengths
+  VectorXd row_lengths_;  ///< at the given pose
+  double extent_;         ///< of the mechanism [m]
+  double rounding_;       ///< of positions, by that of the lengths; at least 1
   int iterations_ = 0;
 };
 

@@ -5,19 +5,32 @@
 #include <cmath>
 #include <numeric>
 
+#include "linkwork/constraints/length_scale.hpp"
+
 namespace linkwork {
 namespace {
 
 constexpr double zero_row = 1e-9;
 
+/// A row of rotations alone has natural size 1 and may vanish in a pose, such as that of axes at right angles where
+/// they are parallel. Translations have a size of their own, and so have the factors of special joints.
+bool vanishes(const Model& model, int row, double translation, double rotation) {
+  if (!(translation > 0.0 || rotation > 0.0)) return true;
+  return translation == 0.0 && rotation <= zero_row && !model.special_joint(model.joint_of_row(row));
+}
+
 /// True where the rows of a block are independent on its body alone.
-bool independent(const Evaluation& at, const VectorXd& scale, const ConstraintBlock& block, double tolerance) {
+bool independent(const Model& model, const Evaluation& at, const VectorXd& scale, const ConstraintBlock& block,
+                 double tolerance) {
   using Block = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
   if (block.rows > 6) return false;
   const Eigen::Map<const Block> D(at.D.data() + block.offset, block.rows, 6);
   Eigen::Matrix<double, 6, Eigen::Dynamic> rows = scale.segment<6>(6 * block.body).asDiagonal() * D.transpose();
   for (int k = 0; k < block.rows; ++k)
-    rows.col(k) *= D.row(k).cwiseAbs().maxCoeff() > zero_row ? 1.0 / rows.col(k).norm() : 0.0;
+    rows.col(k) *= vanishes(model, block.row + k, D.row(k).head<3>().cwiseAbs().maxCoeff(),
+                            D.row(k).tail<3>().cwiseAbs().maxCoeff())
+                       ? 0.0
+                       : 1.0 / rows.col(k).norm();
   Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, Eigen::Dynamic>> qr(rows);
   qr.setThreshold(tolerance);
   return qr.rank() == block.rows;
@@ -31,8 +44,8 @@ bool joins_many(const Model& model, int joint) {
 
 /// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of
 /// all that remain, because only they touch that body.
-std::vector<char> peel_open_branches(const System& system, const Evaluation& at, double tolerance) {
-  const VectorXd scale = velocity_scale(system);
+std::vector<char> peel_open_branches(const System& system, const VectorXd& scale, const Evaluation& at,
+                                     double tolerance) {
   std::vector<char> removed(static_cast<std::size_t>(system.joint_count()), 0);
   std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
   for (int body = 0; body < system.body_count(); ++body) {
@@ -45,7 +58,8 @@ std::vector<char> peel_open_branches(const System& system, const Evaluation& at,
     leaves.pop_back();
     for (const int index : system.body_blocks(body)) {
       const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
-      if (removed[static_cast<std::size_t>(block.joint)] || !independent(at, scale, block, tolerance)) continue;
+      if (removed[static_cast<std::size_t>(block.joint)] || !independent(system.model(), at, scale, block, tolerance))
+        continue;
       removed[static_cast<std::size_t>(block.joint)] = 1;
       for (const int other : system.joint_blocks(block.joint)) {
         const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
@@ -58,27 +72,8 @@ std::vector<char> peel_open_branches(const System& system, const Evaluation& at,
 
 }  // namespace
 
-VectorXd velocity_scale(const System& system) {
-  const int n = system.body_count();
-  VectorXd mass(system.v_size());
-  for (int body = 0; body < n; ++body) {
-    mass.segment<3>(6 * body).setConstant(system.mass(body));
-    mass.segment<3>(6 * body + 3).setConstant(system.inertia(body).trace() / 3.0);
-  }
-  double sums[2] = {0.0, 0.0};
-  for (int body = 0; body < n; ++body) {
-    sums[0] += mass[6 * body];
-    sums[1] += mass[6 * body + 3];
-  }
-  for (Eigen::Index k = 0; k < mass.size(); ++k) {
-    const double mean = sums[k % 6 / 3] / n;
-    if (mass[k] <= 0.0) mass[k] = mean > 0.0 ? mean : 1.0;
-  }
-  return mass.cwiseSqrt().cwiseInverse();
-}
-
 LoopCore::LoopCore(const System& system, const Evaluation& at, double tolerance)
-    : system_(&system), removed_(peel_open_branches(system, at, tolerance)) {
+    : system_(&system), scale_(velocity_scale(system)), removed_(peel_open_branches(system, scale_, at, tolerance)) {
   const auto& first = system.model().joint_rows();
   for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
     if (!removed_[joint])
@@ -181,26 +176,25 @@ std::vector<int> LoopCore::loop_of(int joint, std::size_t most) const {
 }
 
 SparseRows LoopCore::scaled_D(const Evaluation& at, VectorXd* lengths) const {
-  const VectorXd scale = velocity_scale(*system_);
   SparseRows D(row_count(), system_->v_size());
   if (lengths) lengths->setOnes(row_count());
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<std::pair<int, double>> row;
   for (int place = 0; place < row_count(); ++place) {
     const int number = rows_[static_cast<std::size_t>(place)];
-    double squares = 0.0, largest = 0.0;
+    double squares = 0.0, largest[2] = {0.0, 0.0};  // of translations and rotations
     row.clear();
     for (const int index : system_->joint_blocks(system_->model().joint_of_row(number))) {
       const ConstraintBlock& block = system_->blocks()[static_cast<std::size_t>(index)];
       for (int c = 0; c < 6; ++c) {
         const double value = at.D[static_cast<std::size_t>(block.offset + 6 * (number - block.row) + c)];
         const int velocity = 6 * block.body + c;
-        largest = std::max(largest, std::abs(value));
-        row.emplace_back(velocity, value * scale[velocity]);
+        largest[c / 3] = std::max(largest[c / 3], std::abs(value));
+        row.emplace_back(velocity, value * scale_[velocity]);
         squares += row.back().second * row.back().second;
       }
     }
-    if (!(largest > zero_row)) continue;
+    if (vanishes(system_->model(), number, largest[0], largest[1])) continue;
     const double length = std::sqrt(squares);
     if (lengths) (*lengths)[place] = length;
     for (const auto& [velocity, value] : row)

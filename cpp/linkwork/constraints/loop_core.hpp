@@ -10,9 +10,6 @@ namespace linkwork {
 /// Rows of D by rows.
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// M^-1/2 as a scale per velocity; massless directions take the mean of the others.
-VectorXd velocity_scale(const System& system);
-
 /// The closed loops of a system. Joints at the ends of open branches are taken off one by one: their equations are
 /// independent of all others where they are independent on the outer body. What is left falls into components that
 /// share no body.
@@ -34,8 +31,8 @@ class LoopCore {
   /// the joint has more than two bodies.
   std::vector<int> loop_of(int joint, std::size_t most) const;
 
-  /// D M^-1/2 of the core, every row scaled to unit length; a row that is roundoff of zero becomes zero (the equations
-  /// of joints have natural size 1). `lengths`, where given, becomes the lengths of the rows, 1 for such ones.
+  /// D of the core in velocities of natural size (see velocity_scale), every row scaled to unit length; a row that is
+  /// roundoff of zero becomes zero. `lengths`, where given, becomes the lengths of the rows, 1 for such ones.
   SparseRows scaled_D(const Evaluation& at, VectorXd* lengths = nullptr) const;
 
  private:
@@ -43,6 +40,7 @@ class LoopCore {
   void find_tree();
 
   const System* system_;
+  VectorXd scale_;  ///< of velocities
   std::vector<int> rows_, row_component_, body_component_;
   std::vector<char> removed_, closing_;    ///< of all joints
   std::vector<int> parent_joint_, depth_;  ///< in the tree: of the ground, then of the bodies

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -15,14 +16,17 @@ double mean_of_positive(const VectorXd& x) {
   return count > 0 ? x.sum() / static_cast<double>(count) : 1.0;
 }
 
-Model with_masses(const Model& model, const VectorXd& weights) {
+Model with_masses(const System& system, const VectorXd& weights) {
+  const Model& model = system.model();
   const auto n = static_cast<Eigen::Index>(model.bodies().size());
   VectorXd mass(n), moment(n);
   for (Eigen::Index b = 0; b < n; ++b) {
     mass[b] = model.bodies()[static_cast<std::size_t>(b)].mass;
     moment[b] = model.bodies()[static_cast<std::size_t>(b)].inertia.trace() / 3.0;
   }
-  const double usual_mass = mean_of_positive(mass), usual_moment = mean_of_positive(moment);
+  const double usual_mass = mean_of_positive(mass), usual_length = characteristic_lengths(system).mean();
+  const double usual_moment =
+      moment.maxCoeff() > 0.0 ? mean_of_positive(moment) : usual_mass * usual_length * usual_length;
   std::vector<Body> bodies = model.bodies();
   for (Body& body : bodies) {
     const Vec3<double> moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.inertia).eigenvalues();
@@ -40,9 +44,23 @@ Model with_masses(const Model& model, const VectorXd& weights) {
 }  // namespace
 
 MetricSolver::MetricSolver(const System& system, const VectorXd& weights)
-    : regularized_(system.massless_bodies().empty() && weights.size() == 0
-                       ? nullptr
-                       : std::make_unique<System>(with_masses(system.model(), weights))),
+    : MetricSolver(system, system.massless_bodies().empty() && weights.size() == 0
+                               ? nullptr
+                               : std::make_unique<System>(with_masses(system, weights))) {}
+
+MetricSolver MetricSolver::of_geometry(const System& system) {
+  const VectorXd lengths = characteristic_lengths(system);
+  std::vector<Body> bodies = system.model().bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double length = lengths[static_cast<Eigen::Index>(b)];
+    bodies[b].mass = 1.0 / (length * length);
+    bodies[b].inertia.setIdentity();
+  }
+  return {system, std::make_unique<System>(system.model().with_masses(bodies))};
+}
+
+MetricSolver::MetricSolver(const System& system, std::unique_ptr<System> other)
+    : regularized_(std::move(other)),
       system_(regularized_ ? regularized_.get() : &system),
       saddle_(make_saddle_solver("kkt", linear_solver_info("block"))) {
   const Evaluation at = system_->make_evaluation();

@@ -6,7 +6,7 @@
 
 namespace linkwork {
 
-/// Least squares in the metric of the masses, for questions about the constraints alone:
+/// Least squares in the metric of the masses or of geometry, for questions about the constraints alone:
 ///   [M  D^T] {   x   }   {a}
 ///   [D  -E ] {-lambda} = {b}
 /// Massless bodies get the mean mass and inertia of the others here, so that there is a metric. `weights`, where given,
@@ -14,6 +14,8 @@ namespace linkwork {
 class MetricSolver {
  public:
   explicit MetricSolver(const System& system, const VectorXd& weights = {});
+  /// The metric of geometry: instead of the masses the velocities of natural size (see velocity_scale) count alike.
+  static MetricSolver of_geometry(const System& system);
 
   /// The given system, or one with the same bodies, joints and rows that has a regular mass matrix.
   const System& system() const { return *system_; }
@@ -24,6 +26,8 @@ class MetricSolver {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
  private:
+  MetricSolver(const System& system, std::unique_ptr<System> other);
+
   std::unique_ptr<System> regularized_;
   const System* system_;
   std::unique_ptr<SaddleSolver> saddle_;

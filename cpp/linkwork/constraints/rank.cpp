@@ -1,11 +1,11 @@
 #include "linkwork/constraints/rank.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 
 #include "linkwork/constraints/consistent_pose.hpp"
 #include "linkwork/constraints/constraint_kernel.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/constraints/loop_core.hpp"
 #include "linkwork/constraints/row_selection.hpp"
 #include "linkwork/linear/column_rank.hpp"
@@ -14,8 +14,8 @@ namespace linkwork {
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
-constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
-constexpr double assembled = 1e-13;  // |Phi| below which a pose needs no correction
+constexpr double assembled = 1e-13;  // |Phi|, relative to the size, below which a pose needs no correction
+constexpr double residual_margin = 10.0, coarsest = 1e-6;
 constexpr std::size_t joints_in_text = 8;
 
 Places complement(const Places& places, int count) {
@@ -39,16 +39,43 @@ std::unique_ptr<ConstraintKernel> make_kernel(MetricSolver& solver, const LoopCo
   return std::make_unique<ConstraintKernel>(solver, core, at, rows);
 }
 
+/// Per component of the core: 6 per body less the rank.
+std::vector<int> degrees_of_freedom(const System& system, const LoopCore& core, const Places& dependent) {
+  std::vector<int> out(static_cast<std::size_t>(core.component_count()), 0);
+  const auto add = [&](int component, int count) { out[static_cast<std::size_t>(component)] += count; };
+  for (int body = 0; body < system.body_count(); ++body)
+    if (const int component = core.component_of_body(body); component >= 0) add(component, velocity_size);
+  for (int place = 0; place < core.row_count(); ++place) add(core.component_of_row(place), -1);
+  for (const int place : dependent) add(core.component_of_row(place), 1);
+  return out;
+}
+
+/// The least tolerance that does not tell errors of the given geometry from its rank: joints that are off by a little
+/// can be assembled but for a residual, and singular values of that size mean nothing.
+double tolerance_of_geometry(const System& system, const LoopCore& core, const VectorXd& q) {
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), at);
+  const VectorXd residuals = at.Phi.cwiseQuotient(row_lengths(system, at)).cwiseAbs();
+  double most = 0.0;
+  for (const int row : core.rows()) most = std::max(most, residuals[row]);
+  return std::min(residual_margin * most, coarsest);
+}
+
 /// Fills in the report: rows that are redundant at the assembled and at a perturbed pose, and those that are dependent
 /// at the assembled one only.
 void find_redundancy(const System& given, const LoopCore& core, double tolerance, RankReport& report) {
-  MetricSolver solver(given);
+  MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   const auto row = [&](int place) { return core.rows()[static_cast<std::size_t>(place)]; };
-  report.q = pull_back(solver, core, report.q).q;
+  const ConsistentPose start = pull_back(solver, core, report.q);
+  report.q = start.q;
+  tolerance = std::max(tolerance, tolerance_of_geometry(system, core, report.q));
   const CorePose assembled(system, core, report.q, tolerance);
   if (assembled.dependent.empty()) return;
-  const PerturbedPose found = perturb(solver, core, report.q);
+  std::vector<int> freedoms = degrees_of_freedom(system, core, assembled.dependent);
+  for (std::size_t c = 0; c < freedoms.size(); ++c)
+    if (!start.reached[c]) freedoms[c] = 0;  // its joints contradict each other: there is no other pose to look at
+  const PerturbedPose found = perturb(solver, core, report.q, freedoms);
   report.q = found.q;
   const CorePose perturbed(system, core, report.q, tolerance);
   const Places redundant = redundant_rows(solver, core, assembled, perturbed, found, tolerance);
@@ -68,19 +95,6 @@ void find_redundancy(const System& given, const LoopCore& core, double tolerance
   for (int place = 0; place < core.row_count(); ++place)
     if (members[static_cast<std::size_t>(place)])
       report.unique[static_cast<std::size_t>(system.model().joint_of_row(row(place)))] = 0;
-}
-
-/// What the roundoff of positions far from the origin does to rows of D, relative to their size: the arms of joints are
-/// differences of positions.
-double roundoff_of_positions(const System& system, const VectorXd& q) {
-  double reach = 0.0, arm = 0.0;
-  for (int body = 0; body < system.body_count(); ++body)
-    reach = std::max(reach, q.segment<3>(position_size * body).norm());
-  for (const Element& joint : system.model().joints()) {
-    if (joint.i != ground) arm = std::max(arm, joint.at.s_i.norm());
-    if (joint.j != ground) arm = std::max(arm, joint.at.s_j.norm());
-  }
-  return arm > 0.0 ? roundoff * reach / arm : 0.0;
 }
 
 }  // namespace
@@ -105,7 +119,8 @@ RankReport examine_rank(const System& given, double least_tolerance) {
   Evaluation at = given.make_evaluation();
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), at);
   const LoopCore core(given, at, tolerance);
-  const bool consistent = report.rows == 0 || at.Phi.cwiseAbs().maxCoeff() <= assembled;
+  const bool consistent =
+      report.rows == 0 || at.Phi.cwiseQuotient(row_lengths(given, at)).cwiseAbs().maxCoeff() <= assembled;
   if (core.row_count() > 0 && !(consistent && dependent_rows(core.scaled_D(at), tolerance).empty()))
     find_redundancy(given, core, tolerance, report);
   report.rank = report.rows - static_cast<int>(report.redundant_rows.size());
@@ -116,7 +131,7 @@ RankReport examine_rank(const System& given, double least_tolerance) {
 std::vector<DependentGroup> dependent_groups(const System& given, const RankReport& report, std::size_t most) {
   std::vector<DependentGroup> groups;
   if (report.redundant_rows.empty()) return groups;
-  MetricSolver solver(given);
+  MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), at);

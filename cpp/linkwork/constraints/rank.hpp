@@ -17,7 +17,7 @@ struct PoseRank {
 
 /// Joints at the ends of open branches are taken off one by one: their equations are independent of all others where
 /// they are independent on the outer body. What is left, the closed loops, goes through a rank-revealing sparse QR of
-/// D^T, rows of D scaled to unit length in the metric M^-1. `tolerance` is relative.
+/// D^T, rows of D scaled to unit length in velocities of natural size (see velocity_scale). `tolerance` is relative.
 PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance = 1e-9);
 
 /// Rank of the constraints of a mechanism: what is redundant in every pose, and what only in the assembled one.
@@ -34,7 +34,9 @@ struct RankReport {
 /// The rank at the assembled pose (t = 0, pulled onto the constraints first) and at a randomly perturbed consistent
 /// pose near it. Rows that depend on the others at both are redundant; of each dependent group the rows that leave the
 /// others best conditioned, at both poses, are chosen. A component of loops that cannot be perturbed though it has a
-/// free velocity (its assembled pose is a dead center) has no redundant rows, and singular ones instead.
+/// free velocity (its assembled pose is a dead center) has no redundant rows, and singular ones instead. The least
+/// `tolerance` becomes larger where the roundoff of positions or a residual that assembly leaves is of that size: what
+/// the given geometry does not say is not told from its rank.
 RankReport examine_rank(const System& system, double tolerance = 1e-9);
 
 /// A redundant row with those that imply it; without any one of these it would not be.

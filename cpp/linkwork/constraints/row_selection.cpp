@@ -11,8 +11,16 @@ namespace linkwork {
 namespace {
 
 constexpr double no_choice = 1e-8;        // of the volume that a choice could keep
+constexpr double equal = 1e-6;            // relative difference of volumes that is none
 constexpr double most_selection = 5e6;    // flops of choosing rows in one component
 constexpr std::size_t longest_loop = 60;  // joints, for dense algebra
+
+/// Of numbers that are as large as the largest but for roundoff the first, so that units and processors choose alike.
+Eigen::Index first_of_largest(const VectorXd& x) {
+  const double least = (1.0 - equal) * x.maxCoeff();
+  const auto found = std::find_if(x.begin(), x.end(), [&](double value) { return value >= least; });
+  return std::min(found - x.begin(), x.size() - 1);  // the last of what are no numbers
+}
 
 /// Which `count` rows to leave out so that the rest spans as much as possible of all, at both poses: by Gram-Schmidt
 /// with pivoting on the rows of orthonormal bases of ker D^T, because the volume of the kept rows is, up to a factor,
@@ -23,8 +31,8 @@ Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& 
   for (int k = 0; k < count; ++k) {
     VectorXd score = VectorXd::Ones(bases.front().rows());
     for (const MatrixXd& N : bases) score.array() *= N.rowwise().squaredNorm().array();
-    Eigen::Index best = 0;
-    if (score.cwiseProduct(preferred).maxCoeff(&best) < no_choice * score.maxCoeff()) score.maxCoeff(&best);
+    const VectorXd among = score.cwiseProduct(preferred);
+    const Eigen::Index best = first_of_largest(among.maxCoeff() < no_choice * score.maxCoeff() ? score : among);
     chosen.push_back(static_cast<int>(best));
     for (MatrixXd& N : bases) {
       const VectorXd u = N.row(best).transpose().normalized();
@@ -214,15 +222,24 @@ class Selection {
   VectorXd preferred_;        ///< per row of the core: 1 for joints that close loops, else 0
 };
 
+/// Numbers for rows next to each other that have the same bodies.
+std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
+  std::vector<int> groups, bodies, last;
+  for (int row = 0; row < A.rows(); ++row) {
+    bodies.clear();
+    for (SparseRows::InnerIterator it(A, row); it; ++it)
+      if (const int body = static_cast<int>(it.col()) / velocity_size; bodies.empty() || bodies.back() != body)
+        bodies.push_back(body);
+    groups.push_back(groups.empty() ? 0 : groups.back() + (bodies != last));
+    last = bodies;
+  }
+  return groups;
+}
+
 }  // namespace
 
 Places dependent_rows(const SparseRows& A, double tolerance) {
-  std::vector<Entry> entries;
-  entries.reserve(static_cast<std::size_t>(A.nonZeros()));
-  for (int row = 0; row < A.rows(); ++row)
-    for (SparseRows::InnerIterator it(A, row); it; ++it)
-      entries.push_back({static_cast<int>(it.col()), row, it.value()});
-  return dependent_columns(static_cast<int>(A.cols()), static_cast<int>(A.rows()), std::move(entries), tolerance);
+  return dependent_columns(A.transpose(), tolerance, neighbors_on_same_bodies(A));
 }
 
 CorePose::CorePose(const System& system, const LoopCore& core, const VectorXd& q, double tolerance, double t)

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "linkwork/constraints/refinement.hpp"
 #include "linkwork/formulation/formulation.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -32,10 +33,7 @@ class AugmentedLagrangian final : public Formulation {
     system_ = &system;
     saddle_->drop(rows.dropped);
     saddle_->analyze(system, typical);
-    r_1_.resize(system.v_size());
-    dv_.resize(system.v_size());
-    r_2_.resize(system.row_count());
-    dlambda_.resize(system.row_count());
+    refinement_ = Refinement(system);
     choose_penalties(typical, rows);
   }
 
@@ -85,14 +83,13 @@ class AugmentedLagrangian final : public Formulation {
 
   /// False where `most` iterations were not enough.
   bool iterate(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda, int most) {
+    const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dv,
+                               MutableVector dlambda) { saddle_->solve(r_1, r_2, dv, dlambda); };
     saddle_->solve(a, b, v_dot, lambda);
     double last_change = INFINITY;
     for (int iteration = 2; iteration <= most; ++iteration) {
-      residuals(a, b, v_dot, lambda);
-      saddle_->solve(r_1_, r_2_, dv_, dlambda_);
-      v_dot += dv_;
-      lambda += dlambda_;
-      const double change = dv_.norm() / (1.0 + v_dot.norm());
+      refinement_.correct(*at_, a, b, v_dot, lambda, nearby);
+      const double change = refinement_.dx().norm() / (1.0 + v_dot.norm());
       const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;
       if (change > options_.tolerance && !stagnated) continue;
@@ -102,19 +99,11 @@ class AugmentedLagrangian final : public Formulation {
     return false;
   }
 
-  void residuals(const ConstVector& a, const ConstVector& b, const ConstVector& v_dot, const ConstVector& lambda) {
-    system_->multiply_mass(v_dot, dv_);
-    r_1_ = a - dv_;
-    system_->add_D_transposed(*at_, lambda, r_1_);
-    system_->multiply_D(*at_, v_dot, r_2_);
-    r_2_ = b - r_2_;
-  }
-
   void count(int iteration, bool stagnated) {
     iterations_.iterations += iteration;
     iterations_.most = std::max(iterations_.most, iteration);
     iterations_.stagnations += stagnated ? 1 : 0;
-    iterations_.last_residual = r_2_.size() > 0 ? r_2_.cwiseAbs().maxCoeff() : 0.0;
+    iterations_.last_residual = refinement_.r_2().size() > 0 ? refinement_.r_2().cwiseAbs().maxCoeff() : 0.0;
     iterations_.worst_residual = std::max(iterations_.worst_residual, iterations_.last_residual);
   }
 
@@ -122,8 +111,8 @@ class AugmentedLagrangian final : public Formulation {
     Eigen::Index row = -1;
     ErrorDetails details;
     std::string where;
-    if (r_2_.size() > 0) {
-      const double residual = r_2_.cwiseAbs().maxCoeff(&row);
+    if (refinement_.r_2().size() > 0) {
+      const double residual = refinement_.r_2().cwiseAbs().maxCoeff(&row);
       details.joints = {system_->model().joint_name(system_->model().joint_of_row(static_cast<int>(row)))};
       details.residuals = {{details.joints.front(), residual}};
       where = "; the largest residual is at " + system_->model().describe_row(static_cast<int>(row));
@@ -141,7 +130,8 @@ class AugmentedLagrangian final : public Formulation {
   const Evaluation* at_ = nullptr;
   std::unique_ptr<SaddleSolver> saddle_;
   Options options_;
-  VectorXd compliance_, r_1_, r_2_, dv_, dlambda_;
+  VectorXd compliance_;
+  Refinement refinement_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/constraints/least_held_motion.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
 #include "linkwork/math/stopwatch.hpp"
@@ -50,10 +51,11 @@ std::string choose_form(const FormulationInfo& info, const Options& options, boo
   return redundant || solver.positive_definite || solver.name == "dense" ? "schur" : "kkt";
 }
 
-/// "block" needs a regular mass matrix, and is asked for no form in particular.
+/// "block" needs a regular mass matrix, which `standard` provides, and takes redundant rows in every form that it has.
 std::string choose_solver(const std::string& form, const Options& options, const System& system) {
   if (options.linear_solver != "auto") return linear_solver_info(options.linear_solver).name;
-  if (options.system == "auto" && system.massless_bodies().empty()) return "block";
+  const bool regular = system.massless_bodies().empty() || options.formulation == "standard";
+  if (form != "schur" && regular) return "block";
   const int size = form == "schur" ? system.row_count() : system.v_size() + (form == "kkt" ? system.row_count() : 0);
   if (size <= dense_rows) return "dense";
   if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
@@ -68,6 +70,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
       kind_(stabilization_kind(options.stabilization)),
       at_(system_.make_evaluation()) {
   const FormulationInfo& info = formulation_info(options.formulation);
+  check_options(options);
   rank_ = examine_rank(system_);
   dropped_ = DroppedRows(system_, rank_.redundant_rows);
   options_.system = choose_form(info, options, !dropped_.empty());
@@ -76,11 +79,12 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
   system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), at_);
-  check_masses(info);
+  check_masses();
   check_kkt();
   formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
   if (system_.row_count() == 0) return;
-  const ConstraintRows rows{row_mobility(system_, at_), dropped_.rows()};
+  inertia_ = std::make_unique<FilledInertia>(system_, at_);
+  const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
   dropped_.take_out(at_);
   formulation_->analyze(system_, at_, rows);
@@ -95,28 +99,17 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   if (system_.body_count() > large_model) return_free_memory();
 }
 
-void Dynamics::check_masses(const FormulationInfo& info) const {
+void Dynamics::check_masses() const {
   if (system_.massless_bodies().empty()) return;
+  const std::vector<int> free = free_massless_bodies(system_, at_);
+  if (free.empty()) return;
   ErrorDetails details;
-  if (!info.needs_mass) {
-    const std::vector<int> free = free_massless_bodies(system_, at_);
-    if (free.empty()) return;
-    details.bodies = {system_.model().body_name(free.front())};
-    throw SingularSystemError("free_massless_body",
-                              "body '" + details.bodies.front() +
-                                  "' has a motion without inertia that no joint resists; give it mass and inertia, or "
-                                  "hold it by joints",
-                              details);
-  }
-  for (const int body : system_.massless_bodies()) details.bodies.push_back(system_.model().body_name(body));
-  const int body = system_.massless_bodies().front();
-  const bool mass = system_.mass(body) == 0.0;
-  throw OptionError("massless_body",
-                    "body '" + details.bodies.front() + "' has " + (mass ? "mass 0" : "a singular inertia") +
-                        ": formulation '" + info.name +
-                        "' needs a regular mass matrix; use formulation 'penalty' or "
-                        "'augmented_lagrangian'",
-                    details);
+  details.bodies = {system_.model().body_name(free.front())};
+  throw SingularSystemError(
+      "free_massless_body",
+      "body '" + details.bodies.front() + "' has a motion without inertia that no joint resists, " +
+          describe_least_held_motion(system_, at_, free.front()) + "; give it mass and inertia, or hold it by joints",
+      details);
 }
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
@@ -245,8 +238,11 @@ bool Dynamics::inspect(double pivot) {
 bool Dynamics::choose_rows(PoseExamination& found, double pivot) {
   if (found.better_choice.empty()) return false;
   const std::vector<int> before = dropped_.rows();
-  change_redundant_rows(std::move(found.better_choice));
-  if (root_of_pivot() < well_chosen * watch_.root_of_level()) {
+  try {
+    change_redundant_rows(std::move(found.better_choice));
+  } catch (const SingularSystemError&) {
+  }
+  if (!(root_of_pivot() >= well_chosen * watch_.root_of_level())) {
     change_redundant_rows(before);
     return false;
   }
@@ -267,7 +263,7 @@ bool Dynamics::improve_rows() {
 bool Dynamics::cross(const VectorXd& y, double pivot) {
   PoseExamination found =
       examine_pose(system_, t_, y.head(system_.q_size()), dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
-  if (found.rows.empty() || choose_rows(found, pivot)) return false;
+  if (found.rows.empty() || choose_rows(found, pivot) || !found.singular) return false;
   watch_.cross(t_, pivot, std::move(found.joints));
   return true;
 }
@@ -275,15 +271,22 @@ bool Dynamics::cross(const VectorXd& y, double pivot) {
 void Dynamics::change_redundant_rows(std::vector<int> rows) {
   dropped_.put_back(at_);
   dropped_ = DroppedRows(system_, std::move(rows));
-  const ConstraintRows now{row_mobility(system_, at_), dropped_.rows()};
+  const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
   dropped_.take_out(at_);
   formulation_->analyze(system_, at_, now);
   formulation_->factorize(at_);
 }
 
+void Dynamics::change_redundant_rows(std::vector<int> rows, std::vector<int> joints) {
+  watch_.change_rows(t_, formulation_->saddle().smallest_pivot(), std::move(joints));
+  change_redundant_rows(std::move(rows));
+  factorized_ = true;
+  taken_over_ = false;
+}
+
 void Dynamics::take_over() {
-  if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_);
+  if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_, *inertia_);
   tolerant_->factorize(at_);
   taken_over_ = true;
   watch_.take_over();
@@ -437,6 +440,16 @@ int user_force_not_finite(const System& system, double t, const VectorXd& y) {
   return -1;
 }
 
+/// The first of the user's own laws along coordinates that is not finite, or -1.
+int joint_force_not_finite(const System& system, double t, const VectorXd& y) {
+  const auto q = y.head(system.q_size()), v = y.segment(system.q_size(), system.v_size());
+  for (std::size_t k = 0; k < system.model().joint_forces().size(); ++k) {
+    double memory = 0.0;
+    if (!std::isfinite(system.joint_force(k, t, q, v, &memory).power)) return static_cast<int>(k);
+  }
+  return -1;
+}
+
 /// The first force element that gives something not finite, or -1.
 int force_not_finite(const System& system, double t, const VectorXd& y) {
   for (std::size_t k = 0; k < system.model().forces().size(); ++k) {
@@ -482,6 +495,8 @@ void throw_not_finite(const System& system, const VectorXd& y, double t, int sta
     if (force >= 0) details.forces = {model.force_names().name(force)};
     else if (force = user_force_not_finite(system, t, y); force >= 0)
       details.forces = {model.user_force_name(static_cast<std::size_t>(force))};
+    else if (force = joint_force_not_finite(system, t, y); force >= 0)
+      details.forces = {model.joint_forces()[static_cast<std::size_t>(force)].name};
     if (force >= 0) {
       throw NotFiniteError("not_finite",
                            "force '" + details.forces.front() + "' became infinite or undefined" + when +

@@ -53,6 +53,8 @@ class Dynamics {
   void remember(const std::vector<double>& memory);
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
+  /// Where there are joints.
+  const FilledInertia& inertia() const { return *inertia_; }
   /// Whether pivots tell singular poses, and there are loops that may come to some.
   bool watches() const { return watched_ && system_.row_count() > 0; }
   /// Evaluations from here on serve a step that knows of singular poses: they are not looked at by the watch.
@@ -74,6 +76,10 @@ class Dynamics {
   void evaluate(double t, const ConstVector& y, int stage = 1);
   /// Looks for values that are not finite in every evaluation from here on: a NotFiniteError names the first.
   void trace() { traces_ = true; }
+  /// Roundoff in solutions must not show where only relative errors of this size are tolerated.
+  void require_accuracy(double relative) {
+    if (system_.row_count() > 0) formulation_->require_accuracy(relative);
+  }
   /// Factorizes ahead of the first solution, which else does both.
   void factorize();
 
@@ -87,6 +93,11 @@ class Dynamics {
 
   /// Solves M x - D^T lambda = a, D x = b at the current state by the formulation.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
+
+  const DroppedRows& dropped() const { return dropped_; }
+  /// Leaves out these rows from here on, where it is evaluated: others have become redundant in the course of the
+  /// motion. `joints` of them are reported, see SingularPassage::rows_changed.
+  void change_redundant_rows(std::vector<int> rows, std::vector<int> joints);
 
   /// Zeros in `b` for the rows that `solve` does not look at.
   void leave_out_redundant(MutableVector b) const { dropped_.take_from(b); }
@@ -127,7 +138,7 @@ class Dynamics {
   void take_over();
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
-  void check_masses(const FormulationInfo& info) const;
+  void check_masses() const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
   void poll();
@@ -139,6 +150,7 @@ class Dynamics {
   StabilizationKind kind_;
   RankReport rank_;
   DroppedRows dropped_;
+  std::unique_ptr<FilledInertia> inertia_;  ///< where there are joints
   MinimumNorm minimum_norm_;
   std::unique_ptr<Formulation> formulation_;
   SingularWatch watch_;

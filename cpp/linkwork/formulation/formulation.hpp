@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "linkwork/constraints/constrained_solver.hpp"
+#include "linkwork/constraints/filled_inertia.hpp"
 #include "linkwork/formulation/options.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 
@@ -26,12 +27,15 @@ struct IterationStatistics {
 struct ConstraintRows {
   VectorXd mobility;         ///< see row_mobility
   std::vector<int> dropped;  ///< rows that are left out: their D is zero in every evaluation, and their b is 0
+  const FilledInertia* inertia = nullptr;
 };
 
 /// How v_dot and lambda follow from M v_dot - D^T lambda = a, D v_dot = b at one evaluation.
 class Formulation : public ConstrainedSolver {
  public:
   virtual void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) = 0;
+  /// After analyze: roundoff in solutions must not show where only relative errors of this size are tolerated.
+  virtual void require_accuracy(double) {}
   virtual void factorize(const Evaluation& at) = 0;
   /// After factorize, for any number of right-hand sides.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override = 0;
@@ -54,7 +58,6 @@ struct FormulationInfo {
   std::string documentation;
   std::vector<std::string> forms;  ///< matrices it can use, see SaddleSolver; the first is the default
   bool needs_full_rank = false;    ///< a singular pose is an error
-  bool needs_mass = false;         ///< massless bodies are an error
   bool has_penalty = false;
   bool iterative = false;
   std::unique_ptr<Formulation> (*make)(std::unique_ptr<SaddleSolver>, const Options&) = nullptr;

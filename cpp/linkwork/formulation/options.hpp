@@ -25,4 +25,7 @@ struct Options {
   std::string on_violation = "record";
 };
 
+/// OptionError: a policy or a number that no run can have. Names of methods are looked at where they are looked up.
+void check_options(const Options& options);
+
 }  // namespace linkwork

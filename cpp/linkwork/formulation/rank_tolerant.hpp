@@ -4,6 +4,7 @@
 
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/refinement.hpp"
 #include "linkwork/formulation/formulation.hpp"
 
 namespace linkwork {
@@ -14,7 +15,7 @@ namespace linkwork {
 /// condition of D and not that of D M^-1 D^T, its square.
 class RankTolerant final : public Formulation {
  public:
-  explicit RankTolerant(const System& system);
+  RankTolerant(const System& system, const FilledInertia& inertia);
 
   void analyze(const System&, const Evaluation&, const ConstraintRows&) override {}
   /// SingularSystemError: there is no factorization whatever is left out.
@@ -25,10 +26,13 @@ class RankTolerant final : public Formulation {
  private:
   bool factorize(const Evaluation& at, double tolerance);
 
+  const System& system_;
+  const FilledInertia& inertia_;
   MetricSolver solver_;
   Evaluation at_;  ///< without the rows left out
   DroppedRows left_out_;
-  VectorXd b_, r_1_, r_2_, dx_, dlambda_;
+  Refinement refinement_;
+  VectorXd b_;
 };
 
 }  // namespace linkwork

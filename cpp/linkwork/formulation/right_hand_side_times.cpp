@@ -1,5 +1,7 @@
 #include "linkwork/formulation/right_hand_side_times.hpp"
 
+#include "linkwork/constraints/redundancy_watch.hpp"
+
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
@@ -72,12 +74,28 @@ void repeat_right_hand_side(Dynamics& dynamics, double t, const VectorXd& y, int
   for (int k = 0; k < repeats; ++k) f.whole();
 }
 
+double time_redundancy_watch(Dynamics& dynamics, double t, const VectorXd& y, int repeats) {
+  const System& system = dynamics.system();
+  RedundancyWatch watch(system, y.head(system.q_size()));
+  const auto v = y.segment(system.q_size(), system.v_size());
+  dynamics.evaluate(t, y);
+  double time = 0.0;
+  timed(time, [&] {
+    bool any = false;
+    for (int k = 0; k < repeats; ++k) {
+      any = watch.suspicious(system, dynamics.evaluation(), dynamics.dropped(), v) || any;
+      asm volatile("" : : "r"(any) : "memory");  // else once would be enough
+    }
+  });
+  return time;
+}
+
 double time_analysis(const Dynamics& dynamics) {
   double time = 0.0;
   if (dynamics.system().row_count() == 0) return time;
   const Options& chosen = dynamics.options();
   const auto solver = make_saddle_solver(chosen.system, linear_solver_info(chosen.linear_solver));
-  timed(time, [&] { solver->analyze(dynamics.system(), dynamics.evaluation()); });
+  timed(time, [&] { solver->analyze(dynamics.inertia().system(), dynamics.evaluation()); });
   return time;
 }
 

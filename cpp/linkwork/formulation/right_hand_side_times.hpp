@@ -21,6 +21,9 @@ RightHandSideTimes time_right_hand_sides(Dynamics& dynamics, double t, const Vec
 /// So many right-hand sides, for others to time.
 void repeat_right_hand_side(Dynamics& dynamics, double t, const VectorXd& y, int repeats);
 
+/// The time of so many looks at the redundant rows, as a run takes one at the end of each step [s].
+double time_redundancy_watch(Dynamics& dynamics, double t, const VectorXd& y, int repeats);
+
 /// The time of one symbolic analysis, by a solver like that of `dynamics` [s].
 double time_analysis(const Dynamics& dynamics);
 

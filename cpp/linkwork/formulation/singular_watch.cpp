@@ -84,7 +84,7 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
 
 PoseExamination examine_pose(const System& given, double t, const VectorXd& q, const std::vector<int>& redundant,
                              double near) {
-  MetricSolver solver(given);
+  MetricSolver solver = MetricSolver::of_geometry(given);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), at);
@@ -95,6 +95,8 @@ PoseExamination examine_pose(const System& given, double t, const VectorXd& q, c
   out.rows = near_rows(core, pose.D, redundant, near);
   if (out.rows.empty()) return out;
   out.joints = involved_joints(solver, core, pose.at, redundant, out.rows);
+  out.singular = dependent_rows(pose.D, near).size() + kept_places(core, redundant).size() >
+                 static_cast<std::size_t>(core.row_count());
   out.better_choice = choose_here(solver, core, pose, redundant, near);
   return out;
 }

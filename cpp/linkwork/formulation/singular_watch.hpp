@@ -18,10 +18,11 @@ struct PoseExamination {
   /// Redundant rows without which the others are independent here, where those that are left out now are the wrong
   /// ones; else empty.
   std::vector<int> better_choice;
+  bool singular = false;  ///< whatever is left out, the others nearly depend on each other
 };
 
 /// Looks at the loops by a rank-revealing factorization. A row is near the others when so small a part of its length,
-/// in the metric M^-1, is independent of them. `redundant` are the rows left out, ascending.
+/// in velocities of natural size, is independent of them. `redundant` are the rows left out, ascending.
 PoseExamination examine_pose(const System& system, double t, const VectorXd& q, const std::vector<int>& redundant,
                              double near);
 

@@ -1,32 +1,75 @@
+#include <cmath>
+
+#include "linkwork/constraints/refinement.hpp"
 #include "linkwork/formulation/formulation.hpp"
+#include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
 
-/// Lagrange multipliers: the system (12.3) as it stands, or (12.5) for lambda and (12.6) for v_dot.
+/// Lagrange multipliers: the system (12.3) as it stands, or (12.5) for lambda and (12.6) for v_dot. Where bodies have
+/// very small inertias it is that of FilledInertia, and Refinement goes on from there.
 class Standard final : public Formulation {
  public:
   explicit Standard(std::unique_ptr<SaddleSolver> saddle) : saddle_(std::move(saddle)) {}
 
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
+    system_ = &system;
+    inertia_ = rows.inertia;
     saddle_->drop(rows.dropped);
-    saddle_->analyze(system, typical);
+    saddle_->analyze(inertia_->system(), typical);
     compliance_.setZero(system.row_count());
     for (const int row : rows.dropped) compliance_[row] = 1.0;
+    require_accuracy(accuracy_);
   }
-  void factorize(const Evaluation& at) override { saddle_->factorize(at, compliance_); }
+  void require_accuracy(double relative) override {
+    accuracy_ = relative;
+    refined_ = inertia_->filled() || inertia_->shows(accuracy_);
+    if (refined_) refinement_ = Refinement(*system_, inertia_->lengths());
+  }
+  void factorize(const Evaluation& at) override {
+    saddle_->factorize(at, compliance_);
+    at_ = &at;
+  }
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
     saddle_->solve(a, b, v_dot, lambda);
+    if (refined_) refine(a, b, v_dot, lambda);
   }
   void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector v_dot,
                            MutableVector lambda) override {
     saddle_->factorize_and_solve(at, compliance_, a, b, v_dot, lambda);
+    at_ = &at;
+    if (refined_) refine(a, b, v_dot, lambda);
   }
   const SaddleSolver& saddle() const override { return *saddle_; }
 
  private:
+  void refine(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+    const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
+                               MutableVector dlambda) { saddle_->solve(r_1, r_2, dx, dlambda); };
+    const auto cause = inertia_->filled() ? Refinement::Cause::inertia : Refinement::Cause::roundoff;
+    const bool converged = refinement_.refine(*at_, a, b, v_dot, lambda, nearby, cause);
+    if (!converged && inertia_->filled()) throw_free_motion();
+  }
+
+  [[noreturn]] void throw_free_motion() const {
+    ErrorDetails details;
+    details.bodies = {system_->model().body_name(refinement_.least_certain_body())};
+    throw SingularSystemError("free_massless_body",
+                              "body '" + details.bodies.front() +
+                                  "' has a motion without inertia that no joint resists in this pose; give it mass "
+                                  "and inertia, or hold it by joints",
+                              details);
+  }
+
+  const System* system_ = nullptr;
+  const Evaluation* at_ = nullptr;
+  const FilledInertia* inertia_ = nullptr;
   std::unique_ptr<SaddleSolver> saddle_;
   VectorXd compliance_;  ///< 0, and 1 for dropped rows
+  double accuracy_ = INFINITY;
+  bool refined_ = false;
+  Refinement refinement_;
 };
 
 }  // namespace
@@ -36,7 +79,6 @@ FormulationInfo standard_formulation() {
           .documentation = "Lagrange multipliers, Flores (2015) eq. (12.3) or (12.5)-(12.6)",
           .forms = {"schur", "kkt"},
           .needs_full_rank = true,
-          .needs_mass = true,
           .make = [](std::unique_ptr<SaddleSolver> saddle, const Options&) -> std::unique_ptr<Formulation> {
             return std::make_unique<Standard>(std::move(saddle));
           }};

@@ -33,6 +33,12 @@ void check(const AdaptiveSchedule& schedule) {
 constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
+// What a step must not add to the violation of the constraints, in units of the tolerances.
+constexpr double huge = 1e3;
+
+constexpr double small = 1e-8;  // steps, relative to t, in which the roundoff of t + h counts
+constexpr double jump = 1e-9;   // of velocities of drivers, relative: what is less is none
+
 // Steps tried at a singular pose: of the usual one 1, 1 - d, 1 - 2 d, ...
 constexpr int most_tries = 6;
 constexpr double try_decrease = 0.1;
@@ -52,12 +58,16 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       stepper_(pair),
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
+      breaks_(dynamics.system().model(), schedule.breaks),
       crossing_(dynamics),
       watch_(std::move(events)) {
   check(schedule);
+  const FormulationInfo& formulation = formulation_info(dynamics.options().formulation);
+  yields_ = formulation.has_penalty && !formulation.iterative;
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = schedule.t_start;
   stepper_.start(dynamics.y_size());
+  dynamics.require_accuracy(schedule.tolerances.relative);
   work_.resize(dynamics.y_size());
   rates_.resize(dynamics.y_size());
 }
@@ -75,8 +85,8 @@ void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
 
 void AdaptiveSimulation::begin() {
   begun_ = true;
-  evaluate(t_, y_);
-  dated(t_, NAN, [&] { keep_to_budget(t_); });
+  evaluate(clock(), y_);
+  dated(t_, NAN, [&] { keep_to_budget(clock()); });
   record_if_due();
   finished_ = t_ >= schedule_.t_end;
   if (finished_) return;
@@ -89,14 +99,14 @@ void AdaptiveSimulation::begin() {
 // Hairer, Norsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.4: a step in which the state
 // changes by one percent, then one whose error, judged by the second derivative, is one percent of the tolerances.
 double AdaptiveSimulation::initial_step() {
-  const double most = std::min(schedule_.largest_step, schedule_.t_end - t_);
+  const double most = std::min({schedule_.largest_step, schedule_.t_end - t_, breaks_.next(t_) - t_});
   dynamics_.rates(rates_);
   const double speed = measure_.of_change(y_, y_, rates_).value;
   const double first = speed > 0.0 ? std::min(0.01 * measure_.of_state(y_) / speed, most) : most;
   evaluated_ = false;
   try {
     work_ = y_ + first * rates_;
-    dynamics_.evaluate(t_ + first, work_);
+    dynamics_.evaluate(breaks_.before(t_ + first), work_);
     dynamics_.rates(work_);
   } catch (const Error&) {
     return 0.01 * first;
@@ -109,40 +119,52 @@ double AdaptiveSimulation::initial_step() {
 }
 
 void AdaptiveSimulation::attempt() {
-  if (!evaluated_) evaluate(t_, y_);
+  if (!evaluated_) evaluate(clock(), y_);
   if (leap()) return;
   sampling_.before(dynamics_);
-  const double remaining = schedule_.t_end - t_;
-  double h = std::min(step_, schedule_.largest_step);
-  t_new_ = t_ + h;
-  if (h >= remaining) {
-    h = remaining;
-    t_new_ = schedule_.t_end;
-  } else if (2.0 * h > remaining) {  // no sliver at the end
-    h = 0.5 * remaining;
-    t_new_ = t_ + h;
-  }
+  double h = proposed_ = std::min(step_, schedule_.largest_step);
+  t_new_ = end_of_step(h);
+  Phi_ = dynamics_.evaluation().Phi;
+  Phi_dot_ = dynamics_.evaluation().Phi_dot;
   const BodyMaximum error = trial(h);
   if (error.value <= 1.0) accept(h, error.value);
   else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
 }
 
+/// Where a step h ends: at the end of the run, at a break point, or at the only knot of tables on its way.
+double AdaptiveSimulation::end_of_step(double& h) const {
+  const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
+  double t_new = t_ + h;
+  if (h >= remaining) {
+    t_new = end;
+  } else if (2.0 * h > remaining) {  // no sliver at the end
+    t_new = t_ + 0.5 * remaining;
+  }
+  if (const double knot = breaks_.only_knot(t_, t_new); knot < t_new) t_new = knot;
+  if (h >= remaining || t_new < t_ + h || h < small * t_new) h = t_new - t_;
+  return t_new;
+}
+
+/// Where functions of time are evaluated for what begins at t_; at the end, for what ends there.
+double AdaptiveSimulation::clock() const { return t_ < schedule_.t_end ? breaks_.after(t_) : breaks_.before(t_); }
+
 /// Over a singular pose, where one is ahead; the step after it is as long as those before.
 bool AdaptiveSimulation::leap() {
   leapt_ = false;
-  const double h = std::min(step_, schedule_.largest_step), remaining = schedule_.t_end - t_;
+  const double h = std::min(step_, schedule_.largest_step);
+  const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
   dated(t_, h, [&] {
     if (!crossing_.due(t_, std::min(h, remaining), y_)) return;
     leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
     if (leapt_) stop_at_singular_pose();
-    else dynamics_.evaluate(t_, y_);
+    else dynamics_.evaluate(clock(), y_);
   });
   if (!leapt_) return false;
   accepted_ = true;
   evaluated_ = false;
   h_ = crossing_.last().h;
-  t_new_ = h_ == remaining ? schedule_.t_end : crossing_.last().end();
+  t_new_ = h_ == remaining ? end : crossing_.last().end();
   y_new_ = crossing_.last().y_new;
   stop_.reset();
   if (!watch_.empty()) dated(t_, h_, [&] { look_for_events(); });
@@ -173,7 +195,8 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
     return;
   }
   if (!std::isfinite(best_error_)) return reject(h, {best_error_, -1});
-  evaluate(t_, y_);
+  evaluate(clock(), y_);
+  proposed_ = best_step_;
   t_new_ = t_ + best_step_;
   trial(best_step_);
   statistics_.singular += 1;
@@ -184,7 +207,11 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
 BodyMaximum AdaptiveSimulation::trial(double h) {
   last_failure_.clear();
   try {
-    return stepper_.trial(dynamics_, measure_, t_, h, y_);
+    const StepSpan step{t_, h, breaks_.after(t_), breaks_.before(t_new_)};
+    const BodyMaximum error = stepper_.trial(dynamics_, measure_, step, y_);
+    const bool seen = error.value > 1.0 || breaks_.seen(stepper_.pair(), step, schedule_.tolerances.relative);
+    if (!seen || (error.value <= 1.0 && violates(h))) return {std::pow(2.0, stepper_.pair().error_order + 1), -1};
+    return error;
   } catch (const OptionError&) {
     throw;
   } catch (const Error& error) {
@@ -200,6 +227,7 @@ void AdaptiveSimulation::accept(double h, double error) {
   statistics_.smallest = std::min(statistics_.smallest, h);
   statistics_.largest = std::max(statistics_.largest, h);
   step_ = controller_.after_accepted(h, error);
+  if (h < 0.99 * proposed_) step_ = std::max(step_, proposed_);  // it was cut short
   tries_ = 0;
   if (!dynamics_.watch().open()) usual_step_ = h;
   else if (usual_step_ > 0.0) step_ = std::max(step_, usual_step_);
@@ -223,23 +251,27 @@ void AdaptiveSimulation::look_for_events() {
   }
 }
 
+/// At y_, where `dynamics` is evaluated at its positions.
+double AdaptiveSimulation::energy() const {
+  const System& system = dynamics_.system();
+  return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
+}
+
 /// The work takes up the energy that the event makes or takes away.
 bool AdaptiveSimulation::apply(const Event& event) {
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
-  const auto energy = [&] {
-    return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
-  };
   const double before = energy();
   const Changed changed = event.change(t_, y_.head(size));
   if (changed.y.size() != size || !changed.y.allFinite())
     throw OptionError("event", "event '" + event.name + "': the state after it has a wrong size or is not finite");
   y_.head(size) = changed.y;
   system.normalize(y_.head(system.q_size()));
-  dynamics_.evaluate(t_, y_);
-  projection().positions(t_, y_);
-  projection().velocities(t_, y_);
-  dynamics_.evaluate(t_, y_);
+  const double t = clock();
+  dynamics_.evaluate(t, y_);
+  projection().positions(t, y_);
+  projection().velocities(t, y_);
+  dynamics_.evaluate(t, y_);
   y_[size] += energy() - before;
   of_step_.back().after = y_.head(size);
   return changed.ends;
@@ -268,6 +300,15 @@ void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
                       details);
 }
 
+/// What an estimate of the error cannot see, the constraints can: what the step adds to their violation, beyond what
+/// its start explains, is an error of the step. Penalties violate them on purpose.
+bool AdaptiveSimulation::violates(double h) const {
+  const Evaluation& at = dynamics_.evaluation();
+  if (at.Phi.size() == 0 || yields_ || near_singular_pose()) return false;
+  work_rows_ = at.Phi.cwiseAbs() - Phi_.cwiseAbs() - h * Phi_dot_.cwiseAbs();
+  return !(work_rows_.maxCoeff() <= huge * measure_.of_length(y_));
+}
+
 bool AdaptiveSimulation::output_inside() const {
   return next_time_ < schedule_.times.size() && schedule_.times[next_time_] < t_new_;
 }
@@ -277,7 +318,7 @@ void AdaptiveSimulation::record_inside() {
   dated(t, NAN, [&] {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
     interpolant().interpolate(dynamics_.system(), (t - t_) / h_, work_);
-    dynamics_.evaluate(t, work_);
+    dynamics_.evaluate(std::max(t, breaks_.after(t_)), work_);
     if (leapt_) record_in_leap(t);
     else recorder_.record(t, work_);
   });
@@ -298,28 +339,63 @@ void AdaptiveSimulation::finish_step() {
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
+  const bool at_break = t_ < schedule_.t_end && breaks_.at(t_);
+  if (at_break) dated(t_, h_, [&] { cross_break(); });
   if (projects()) {
-    dated(t_, h_, [&] { projection().stabilize(t_, y_); });
+    dated(t_, h_, [&] { projection().stabilize(clock(), y_); });
     evaluated_ = false;
   }
-  if (stop_ || leapt_) sampling_.pass_over();
-  else sampling_.after(t_before, h_, y_before_, y_);
-  if (!evaluated_) evaluate(t_, y_);
-  dated(t_, h_, [&] { keep_to_budget(t_); });
+  sample(t_before, at_break);
+  if (!evaluated_) evaluate(clock(), y_);
+  dated(t_, h_, [&] { keep_to_budget(clock()); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
   if (stop_) finish_event();
   std::move(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_));
   of_step_.clear();
   record_if_due();
-  if (finished_ || !stop_) return;
+  if (finished_ || !(stop_ || at_break)) return;
   dated(t_, NAN, [&] {
-    check_accumulation();
-    watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
+    if (stop_) {
+      check_accumulation();
+      watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
+    }
     step_ = initial_step();
   });
   crossing_.restart();
   controller_.restart();
+}
+
+/// The step as the method made it, on its own side of breaks.
+void AdaptiveSimulation::sample(double t_before, bool at_break) {
+  const bool struck = at_break && dynamics_.system().time_dependent_constraints();
+  if (stop_ || leapt_ || struck) return sampling_.pass_over();
+  const double t = breaks_.after(t_before), t_new = breaks_.before(t_);
+  sampling_.after(t, t_new - t, y_before_, y_);
+  if (at_break) sampling_.pass_over();
+}
+
+/// From what ends at the break t_ to what begins there.
+void AdaptiveSimulation::cross_break() {
+  statistics_.breaks += 1;
+  const bool driven = dynamics_.system().time_dependent_constraints();
+  if (driven) {
+    evaluate(breaks_.before(t_), y_);
+    const VectorXd before = dynamics_.evaluation().Phi_t;
+    evaluate(clock(), y_);
+    strike(before);
+  }
+  evaluated_ = false;
+}
+
+void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
+  const VectorXd& Phi_t = dynamics_.evaluation().Phi_t;
+  const double size = std::max(Phi_t.cwiseAbs().maxCoeff(), Phi_t_before.cwiseAbs().maxCoeff());
+  if ((Phi_t - Phi_t_before).cwiseAbs().maxCoeff() <= jump * size) return;
+  statistics_.impacts += 1;
+  const double before = energy();
+  projection().velocities(clock(), y_);
+  y_[y_.size() - 1] += energy() - before;
 }
 
 void AdaptiveSimulation::finish_event() {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "linkwork/integration/break_points.hpp"
 #include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/events.hpp"
@@ -24,18 +25,25 @@ struct AdaptiveSchedule {
   std::int64_t record_every = 0;   ///< steps between frames, the first and the last state included; 0: `times`
   std::vector<double> times = {};  ///< ascending; states between steps come from the interpolant
   double t_start = 0.0;
-  VectorXd start = {};  ///< y = (q, v) at t_start; empty: that of the model
+  VectorXd start = {};              ///< y = (q, v) at t_start; empty: that of the model
+  std::vector<double> breaks = {};  ///< times at which something is not smooth, beside those that the model knows
 };
 
 /// Of the accepted steps, and how many were rejected.
 struct StepStatistics {
   std::int64_t rejected = 0;
+  std::int64_t breaks = 0;    ///< at which a step ended
+  std::int64_t impacts = 0;   ///< of these, by drivers whose velocity jumps
   std::int64_t singular = 0;  ///< accepted to pass a singular pose, with larger errors than the tolerances allow
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
 };
 
 /// A run with steps as large as the tolerances allow. After an event that changes the state, velocities and positions
 /// go to the constraints (see Projection), the work counts what the event did, and the steps begin anew.
+///
+/// Steps end at break points, see BreakPoints, and begin anew there. Where the velocity that a driver demands jumps,
+/// the bodies are struck: v' - v = M^-1 D^T P with D v' + Phi_t = 0 after it, the least change of velocity in the
+/// metric of the masses, as impulses P in the joints alone bring it about; the work takes up the energy.
 class AdaptiveSimulation final : public Run {
  public:
   AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& pair, const AdaptiveSchedule& schedule,
@@ -48,6 +56,10 @@ class AdaptiveSimulation final : public Run {
 
  private:
   void work() override;
+  void forget() override {
+    crossing_.restart();
+    controller_.restart();
+  }
   void begin();
   double initial_step();
   void attempt();
@@ -57,6 +69,12 @@ class AdaptiveSimulation final : public Run {
   const Interpolant& interpolant() const;
   void look_for_events();
   void finish_event();
+  void cross_break();
+  void strike(const VectorXd& Phi_t_before);
+  double clock() const;
+  double energy() const;
+  double end_of_step(double& h) const;
+  bool violates(double h) const;
   /// True where the change ends the run.
   bool apply(const Event& event);
   bool near_singular_pose() const;
@@ -68,6 +86,7 @@ class AdaptiveSimulation final : public Run {
   void record_inside();
   void record_in_leap(double t);
   void finish_step();
+  void sample(double t_before, bool at_break);
   void evaluate(double t, const VectorXd& y);
   void record_if_due();
 
@@ -76,6 +95,7 @@ class AdaptiveSimulation final : public Run {
   ErrorMeasure measure_;
   StepController controller_;
   StepStatistics statistics_;
+  BreakPoints breaks_;
   Crossing crossing_;
   bool leapt_ = false;  ///< the step that was accepted is a leap over a singular pose
   EventWatch watch_;
@@ -85,9 +105,12 @@ class AdaptiveSimulation final : public Run {
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
-  VectorXd y_new_;     ///< at t_new_
-  VectorXd y_before_;  ///< the start of the last finished step
-  double step_ = 0.0;  ///< what the controller proposes
+  VectorXd y_new_;          ///< at t_new_
+  VectorXd y_before_;       ///< the start of the last finished step
+  double step_ = 0.0;       ///< what the controller proposes
+  double proposed_ = 0.0;   ///< what it proposed for this one
+  VectorXd Phi_, Phi_dot_;  ///< where the step begins
+  bool yields_ = false;     ///< the formulation lets constraints be violated
   // Near a singular pose
   double usual_step_ = 0.0;  ///< the last outside
   int tries_ = 0;
@@ -98,6 +121,7 @@ class AdaptiveSimulation final : public Run {
   std::size_t next_time_ = 0;
   std::string last_failure_;  ///< of a stage of the last trial
   VectorXd work_, rates_;
+  mutable VectorXd work_rows_;
 };
 
 }  // namespace linkwork

@@ -18,9 +18,10 @@ constexpr double fastest = 0.8;         // the same for any body
 constexpr double least_part = 0.1;      // of that, for leaps over a motion that varies more
 constexpr double near = 0.3;            // of the usual root of the smallest pivot: farther, nothing is due
 constexpr double near_at_start = 0.02;  // the same before there is a usual one
+constexpr double in_pose = 1e-3;        // at the start: nearer, and only a leap leads out of it
 constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
-constexpr double stepped_over = 0.9;     // of the usual root: a step passed a pose only if its least is below
+constexpr double stepped_over = 0.9;    // of the usual root: a step passed a pose only if its least is below
 constexpr double straight = 0.1;        // part of the gap between nodes by which a curve may correct a line
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
@@ -28,6 +29,7 @@ constexpr double at_pose = 0.1;          // root of the pivot in the pose, part 
 constexpr double tolerance = 1e-10;      // of the energy over a leap
 constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
+constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
 
 /// While it is there the watch does not look at evaluations.
@@ -106,17 +108,19 @@ double Crossing::foreseen(double t) const {
 /// Whether the first pivot is so small that the run may begin in a singular pose.
 bool Crossing::starts_near() {
   const Unwatched unwatched(dynamics_);
+  start_root_ = 0.0;
   try {
     dynamics_.factorize();
+    start_root_ = dynamics_.root_of_pivot();
   } catch (const SingularSystemError&) {
-    return true;
   }
-  return dynamics_.root_of_pivot() < near_at_start;
+  return start_root_ < near_at_start;
 }
 
 bool Crossing::due(double t, double h, const VectorXd& y) {
   if (!prepared_) return false;
-  if (std::exchange(fresh_, false) && starts_near()) return true;
+  starting_ = std::exchange(fresh_, false) && starts_near();
+  if (starting_) return true;
   const double tau = foreseen(t);
   if (!(tau >= -h && tau < INFINITY)) return false;
   const double root = dynamics_.watch().trend()->last.root;
@@ -151,16 +155,18 @@ double Crossing::best_length(double pose, double grid, double least, double most
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   const auto trend = dynamics_.watch().trend();
-  if (dynamics_.improve_rows()) return false;
+  if (!starting_ && dynamics_.improve_rows()) return false;
   declined_ = trend ? trend->last.root : 0.0;
   Leap best;
   double badness = INFINITY;
-  GaussCollocation::Weights root;
+  bool any_converged = false;
+  GaussCollocation::Weights root = GaussCollocation::Weights::Zero();
+  if (starting_) begin_in_pose(t, y);
   {
     const Unwatched unwatched(dynamics_);
-    begin(t, y);
+    if (!starting_) begin(t, y);
     const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-    double pose = trend ? foreseen(t) : 0.0, least = std::max({usual, 2.0 * pose, h});
+    double pose = starting_ ? 0.0 : foreseen(t), least = std::max({usual, 2.0 * pose, h});
     for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
       leap_.h = best_length(pose, grid, least, most);
       const Quality quality = attempt();
@@ -176,6 +182,8 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
         if (!(place > -0.5 && place < 1.5)) break;
         pose = place * leap_.h;
       }
+      any_converged = any_converged || quality.converged;
+      if (starting_ && quality.converged && quality.jump > no_branch) throw_no_branch(t);
       const bool beyond = place > 1.0 && leap_.h < most, clear = nearest_node(place) >= margin && !beyond;
       if ((quality.good() && clear) ||
           (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
@@ -188,6 +196,9 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
       else if (!quality.good()) least = std::max(0.6 * least, least_part * usual);
     }
   }
+  if (badness == INFINITY && starting_ && !any_converged && start_root_ < in_pose &&
+      size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0)
+    throw_no_branch(t);
   if (badness == INFINITY) return false;
   declined_ = 0.0;
   leap_ = std::move(best);
@@ -197,18 +208,40 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   return true;
 }
 
-/// At the start of the leap: the state on the constraints, its rates, its energy.
-void Crossing::begin(double t, const VectorXd& y) {
+/// In or near a singular pose nothing can be projected; accelerations, for a beginning, are what the watch makes of
+/// them.
+void Crossing::begin_in_pose(double t, const VectorXd& y) {
+  allocate(t, y);
+  energy_before_ = energy(y);
+  dynamics_.rates(rates_before_);
+  v_dot_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
+}
+
+void Crossing::allocate(double t, const VectorXd& y) {
   const System& system = dynamics_.system();
   leap_ = {t, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
+  v_dot_.resize(system.v_size());
+  for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
+}
+
+void Crossing::throw_no_branch(double t) const {
+  ErrorDetails details;
+  details.time = t;
+  throw SingularSystemError("no_branch",
+                            "the mechanism is in a singular pose, where branches of motion meet, with velocities that "
+                            "belong to none of them; give velocities of one branch, or another pose",
+                            details);
+}
+
+/// At the start of the leap: the state on the constraints, its rates, its energy.
+void Crossing::begin(double t, const VectorXd& y) {
+  allocate(t, y);
   dynamics_.evaluate(t, leap_.y);
   projection_.positions(t, leap_.y);
   projection_.velocities(t, leap_.y);
   dynamics_.evaluate(t, leap_.y);
   energy_before_ = energy(leap_.y);
-  v_dot_.resize(system.v_size());
-  for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
-  VectorXd lambda(system.row_count());
+  VectorXd lambda(dynamics_.system().row_count());
   dynamics_.refined_accelerations(v_dot_, lambda);
   dynamics_.rates(v_dot_, lambda, rates_before_);
 }
@@ -232,7 +265,7 @@ bool Crossing::iterate() {
   double last = INFINITY;
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
-    correction_ = 0.0;
+    correction_ = jump_ = 0.0;
     for (int i = 0; i < stages; ++i) change = std::max(change, node(i));
     if (!std::isfinite(change)) return false;
     if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
@@ -259,13 +292,14 @@ double Crossing::node(int i) {
     const double turn = 2.0 * (y_.segment<4>(7 * body + 3) - rates_.segment<4>(7 * body + 3)).norm();
     correction_ = std::max({correction_, shift, turn});
   }
+  const double speed = size(y_.segment(nq, nv)), before = size(rates_.segment(nq, nv));
+  if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
   dynamics_.evaluate(t, y_);
   dynamics_.refined_accelerations(v_dot_, leap_.lambda.col(i));
   root_[i] = dynamics_.root_of_pivot();
   dynamics_.rates(v_dot_, leap_.lambda.col(i), rates_);
   const double change = leap_.h * size(rates_.segment(nq, nv) - leap_.k.col(i).segment(nq, nv));
   leap_.k.col(i) = rates_;
-  const double speed = size(y_.segment(nq, nv));
   return speed > 0.0 ? change / speed : change;
 }
 
@@ -288,6 +322,7 @@ void Crossing::finish(Quality& quality) {
   const auto v = leap_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
   const VectorXd rest = leap_.k * gauss_.last_coefficient();
   quality.correction = correction_;
+  quality.jump = jump_;
   quality.resolution = leap_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
   quality.energy =
       std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
@@ -354,14 +389,14 @@ void Crossing::report() {
   last_listed_ = leap_.end();
 }
 
-// The least of the pivots of this step and the one before it has neighbors on both sides: between it and one of them the
-// roots change their sign, where there is a pose.
+// The least of the pivots of this step and the one before it has neighbors on both sides: between it and one of them
+// the roots change their sign, where there is a pose.
 bool Crossing::look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new) {
   if (!prepared_) return false;
   const bool follows = before_.t_new == t && before_.t < t;
   const auto samples = dynamics_.watch().samples(follows ? before_.t : t, t_new);
-  const auto least = std::min_element(samples.begin(), samples.end(),
-                                      [](const auto& a, const auto& b) { return a.root < b.root; });
+  const auto least =
+      std::min_element(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.root < b.root; });
   bool evaluated = false;
   if (samples.size() > 2 && least != samples.begin() && least + 1 != samples.end() &&
       least->root < stepped_over * dynamics_.watch().root_of_level()) {

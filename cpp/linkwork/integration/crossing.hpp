@@ -64,6 +64,7 @@ class Crossing final : public Interpolant {
   struct Quality {
     bool converged = false;
     double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
+    double jump = 0.0;        ///< the same of their velocities, relative to them
     double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
     double nearest = 0.0;     ///< root of the smallest pivot of the nodes
@@ -75,7 +76,10 @@ class Crossing final : public Interpolant {
   bool starts_near();
   double foreseen(double t) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
+  void allocate(double t, const VectorXd& y);
   void begin(double t, const VectorXd& y);
+  void begin_in_pose(double t, const VectorXd& y);
+  [[noreturn]] void throw_no_branch(double t) const;
   Quality attempt();
   bool iterate();
   double node(int i);
@@ -97,13 +101,15 @@ class Crossing final : public Interpolant {
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool fresh_ = true;      ///< no step was looked at yet
-  double declined_ = 0.0;  ///< root of the pivot at which there was nothing to leap over
+  bool starting_ = false;    ///< the leap begins near the pose, not before it
+  bool fresh_ = true;        ///< no step was looked at yet
+  double start_root_ = 1.0;  ///< of the first pivot
+  double declined_ = 0.0;    ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
-  Piece before_;                 ///< the last usual step
+  Piece before_;                    ///< the last usual step
   double last_listed_ = -INFINITY;  ///< no pose before is listed any more
-  double correction_ = 0.0;
+  double correction_ = 0.0, jump_ = 0.0;
   double energy_before_ = 0.0;
   VectorXd y_, v_dot_, rates_, rates_before_;
 };

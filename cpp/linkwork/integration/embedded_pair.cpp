@@ -48,17 +48,19 @@ void PairStepper::start(int y_size) {
 
 // p is made a unit vector before the last stage: the first of the next step is then at the same state, and only its
 // correction differs. That changes k_s by O(h^order), along p alone.
-BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, double t, double h, const VectorXd& y) {
-  t_ = t;
+BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step,
+                               const VectorXd& y) {
+  const double h = step.h;
+  step_ = step;
   h_ = h;
   y_ = y;
   prepared_ = false;
-  evaluate_stages(pair_.method, dynamics, t, h, y, k_, work_);
+  evaluate_stages(pair_.method, dynamics, step, y, k_, work_);
   y_new_ = y;
   add_combination(h, pair_.method.b, k_, y_new_);
   if (!y_new_.allFinite()) return {std::numeric_limits<double>::infinity(), -1};
   dynamics.system().normalize(y_new_.head(dynamics.system().q_size()));
-  dynamics.evaluate(t + h, y_new_);
+  dynamics.evaluate(step.at(1.0), y_new_);
   dynamics.rates(k_.col(stages_));
   return estimate(measure, y);
 }
@@ -81,7 +83,7 @@ bool PairStepper::prepare_interpolation(Dynamics& dynamics) {
   for (Eigen::Index i = 0; i < pair_.extra_c.size(); ++i) {
     work_ = y_;
     add_combination(h_, extra_A_.row(i).head(stages_ + 1 + i).transpose(), k_, work_);
-    dynamics.evaluate(t_ + pair_.extra_c[i] * h_, work_);
+    dynamics.evaluate(step_.at(pair_.extra_c[i]), work_);
     dynamics.rates(k_.col(stages_ + 1 + i));
   }
   return pair_.extra_c.size() > 0;

@@ -28,9 +28,10 @@ class PairStepper final : public Interpolant {
 
   const EmbeddedPair& pair() const { return pair_; }
 
-  /// A step from (t, y) to (t + h, y_new()); the estimate of its error in units of the tolerances, infinite where the
-  /// new state is not finite. Leaves `dynamics` at the new state, with the correction of this step held.
-  BodyMaximum trial(Dynamics& dynamics, const ErrorMeasure& measure, double t, double h, const VectorXd& y);
+  /// A step from (t, y) to (t + h, y_new()), evaluated at the times of the span; the estimate of its error in units of
+  /// the tolerances, infinite where the new state is not finite. Leaves `dynamics` at the new state, with the
+  /// correction of this step held.
+  BodyMaximum trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step, const VectorXd& y);
   const VectorXd& y_new() const { return y_new_; }
 
   /// Evaluates what the interpolant still needs. True where `dynamics` is no longer at the new state.
@@ -42,7 +43,8 @@ class PairStepper final : public Interpolant {
 
   EmbeddedPair pair_;
   Eigen::Index stages_;
-  double t_ = 0.0, h_ = 0.0;
+  StepSpan step_;
+  double h_ = 0.0;
   bool prepared_ = false;
   VectorXd y_, y_new_, work_;
   mutable VectorXd weights_;

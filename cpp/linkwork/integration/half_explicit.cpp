@@ -1,6 +1,8 @@
 #include <Eigen/Jacobi>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include "linkwork/integration/integrator.hpp"
@@ -127,7 +129,8 @@ class HalfExplicit final : public Integrator {
       if (!(change <= last)) break;
       last = change;
     }
-    if (largest_turn(dynamics.system()) > far || !solve_by_krylov(dynamics)) throw_not_met();
+    const double turn = largest_turn(dynamics.system());
+    if (turn > far || !solve_by_krylov(dynamics)) throw_not_met(turn);
   }
 
   /// Between Q_i and Qb_i, of any body [rad].
@@ -188,10 +191,18 @@ class HalfExplicit final : public Integrator {
     dynamics.leave_out_redundant(residual_);
   }
 
-  [[noreturn]] void throw_not_met() const {
-    throw NotConvergedError("half_explicit", "integrator '" + name() +
-                                                 "': a stage does not meet its velocity constraints, the bodies turn "
-                                                 "too far in one step; use a smaller step");
+  /// A body that turns far does so because the step is long for the motion, or because it has become unstable.
+  [[noreturn]] void throw_not_met(double turn) const {
+    char angle[32];
+    std::snprintf(angle, sizeof angle, "%.2g rad", turn);
+    const std::string why =
+        turn > far ? std::string("a body turns too far (") + angle +
+                         ") within a stage, as the step is too long for the motion, or for stiff force elements, whose "
+                         "vibration it lets grow"
+                   : "the equations of its loops are nearly dependent there";
+    throw NotConvergedError(
+        "half_explicit",
+        "integrator '" + name() + "': a stage does not meet its velocity constraints: " + why + "; use a smaller step");
   }
 
   HalfExplicitTableau tableau_;

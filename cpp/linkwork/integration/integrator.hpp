@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +9,14 @@
 #include "linkwork/formulation/dynamics.hpp"
 
 namespace linkwork {
+
+/// The times of a step: t + c h, but none before `earliest` or after `latest`, where something jumps.
+struct StepSpan {
+  double t = 0.0, h = 0.0;
+  double earliest = -std::numeric_limits<double>::infinity(), latest = std::numeric_limits<double>::infinity();
+
+  double at(double c) const { return std::clamp(t + c * h, earliest, latest); }
+};
 
 /// One step of an explicit method for y_dot = f(t, y).
 class Integrator {

@@ -1,12 +1,19 @@
 #include "linkwork/integration/run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
 namespace linkwork {
 namespace {
 
-constexpr std::size_t listed = 8;  // joints in a message
+constexpr std::size_t listed = 8;        // joints in a message
+constexpr double unit_tolerance = 1e-6;  // of |p| - 1 at the start, as in Model
+constexpr double unit_roundoff = 1e-14;  // below, p stays as it is: a run goes on with the bits of the one before
+
+// Contradictions, relative to the size and the speed of the mechanism, that end a run: of positions; of velocities
+// where that of positions is `certain`. What is less may be the inaccuracy of tables, and is told at the end.
+constexpr double unbearable = 1e-3, unbearable_speed = 1e-2, certain = 1e-7;
 
 [[noreturn]] void throw_violation(const Dynamics& dynamics, const Excess& excess) {
   constexpr const char* levels[] = {"position", "velocity", "acceleration"};
@@ -55,7 +62,81 @@ void Run::stop_at_singular_pose() const {
                             details);
 }
 
+void Run::watch_redundant_rows(double t) {
+  const System& system = dynamics_.system();
+  const auto v = y_.segment(system.q_size(), system.v_size());
+  if (!redundancy_.suspicious(system, dynamics_.evaluation(), dynamics_.dropped(), v)) return;
+  if (redundancy_.excess().kept > unbearable) return;  // it has left the joints altogether
+  RedundancyExamination found = examine_redundancy(system, t, y_.head(system.q_size()), dynamics_.dropped().rows());
+  if (found.changed) return take_up_rows(t, std::move(found));
+  // Whatever the reason: where the equations are left so far, they are not those of the motion any more.
+  if (found.contradicts) note_contradiction(t, std::move(found.joints));
+  else if (redundancy_.excess().position > unbearable) note_contradiction(t, left_joints());
+  redundancy_.suspect_less();
+}
+
+/// Joints of the redundant rows that are violated most.
+std::vector<int> Run::left_joints() const {
+  const VectorXd& Phi = dynamics_.evaluation().Phi;
+  std::vector<int> joints;
+  for (const int row : dynamics_.dropped().rows()) {
+    const int joint = dynamics_.system().model().joint_of_row(row);
+    if (2.0 * std::abs(Phi[row]) > redundancy_.excess().Phi && (joints.empty() || joints.back() != joint))
+      joints.push_back(joint);
+  }
+  return joints;
+}
+
+/// The state changes a little; the work takes up the energy.
+void Run::take_up_rows(double t, RedundancyExamination found) {
+  const System& system = dynamics_.system();
+  const auto energy = [&] {
+    return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
+  };
+  const double before = energy();
+  const Model& model = system.model();
+  std::vector<int> joints;
+  for (const int row : dynamics_.dropped().rows())
+    if (!std::binary_search(found.choice.begin(), found.choice.end(), row))
+      if (const int joint = model.joint_of_row(row); joints.empty() || joints.back() != joint) joints.push_back(joint);
+  y_.head(system.q_size()) = found.q;
+  dynamics_.evaluate(t, y_);
+  dynamics_.change_redundant_rows(std::move(found.choice), std::move(joints));
+  projection().positions(t, y_);
+  projection().velocities(t, y_);
+  dynamics_.evaluate(t, y_);
+  y_[y_.size() - 1] += energy() - before;
+  contradiction_ = {};  // so near to where they were redundant it could not be told from this
+  forget();
+}
+
+void Run::note_contradiction(double t, std::vector<int> joints) {
+  const RedundancyWatch::Excess& excess = redundancy_.excess();
+  if (std::isnan(contradiction_.t)) contradiction_ = {t, 0.0, joints};
+  contradiction_.largest = std::max(contradiction_.largest, excess.Phi);
+  const bool large = excess.position > unbearable || (excess.velocity > unbearable_speed && excess.position > certain);
+  if (!large && dynamics_.options().on_violation != "stop") return;
+  const Model& model = dynamics_.system().model();
+  ErrorDetails details;
+  details.time = t;
+  std::string names;
+  for (const int joint : joints) {
+    details.joints.push_back(model.joint_name(joint));
+    if (details.joints.size() <= listed) names += (names.empty() ? "'" : ", '") + details.joints.back() + "'";
+  }
+  if (joints.size() > listed) names += " and " + std::to_string(joints.size() - listed) + " more";
+  if (!details.joints.empty()) details.residuals = {{details.joints.front(), excess.Phi}};
+  char size[96];
+  std::snprintf(size, sizeof size, "by %.2g (m or 1), and by %.2g of the speed", excess.Phi, excess.velocity);
+  throw ViolationError("contradiction",
+                       "joints or drivers " + names + " contradict each other " + size +
+                           ": no pose near satisfies them all; drive what is free once only, or by motions that "
+                           "agree; where it is drift, use a smaller step or another stabilization",
+                       details);
+}
+
 void Run::keep_to_budget(double t) {
+  watch_redundant_rows(t);
   const std::int64_t before = budget_.count();
   const bool drifted = budget_.exceeded(t);
   const std::string& policy = dynamics_.options().on_violation;
@@ -74,6 +155,15 @@ void Run::begin_at(double t, double t_end, const VectorXd& q_and_v) {
     throw OptionError("start", "the state at the start has " + std::to_string(q_and_v.size()) + " numbers, not " +
                                    std::to_string(y_.size() - 1) + ", or one that is not finite");
   y_.head(q_and_v.size()) = q_and_v;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    auto p = y_.segment<4>(7 * body + 3);
+    const double off = std::abs(p.norm() - 1.0);
+    if (!(off <= unit_tolerance))
+      throw OptionError("start", "start: body '" + dynamics_.system().model().body_name(body) +
+                                     "': its Euler parameters have norm " + std::to_string(p.norm()) +
+                                     ", not 1: divide them by it");
+    if (off > unit_roundoff) p.normalize();
+  }
 }
 
 }  // namespace linkwork

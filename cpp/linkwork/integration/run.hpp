@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/drift_budget.hpp"
 #include "linkwork/integration/recorder.hpp"
@@ -11,6 +12,13 @@
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
+
+/// Redundant rows that contradict the others, by less than a run could not go on with.
+struct Contradiction {
+  double t = NAN;        ///< when it was noticed [s]
+  double largest = 0.0;  ///< violation [m or 1]
+  std::vector<int> joints;
+};
 
 /// A simulation on its way. `advance` returns now and then so that the caller can show progress, write frames, and end
 /// the run.
@@ -23,7 +31,8 @@ class Run {
         y_(dynamics.initial_y()),
         stops_(dynamics.options().on_singular == "stop"),
         singular_poses_(dynamics.watch().singular_poses()),
-        budget_(dynamics) {}
+        budget_(dynamics),
+        redundancy_(dynamics.system(), y_.head(dynamics.system().q_size())) {}
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -44,6 +53,7 @@ class Run {
   const VectorXd& y() const { return y_; }
   const DriftBudget& budget() const { return budget_; }
   const StepSampling& sampling() const { return sampling_; }
+  const Contradiction& contradiction() const { return contradiction_; }
   std::int64_t projections() const { return projections_; }  ///< that the budget asked for
 
  protected:
@@ -62,8 +72,13 @@ class Run {
   void stop_at_singular_pose() const;
 
   /// At t, where `dynamics` is evaluated at y_: compares the violation with the limits. With on_violation "project" y_
-  /// goes back to the constraints where it is beyond; with "stop" that is a ViolationError.
+  /// goes back to the constraints where it is beyond; with "stop" that is a ViolationError. Redundant rows are judged
+  /// here, too: where they have become independent they count from here on, and y_ goes to the nearest state that
+  /// satisfies them; where they contradict the others that is a ViolationError.
   void keep_to_budget(double t);
+
+  /// The state has changed: methods with memory forget it.
+  virtual void forget() {}
 
   /// A step, or a part of one.
   virtual void work() = 0;
@@ -76,9 +91,15 @@ class Run {
   bool finished_ = false;
 
  private:
+  void watch_redundant_rows(double t);
+  void take_up_rows(double t, RedundancyExamination found);
+  std::vector<int> left_joints() const;
+  void note_contradiction(double t, std::vector<int> joints);
   bool stops_;                   ///< at singular poses
   std::int64_t singular_poses_;  ///< before this run
   DriftBudget budget_;
+  RedundancyWatch redundancy_;
+  Contradiction contradiction_;
   std::int64_t projections_ = 0;
   std::unique_ptr<Projection> projection_;  ///< where one is needed
 };

@@ -24,20 +24,21 @@ void add_combination(double h, const ConstVector& weights, const MatrixXd& k, Ve
     if (weights[i] != 0.0) y += (h * weights[i]) * k.col(i);
 }
 
-void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
+void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage) {
-  dynamics.hold_correction(deadbeat_gains(tableau.b.dot(tableau.c), h));
-  evaluate_free_stages(tableau, dynamics, t, h, y, k, stage);
+  dynamics.hold_correction(deadbeat_gains(tableau.b.dot(tableau.c), step.h));
+  evaluate_free_stages(tableau, dynamics, step, y, k, stage);
 }
 
-void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
+void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                           MatrixXd& k, VectorXd& stage) {
+  const double h = step.h;
   dynamics.rates(k.col(0));
   for (Eigen::Index i = 1; i < tableau.b.size(); ++i) {
     stage = y;
     for (Eigen::Index j = 0; j < i; ++j)
       if (tableau.A(i, j) != 0.0) stage += (h * tableau.A(i, j)) * k.col(j);
-    dynamics.evaluate(t + tableau.c[i] * h, stage, static_cast<int>(i) + 1);
+    dynamics.evaluate(step.at(tableau.c[i]), stage, static_cast<int>(i) + 1);
     dynamics.rates(k.col(i));
   }
 }
@@ -57,7 +58,7 @@ class RungeKutta final : public Integrator {
   }
 
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
-    evaluate_stages(tableau_, dynamics, t, h, y, k_, stage_);
+    evaluate_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
     add_combination(h, tableau_.b, k_, y);
     dynamics.release_correction();
   }

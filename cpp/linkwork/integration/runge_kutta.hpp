@@ -8,12 +8,12 @@ namespace linkwork {
 void check(const ButcherTableau& tableau);
 
 /// Fills the first columns of k with k_i = f(t + c_i h, y + h sum_j a_ij k_j) for the stages of a method, with the
-/// sampled correction for a step h. On entry `dynamics` is evaluated at (t, y). `stage` is work space.
-void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
+/// sampled correction for the step. On entry `dynamics` is evaluated at (t, y). `stage` is work space.
+void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage);
 
 /// The same with the correction as it is held, or none.
-void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, double t, double h, const VectorXd& y,
+void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                           MatrixXd& k, VectorXd& stage);
 
 /// y += h sum_i weights_i k_i

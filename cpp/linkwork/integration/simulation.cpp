@@ -12,7 +12,11 @@ constexpr double same_time = 1e-9;  // relative to the step: roundoff of t_end /
 }  // namespace
 
 Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule)
-    : Run(dynamics), integrator_(std::move(integrator)), schedule_(schedule), crossing_(dynamics) {
+    : Run(dynamics),
+      integrator_(std::move(integrator)),
+      schedule_(schedule),
+      divergence_(dynamics.system()),
+      crossing_(dynamics) {
   if (!(schedule.step > 0.0) || !std::isfinite(schedule.step))
     throw OptionError("step", "step must be positive and finite");
   if (!(schedule.t_end >= 0.0) || !std::isfinite(schedule.t_end))
@@ -42,10 +46,10 @@ void Simulation::work() {
   const double h = begin_step();
   if (h == 0.0) return;
   try {
-    dated(t(), h, [&] { integrator_->step(dynamics_, t(), h, y_); });
+    divergence_.blame(kept_y_, t(), h, [&] { dated(t(), h, [&] { integrator_->step(dynamics_, t(), h, y_); }); });
     finish_step();
-  } catch (const NotFiniteError&) {
-    trace_step(h);
+  } catch (const NotFiniteError& error) {
+    if (error.code() != Divergence::code) trace_step(h);
     throw;
   }
 }
@@ -62,7 +66,7 @@ void Simulation::trace_step(double h) {
 
 double Simulation::begin_step() {
   while (!finished_) {
-    dated(t(), NAN, [&] { evaluate_and_record(); });
+    divergence_.blame(y_, t(), schedule_.step, [&] { dated(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
     if (finished_) break;
@@ -95,6 +99,10 @@ void Simulation::follow_leap() {
   evaluated_ = false;
 }
 
+void Simulation::forget() {
+  if (integrator_) integrator_->start(static_cast<int>(y_.size()));
+}
+
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(t(), y_);
@@ -116,6 +124,7 @@ void Simulation::finish_step() {
   const System& system = dynamics_.system();
   const double t_new = time_of(steps_done_ + 1);
   if (!y_.allFinite()) dated(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
+  divergence_.check(y_, t_new, next_step());
   system.normalize(y_.head(system.q_size()));
   if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
   sampling_.after(t(), next_step(), kept_y_, y_);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "linkwork/integration/crossing.hpp"
+#include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/integration/run.hpp"
 
@@ -34,6 +35,7 @@ class Simulation final : public Run {
 
  private:
   void work() override;
+  void forget() override;
   double time_of(std::int64_t step) const;
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }
   bool recording_due() const;
@@ -47,6 +49,7 @@ class Simulation final : public Run {
 
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
   Schedule schedule_;
+  Divergence divergence_;
   std::int64_t steps_total_ = 0;
   Crossing crossing_;
   bool evaluated_ = false;

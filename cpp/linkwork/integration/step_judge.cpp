@@ -28,7 +28,7 @@ class Starter final : public Integrator {
     dynamics.add_correction(h, correction_);
     for (int half = 0; half < 2; ++half) {
       if (half > 0) dynamics.evaluate(t + 0.5 * h, y);
-      evaluate_free_stages(tableau_, dynamics, t + 0.5 * half * h, 0.5 * h, y, k_, stage_);
+      evaluate_free_stages(tableau_, dynamics, {t + 0.5 * half * h, 0.5 * h}, y, k_, stage_);
       add_combination(0.5 * h, tableau_.b, k_, y);
     }
     y += correction_;
@@ -99,10 +99,16 @@ void StepJudge::take_again(const KeptStep& step) {
   for (int part = 0; part < take_.parts; ++part) {
     const double t = step.t + part * h;
     dynamics_.evaluate(t, y_);
+    if (part == 0) leave_out(step.left_out);
     take_.integrator->step(dynamics_, t, h, y_);
     finish(t + h);
   }
   dynamics_.end_parts();
+}
+
+/// The rows that the run left out in this step; others have become redundant since, or were before.
+void StepJudge::leave_out(const std::vector<int>& rows) {
+  if (dynamics_.dropped().rows() != rows) dynamics_.change_redundant_rows(rows, {});
 }
 
 void StepJudge::finish(double t) {

@@ -49,6 +49,7 @@ class StepJudge {
 
  private:
   void take_again(const KeptStep& step);
+  void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
   void compare_reactions(const KeptStep& step, StepError& out);

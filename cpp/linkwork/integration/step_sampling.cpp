@@ -84,6 +84,7 @@ void StepSampling::expect(std::int64_t steps) {
 
 void StepSampling::before(const Dynamics& dynamics) {
   if (!dynamics.evaluation().memory.empty()) memory_ = dynamics.evaluation().memory;
+  if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
@@ -133,6 +134,7 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
   place.y = y;
   place.y_new = y_new;
   place.memory = memory_;
+  place.left_out = left_out_;
 }
 
 std::vector<RunPart> StepSampling::parts() const {

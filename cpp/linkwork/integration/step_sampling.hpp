@@ -13,6 +13,7 @@ struct KeptStep {
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
   VectorXd y, y_new;
   std::vector<double> memory;  ///< of the elements, at t
+  std::vector<int> left_out;   ///< redundant rows, at t
 
   bool kept() const { return h > 0.0; }
 };
@@ -66,6 +67,7 @@ class StepSampling {
   bool compared_ = false;  ///< rates_ are those of the step before
   VectorXd rates_;
   std::vector<double> memory_;
+  std::vector<int> left_out_;
   std::vector<RunPart> parts_;
 };
 

@@ -27,6 +27,12 @@ BodyMaximum ErrorMeasure::of_change(const ConstVector& y, const ConstVector& y_n
   return largest;
 }
 
+double ErrorMeasure::of_length(const ConstVector& y) const {
+  double largest = 1.0;
+  for (int body = 0; body < system_.body_count(); ++body) largest = std::max(largest, y.segment<3>(7 * body).norm());
+  return bound(largest);
+}
+
 double ErrorMeasure::of_state(const ConstVector& y) const {
   double largest = 1.0 / bound(1.0);
   for (int body = 0; body < system_.body_count(); ++body)

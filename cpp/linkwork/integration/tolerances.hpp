@@ -29,6 +29,8 @@ class ErrorMeasure {
   BodyMaximum of_change(const ConstVector& y, const ConstVector& y_new, const ConstVector& dy) const;
   /// Size of the state itself; a rotation counts as 1 rad.
   double of_state(const ConstVector& y) const;
+  /// The bound of a position's error, of the body that has the largest, or of a rotation's.
+  double of_length(const ConstVector& y) const;
 
  private:
   double bound(double size) const { return tolerances_.absolute + tolerances_.relative * size; }

@@ -84,6 +84,33 @@ bool orthonormal(const Mat3<double>& C) {
   return (C.transpose() * C - Mat3<double>::Identity()).cwiseAbs().maxCoeff() < tolerance && C.determinant() > 0;
 }
 
+std::size_t place_of(const KindInfo& info, const std::string& parameter) {
+  const auto found = std::find(info.parameters.begin(), info.parameters.end(), parameter);
+  return static_cast<std::size_t>(found - info.parameters.begin());
+}
+
+std::string wanted(const Bound& bound) {
+  if (bound.least == 0.0) return bound.above ? "must be positive" : "must not be negative";
+  return std::string(bound.above ? "must be above " : "must be at least ") + text(bound.least);
+}
+
+/// Why the numbers among the parameters are none of this kind; "" where they are.
+std::string beyond_bounds(const KindInfo& info, const Parameter* parameters) {
+  for (const Bound& bound : info.bounds) {
+    const Parameter& given = parameters[place_of(info, bound.parameter)];
+    if (given.signal < 0 && (given.constant < bound.least || (bound.above && given.constant == bound.least)))
+      return bound.parameter + " = " + text(given.constant) + " " + wanted(bound);
+  }
+  for (const Ordered& pair : info.ordered) {
+    const Parameter &smaller = parameters[place_of(info, pair.smaller)],
+                    &larger = parameters[place_of(info, pair.larger)];
+    if (smaller.signal < 0 && larger.signal < 0 && smaller.constant > larger.constant)
+      return pair.smaller + " = " + text(smaller.constant) + " must not be above " + pair.larger + " = " +
+             text(larger.constant);
+  }
+  return "";
+}
+
 }  // namespace
 
 Model::Model(const Vec3<double>& gravity) : gravity_(gravity) {
@@ -145,7 +172,9 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
     if (among(info.constants)) {
       if (signal >= 0) refuse_element("not_constant", parameter + " is a function of time, and must be a number");
       const double value = parameters[p].constant;
-      if (value == 0.0) refuse_element("zero_parameter", parameter + " is zero, and must not be");
+      const bool bounded = std::any_of(info.bounds.begin(), info.bounds.end(),
+                                       [&](const Bound& bound) { return bound.parameter == parameter; });
+      if (value == 0.0 && !bounded) refuse_element("zero_parameter", parameter + " is zero, and must not be");
       if (among(info.whole_numbers) && value != std::round(value))
         refuse_element("not_whole", parameter + " = " + text(value) + " must be a whole number");
     }
@@ -153,6 +182,21 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
       refuse_element("derivatives", parameter +
                                         " is a function of time without derivatives; give the first and second "
                                         "derivative too");
+  }
+  if (const std::string why = beyond_bounds(info, parameters); !why.empty()) refuse_element("out_of_bounds", why);
+}
+
+/// Notes functions of time that are not to pass a bound.
+void Model::limit(const KindInfo& info, const std::string& name, const Parameter* parameters) {
+  const auto what = [&](const std::string& parameter) { return info.name + " '" + name + "': " + parameter; };
+  for (const Bound& bound : info.bounds)
+    if (const Parameter& given = parameters[place_of(info, bound.parameter)]; given.signal >= 0)
+      limited_.own().push_back({given, {bound.least, -1}, what(bound.parameter), ""});
+  for (const Ordered& pair : info.ordered) {
+    const Parameter &smaller = parameters[place_of(info, pair.smaller)],
+                    &larger = parameters[place_of(info, pair.larger)];
+    if (smaller.signal >= 0 || larger.signal >= 0)
+      limited_.own().push_back({larger, smaller, what(pair.larger), pair.smaller});
   }
 }
 
@@ -180,6 +224,7 @@ int Model::add_elements(Role role, int index, const KindInfo& info, const Names&
     list.push_back(elements[k]);
     list.back().kind = index;
     list.back().first_parameter = all_parameters.size() + k * count;
+    if (!info.bounds.empty()) limit(info, names[k], parameters.data() + k * count);
     if (joint) rows.push_back(rows.back() + info.rows);
   }
   all_parameters.insert(all_parameters.end(), parameters.begin(), parameters.end());
@@ -232,8 +277,28 @@ int Model::add_signal(TimeFunctionPtr function) {
 }
 
 void Model::add_user_force(const std::string& name, std::shared_ptr<const UserForce> force) {
+  own_force_names_.own().add(name);
   user_forces_.push_back(std::move(force));
   user_force_names_.push_back(name);
+}
+
+void Model::add_breaks(const std::vector<double>& times) {
+  for (const double t : times)
+    if (!std::isfinite(t)) throw ModelError("breaks", "breaks must be finite times [s]");
+  breaks_.insert(breaks_.end(), times.begin(), times.end());
+}
+
+void Model::add_joint_force(const std::string& name, int joint, const std::string& coordinate, CoordinateLawPtr law) {
+  if (joint < 0 || joint >= static_cast<int>(joints_->size()))
+    throw ModelError("unknown_joint", "joint force '" + name + "': joint index " + std::to_string(joint) +
+                                          " does not exist; there are " + std::to_string(joints_->size()));
+  const Element& element = joints()[static_cast<std::size_t>(joint)];
+  const FreeCoordinate* found = find_coordinate(joint_info(element.kind), coordinate);
+  if (!found)
+    throw ModelError("coordinate", "joint force '" + name + "': joint '" + joint_name(joint) + "' has no coordinate '" +
+                                       coordinate + "'");
+  own_force_names_.own().add(name);
+  joint_forces_.own().push_back({name, element.i, element.j, element.at, found, std::move(law)});
 }
 
 int Model::joint_of_row(int row) const {

@@ -6,6 +6,7 @@
 
 #include "linkwork/model/batch.hpp"
 #include "linkwork/model/force_kind.hpp"
+#include "linkwork/model/joint_force.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/name_table.hpp"
 #include "linkwork/model/shared.hpp"
@@ -34,6 +35,12 @@ struct Element {
   std::size_t first_parameter = 0;  ///< place in the model's list of parameters
 };
 
+/// A function of time at a place where not every value makes sense: `value` is not below `least`.
+struct Limited {
+  Parameter value, least;
+  std::string what, than;  ///< such as "rotational_stop 'end': upper" and "lower"; no name where `least` is a number
+};
+
 /// A force of the user's own on any bodies, such as a field or a control.
 class UserForce {
  public:
@@ -60,6 +67,10 @@ class Model {
                         SpecialJointPtr joint, const std::vector<Parameter>& parameters = {});
   int add_signal(TimeFunctionPtr function);
   void add_user_force(const std::string& name, std::shared_ptr<const UserForce> force);
+  /// Times [s] at which users' forces are not smooth.
+  void add_breaks(const std::vector<double>& times);
+  /// Along the coordinate of a joint that is there, by the coordinate's name in the KindInfo.
+  void add_joint_force(const std::string& name, int joint, const std::string& coordinate, CoordinateLawPtr law);
 
   /// Many at once under one prefix; linear in time and memory. `parameters` holds the kind's number for each element.
   int add_bodies(const Names& names, const std::vector<Body>& bodies);
@@ -77,15 +88,19 @@ class Model {
   const std::vector<Parameter>& joint_parameters() const { return *joint_parameters_; }
   const std::vector<Parameter>& force_parameters() const { return *force_parameters_; }
   const std::vector<TimeFunctionPtr>& signals() const { return signals_; }
+  const std::vector<double>& breaks() const { return breaks_; }
   const std::vector<std::shared_ptr<const UserForce>>& user_forces() const { return user_forces_; }
   const std::string& user_force_name(std::size_t k) const { return user_force_names_[k]; }
-  bool has_forces() const { return !forces_->empty() || !user_forces_.empty(); }
+  const std::vector<JointForce>& joint_forces() const { return *joint_forces_; }
+  bool has_forces() const { return !forces_->empty() || !user_forces_.empty() || !joint_forces_->empty(); }
+  const std::vector<Limited>& limited() const { return *limited_; }
   const std::vector<int>& joint_rows() const { return *joint_rows_; }  ///< first row of each joint, and the total
   int row_count() const { return joint_rows_->back(); }
 
   const NameTable& body_names() const { return *body_names_; }
   const NameTable& joint_names() const { return *joint_names_; }
   const NameTable& force_names() const { return *force_names_; }
+  const NameTable& own_force_names() const { return *own_force_names_; }  ///< of the user's own forces and laws
   std::string body_name(int body) const { return body == ground ? "ground" : body_names_->name(body); }
   std::string joint_name(int joint) const { return joint_names_->name(joint); }
   int joint_of_row(int row) const;
@@ -105,6 +120,7 @@ class Model {
                    const std::vector<Parameter>& parameters);
   void check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
                      const Parameter* parameters) const;
+  void limit(const KindInfo& info, const std::string& name, const Parameter* parameters);
 
   Vec3<double> gravity_;
   Shared<std::vector<Body>> bodies_;
@@ -114,8 +130,11 @@ class Model {
   std::vector<TimeFunctionPtr> signals_;
   std::vector<std::shared_ptr<const UserForce>> user_forces_;
   std::vector<std::string> user_force_names_;
+  std::vector<double> breaks_;
+  Shared<std::vector<JointForce>> joint_forces_;
+  Shared<std::vector<Limited>> limited_;
   Shared<std::vector<int>> joint_rows_{std::size_t{1}, 0};
-  Shared<NameTable> body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"};
+  Shared<NameTable> body_names_{"body"}, joint_names_{"joint"}, force_names_{"force"}, own_force_names_{"force"};
 };
 
 }  // namespace linkwork

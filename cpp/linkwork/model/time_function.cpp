@@ -87,7 +87,60 @@ class PiecewisePolynomial final : public TimeFunction {
     return horner(coefficients_.data() + piece * count_, count_, t - breaks_[piece]);
   }
 
+  /// First and last knots, and those at which the value or a derivative jumps by more than roundoff.
+  void add_breaks(std::vector<Break>& out) const override {
+    out.push_back({breaks_.front()});
+    for (std::size_t knot = 1; knot + 1 < breaks_.size(); ++knot)
+      if (const std::size_t order = jump(knot); order < count_) out.push_back({breaks_[knot], order < smooth});
+    out.push_back({breaks_.back()});
+  }
+
+  void add_watched(bool driven, std::vector<TimeFunctionPtr>& out) const override {
+    std::vector<Break> breaks;
+    add_breaks(breaks);
+    if (std::all_of(breaks.begin(), breaks.end(), [](const Break& it) { return it.ends_step; })) return;
+    out.push_back(driven ? std::make_shared<PiecewisePolynomial>(*this) : integral().integral().shared());
+  }
+
  private:
+  static constexpr std::size_t smooth = 3;   // continuous: value, first and second derivative
+  static constexpr double roundoff = 1e-11;  // of the terms of a polynomial
+
+  std::shared_ptr<const PiecewisePolynomial> shared() const { return std::make_shared<PiecewisePolynomial>(*this); }
+
+  /// The lowest derivative that jumps at a knot; as many as there are coefficients: none. Over the shorter one of the
+  /// two intervals a jump counts by what it makes of the value.
+  std::size_t jump(std::size_t knot) const {
+    const double left = breaks_[knot] - breaks_[knot - 1], right = breaks_[knot + 1] - breaks_[knot];
+    const double shorter = std::min(left, right);
+    std::vector<double> before(coefficients_.begin() + static_cast<std::ptrdiff_t>((knot - 1) * count_),
+                               coefficients_.begin() + static_cast<std::ptrdiff_t>(knot * count_));
+    const double* after = coefficients_.data() + knot * count_;
+    double size = 0.0, power = 1.0;
+    for (std::size_t k = 0; k < count_; ++k, power *= shorter) size = std::max(size, std::abs(after[k]) * power);
+    power = 1.0;
+    for (std::size_t k = 0; k < count_; ++k, power *= left) size = std::max(size, std::abs(before[k]) * power);
+    for (std::size_t k = 0; k + 1 < count_; ++k)  // Taylor's shift to the knot
+      for (std::size_t j = count_ - 1; j-- > k;) before[j] += left * before[j + 1];
+    power = 1.0;
+    for (std::size_t k = 0; k < count_; ++k, power *= shorter)
+      if (std::abs(after[k] - before[k]) * power > roundoff * size) return k;
+    return count_;
+  }
+
+  /// Zero at the first knot.
+  PiecewisePolynomial integral() const {
+    std::vector<double> out;
+    double value = 0.0;
+    for (std::size_t piece = 0; piece + 1 < breaks_.size(); ++piece) {
+      out.push_back(value);
+      for (std::size_t k = 0; k < count_; ++k)
+        out.push_back(coefficients_[piece * count_ + k] / static_cast<double>(k + 1));
+      value = horner(out.data() + piece * (count_ + 1), count_ + 1, breaks_[piece + 1] - breaks_[piece]).value;
+    }
+    return PiecewisePolynomial(breaks_, std::move(out));
+  }
+
   std::vector<double> breaks_, coefficients_;
   std::size_t count_ = 0;
 };
@@ -105,6 +158,10 @@ class Cycloidal final : public TimeFunction {
     if (s >= 1.0) return {rise_, 0.0, 0.0};
     return {rise_ * (s - std::sin(turn * s) / turn), rise_ / duration_ * (1.0 - std::cos(turn * s)),
             rise_ / (duration_ * duration_) * turn * std::sin(turn * s)};
+  }
+  void add_breaks(std::vector<Break>& out) const override {
+    out.push_back({start_});
+    out.push_back({start_ + duration_});
   }
 
  private:
@@ -128,9 +185,39 @@ class Sum final : public TimeFunction {
   bool has_derivatives() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->has_derivatives(); });
   }
+  void add_breaks(std::vector<Break>& out) const override {
+    for (const TimeFunctionPtr& term : terms_) term->add_breaks(out);
+  }
+  void add_watched(bool driven, std::vector<TimeFunctionPtr>& out) const override {
+    for (const TimeFunctionPtr& term : terms_) term->add_watched(driven, out);
+  }
 
  private:
   std::vector<TimeFunctionPtr> terms_;
+};
+
+class Broken final : public TimeFunction {
+ public:
+  Broken(TimeFunctionPtr function, std::vector<double> times)
+      : function_(std::move(function)), times_(std::move(times)) {
+    if (!std::all_of(times_.begin(), times_.end(), [](double t) { return std::isfinite(t); }))
+      throw ModelError("breaks", "breaks must be finite times [s]");
+  }
+
+  Signal<double> evaluate(double t) const override { return function_->evaluate(t); }
+  bool has_derivatives() const override { return function_->has_derivatives(); }
+  bool of_time() const override { return function_->of_time(); }
+  void add_breaks(std::vector<Break>& out) const override {
+    function_->add_breaks(out);
+    for (const double t : times_) out.push_back({t});
+  }
+  void add_watched(bool driven, std::vector<TimeFunctionPtr>& out) const override {
+    function_->add_watched(driven, out);
+  }
+
+ private:
+  TimeFunctionPtr function_;
+  std::vector<double> times_;
 };
 
 class Callback final : public TimeFunction {
@@ -168,6 +255,10 @@ TimeFunctionPtr cycloidal(double rise, double start, double duration) {
 }
 
 TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) { return std::make_shared<Sum>(std::move(terms)); }
+
+TimeFunctionPtr with_breaks(TimeFunctionPtr function, std::vector<double> times) {
+  return std::make_shared<Broken>(std::move(function), std::move(times));
+}
 
 TimeFunctionPtr characteristic(TimeFunctionPtr function) {
   return std::make_shared<Characteristic>(std::move(function));

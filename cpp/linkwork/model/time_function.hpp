@@ -8,6 +8,17 @@
 
 namespace linkwork {
 
+/// A time [s] at which a function is not smooth. What `ends_step` is a step's end, always; the others are knots of
+/// tables with two continuous derivatives, of which there may be thousands: a step may go over several, where
+/// TimeFunction::watched says that it sees what is between them.
+struct Break {
+  double t;
+  bool ends_step = true;
+};
+
+class TimeFunction;
+using TimeFunctionPtr = std::shared_ptr<const TimeFunction>;
+
 /// A quantity given as a function of time [s], with its first two derivatives.
 class TimeFunction {
  public:
@@ -17,9 +28,15 @@ class TimeFunction {
   virtual bool has_derivatives() const { return true; }
   /// False for a function of something else, such as a length: it is evaluated by the elements that it belongs to.
   virtual bool of_time() const { return true; }
+  /// Appends the times at which it is not smooth, as far as they are known in advance.
+  virtual void add_breaks(std::vector<Break>& out) const { static_cast<void>(out); }
+  /// Appends, for each table in it that has breaks which end no step, a function whose second derivative is what the
+  /// accelerations feel: the table itself where it drives (`driven`), else its second integral. Its first derivative
+  /// tells the integral over a step without quadrature.
+  virtual void add_watched(bool driven, std::vector<TimeFunctionPtr>& out) const {
+    static_cast<void>(driven), static_cast<void>(out);
+  }
 };
-
-using TimeFunctionPtr = std::shared_ptr<const TimeFunction>;
 
 /// f(t) = sum c_k t^k.
 TimeFunctionPtr polynomial(std::vector<double> coefficients);
@@ -36,6 +53,9 @@ TimeFunctionPtr piecewise_polynomial(std::vector<double> breaks, std::vector<dou
 TimeFunctionPtr cycloidal(double rise, double start, double duration);
 
 TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms);
+
+/// The same function, not smooth at these times [s], either.
+TimeFunctionPtr with_breaks(TimeFunctionPtr function, std::vector<double> times);
 
 /// The same function, of a coordinate or a velocity of a force element instead of time. Outside of a table an
 /// evaluation throws an OptionError.

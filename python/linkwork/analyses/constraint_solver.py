@@ -306,8 +306,7 @@ def shared(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Fl
 
     if not len(multipliers):
         return multipliers
-    massless = (np.asarray(equations.core.mass) == 0).any()
-    system = System(equations.model, formulation="augmented_lagrangian" if massless else "standard")
+    system = System(equations.model)
     D = equations.terms(t, q).D
     try:
         share = system.accelerations(t, q, np.zeros(6 * equations.core.body_count))[1]

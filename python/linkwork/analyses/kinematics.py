@@ -27,6 +27,7 @@ from linkwork.errors import (
     SingularSystemError,
     warn,
 )
+from linkwork.given import array, one_of
 from linkwork.header import Header
 from linkwork.manifest import manifest
 from linkwork.model import Model
@@ -92,10 +93,7 @@ def kinematics(
     """
     began = time.perf_counter()
     t = _times(times)
-    if on_singular not in ("pass", "warn", "stop"):
-        raise OptionError(
-            f"on_singular '{on_singular}' does not exist: pass, warn or stop", code="unknown_option"
-        )
+    one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     checks.check_bodies(model)
     checks.check_tables(model, float(t[-1]))
     follower = _Follower(Equations(model), float(t[-1]))
@@ -118,9 +116,9 @@ def kinematics(
 def _times(times: ArrayLike) -> Floats:
     """OptionError: not two or more increasing finite numbers from 0 on."""
     try:
-        t = np.asarray(times, dtype=float)
-    except (TypeError, ValueError):
-        raise OptionError(f"times {times!r:.80} are not numbers [s]", code="times") from None
+        t = array(times, "times")
+    except OptionError as error:
+        raise OptionError(f"times {times!r:.80} are not numbers [s]", code="times") from error
     if t.ndim != 1 or len(t) < 2 or not np.isfinite(t).all() or t[0] < 0 or (np.diff(t) <= 0).any():
         raise OptionError(
             f"times of shape {t.shape} must be two or more finite numbers [s] that increase, from 0 on",
@@ -156,6 +154,7 @@ class _Follower:
     t_end: float
     at: _Moment = field(init=False)
     unit: float = 1.0  # of singular values
+    beside: bool = False  # a singular pose, which is left on both of its sides
     passages: list[dict[str, Any]] = field(default_factory=list)
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
@@ -224,9 +223,11 @@ class _Follower:
         if q is None:
             return None
         moment = self._moment(t, q, at)
-        if moment.constraints.rank < self.freedoms and h > 1e-6 * max(t, 1e-3):
-            return self._singular(moment, h)
-        return moment
+        if moment.constraints.rank == self.freedoms:
+            return moment
+        if self.beside or at.constraints.rank < self.freedoms:
+            return None  # singular poses one after the other: no step, however short, leaves them
+        return self._singular(moment, h) if h > 1e-6 * max(t, 1e-3) else moment
 
     def _rolled(self, t: float) -> Floats:
         """q at t by integration of D v = -Phi_t, where joints restrict velocities only."""
@@ -248,10 +249,14 @@ class _Follower:
         Hermite's interpolation: f(t) = (f_1 + f_2) / 2 + (t_2 - t_1) (f_1' - f_2') / 8 in the middle.
         """
         d = NEARBY * h
-        before = self.soon_after(self.at, moment.t - d)
-        if before is None:
-            return None
-        after = self.soon_after(before, moment.t + d) if moment.t + d <= self.t_end else None
+        self.beside = True
+        try:
+            before = self.soon_after(self.at, moment.t - d)
+            if before is None:
+                return None
+            after = self.soon_after(before, moment.t + d) if moment.t + d <= self.t_end else None
+        finally:
+            self.beside = False
         if after is None:
             return self._moment(moment.t, moment.q, before)
         x_ddot = (before.x_ddot + after.x_ddot) / 2
@@ -335,10 +340,13 @@ class _Follower:
         sigma = at.constraints.smallest(self.freedoms)
         names = eq.joints(at.constraints.weakest_rows(self.freedoms))
         dead = "a dead point" if sigma < SUSPICIOUS else "a pose"
+        remedy = "end before it, or drive another joint"
+        if at.t == 0.0:
+            remedy = "begin in a pose beside it, which says how the motion goes on, or drive another joint"
         raise NotConvergedError(
             f"kinematics: the mechanism cannot follow its drivers beyond t = {at.t:.9g} s (asked for "
             f"{t:.9g} s): {dead} where the equations of {_named(names)} depend on each other (smallest "
-            f"singular value {sigma:.2g}); end before it, or drive another joint",
+            f"singular value {sigma:.2g}); {remedy}",
             code="dead_point",
             joints=names,
             time=at.t,
@@ -406,9 +414,7 @@ class _Frames:
 
     def __init__(self, model: Model) -> None:
         self.model = model
-        massless = (np.asarray(model.compiled().mass) == 0).any()
-        formulation = "augmented_lagrangian" if massless else "standard"
-        self.system = System(model, formulation=formulation)
+        self.system = System(model)
         self.rows: dict[str, list[Any]] = {}
 
     def add(self, follower: _Follower) -> None:

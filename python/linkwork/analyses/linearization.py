@@ -171,9 +171,7 @@ def _coefficients(
 
 
 def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Floats, Floats]:
-    massless = (np.asarray(eq.core.mass) == 0).any()
-    formulation = "augmented_lagrangian" if massless else "standard"
-    return System(eq.model, formulation=formulation).accelerations(t, q, v)
+    return System(eq.model).accelerations(t, q, v)
 
 
 def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> None:

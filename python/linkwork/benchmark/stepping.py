@@ -23,6 +23,9 @@ ROUNDS = 5
 #: A run of several steps takes about so long [s]; its fewest and most steps.
 RUN_SECONDS, FEWEST_STEPS, MOST_STEPS = 0.1, 10, 20_000
 
+#: Looks at redundant equations that are timed together.
+WATCH_REPEATS = 1000
+
 #: What a run is made of, in its statistics.
 PARTS = ("evaluate", "factorize", "solve")
 
@@ -46,6 +49,8 @@ class Steps:
     evaluations_per_step: float
     #: of the time of a step: evaluate, factorize (with the first solution), solve (further ones), rest
     shares: dict[str, float]
+    #: of the time of a step, spent on looking whether redundant equations still hold; part of the rest
+    watch_share: float
     #: of the time of these steps, beside it: to follow them, and to take some of them again for the verdict
     watching: float
     verdict: float
@@ -157,9 +162,16 @@ class _Stepped:
             ns_per_body_and_evaluation=1e9 * seconds / (bodies * evaluations),
             evaluations_per_step=evaluations,
             shares={**shares, "rest": 1 - sum(shares.values())},
+            watch_share=self._watch_seconds() / seconds,
             watching=self._watching() / (seconds * self.steps),
             verdict=self._median("verdict_seconds") / (seconds * self.steps),
         )
+
+    def _watch_seconds(self) -> float:
+        """Of one look, at the end of the last run."""
+        dynamics = System(self.model).compiled()
+        end = self.result.snapshot()
+        return float(dynamics.redundancy_watch_time(end.t, end.y, WATCH_REPEATS)) / WATCH_REPEATS
 
     def _watching(self) -> float:
         dynamics = System(self.model).compiled()

@@ -58,8 +58,12 @@ def show_growth(found: Growth) -> None:
 
 
 def show_steps(steps: Sequence[Steps], runs: Sequence[Run]) -> None:
-    title = "One step of RK4, and what takes its time (factorize: with the first solution)"
-    out.print_table((*STEPS, *SHARES, *VERDICT), [_step_cells(one) for one in steps], title=title, left=2)
+    title = (
+        "One step of RK4, and what takes its time (factorize: with the first solution; watch: the look at "
+        "redundant equations, part of the rest)"
+    )
+    columns = (*STEPS, *SHARES, "watch", *VERDICT)
+    out.print_table(columns, [_step_cells(one) for one in steps], title=title, left=2)
     if runs:
         title = f"Runs of {runs[0].t_end:g} s through simulate"
         out.print_table(RUNS, [_run_cells(run) for run in runs], title=title, left=2)
@@ -100,6 +104,7 @@ def _step_cells(one: Steps) -> tuple[str, ...]:
         f"{one.us_per_step:,.1f}",
         f"{one.ns_per_body_and_evaluation:,.0f}",
         *(f"{one.shares[part]:.0%}" for part in SHARES),
+        f"{one.watch_share:.2%}",
         f"{one.steps:,}",
         f"{one.watching:.1%}",
         f"{one.verdict:.1%}",

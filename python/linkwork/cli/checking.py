@@ -9,6 +9,7 @@ import numpy as np
 
 from linkwork import _core, checks
 from linkwork.cli import output as out
+from linkwork.errors import LinkworkError
 
 if TYPE_CHECKING:
     from linkwork import Model
@@ -60,9 +61,18 @@ def examine(model: Model) -> dict[str, Any]:
             for row, others, text in groups
         ],
         "singular_equations": [core.describe_row(row) for row in rank.singular_rows],
+        "contradictions": _contradictions(model, dynamics),
         "residuals": _residuals(model, dynamics),
         "inertias": _inertias(core),
     }
+
+
+def _contradictions(model: Model, dynamics: _core.Dynamics) -> dict[str, float]:
+    """Redundant equations that ask for other accelerations [1/s2]; none where these cannot be found."""
+    try:
+        return checks.contradictions_at_start(model, dynamics)
+    except LinkworkError:
+        return {}
 
 
 def _residuals(model: Model, dynamics: _core.Dynamics) -> list[dict[str, Any]]:
@@ -124,6 +134,10 @@ def _print(found: dict[str, Any]) -> None:
         print(
             "\nIn this pose the singular equations depend on the others, too: the mechanism may go on in"
             "\nseveral ways. The standard method cannot start here; --formulation augmented_lagrangian can."
+        )
+    for equation, size in found["contradictions"].items():
+        print(
+            f"\n{equation}, contradicts the equations that it repeats: its acceleration is off by {size:.3g}"
         )
     if redundant:
         print("\nRedundant equations are left out. A reaction that is not unique is the share of least norm.")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import shutil
 import sys
@@ -44,7 +45,7 @@ def compare_and_show(
     if "t_end" in settings:
         given.setdefault("t_end", settings["t_end"])
     if "tolerances" not in given and "step" in settings:
-        given.setdefault("steps", usual_steps(settings["step"]))
+        given.setdefault("steps", usual_steps(settings["step"], given.get("t_end", math.inf)))
     try:
         comparison = compare(mechanism.function(**parameters), **given)
     except KeyboardInterrupt as stop:

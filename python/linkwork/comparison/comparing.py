@@ -92,7 +92,7 @@ def compare(
     rtols, asked = _numbers("tolerances", tolerances) or [], _numbers("steps", steps)
     methods = choices(*axes, options, adaptive=bool(rtols) and not asked)
     if asked is None and not rtols:
-        asked = usual_steps(recommended) if recommended is not None else None
+        asked = usual_steps(recommended, t_end) if recommended is not None else None
         if asked is None and reference is None:
             asked = _suggested_steps(model, t_end, processes)
     grid = _grid(methods, asked or [], rtols)
@@ -158,9 +158,13 @@ def _numbers(name: str, given: Any) -> list[float] | None:
     return [float(number) for number in several]
 
 
-def usual_steps(recommended: float) -> list[float]:
-    """Where no steps are given: the recommended one [s], and larger ones that show the order."""
-    return [4 * recommended, 2 * recommended, recommended]
+def usual_steps(recommended: float, t_end: float) -> list[float]:
+    """Where no steps are given: the recommended one [s], and larger ones that show the order.
+
+    None of them is longer than the run.
+    """
+    finest = min(recommended, t_end / 4) if t_end > 0 else recommended
+    return [4 * finest, 2 * finest, finest]
 
 
 def _run(

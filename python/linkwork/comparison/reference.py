@@ -34,7 +34,7 @@ TOLERANCES, TIGHTER = (1e-12, 1e-11, 1e-10), 0.3
 #: chance makes one better than another: more are tried, and the two that agree best are taken.
 AGREED = 1e-8
 
-#: What a reference is computed with; the second where the first refuses or fails (massless bodies).
+#: What a reference is computed with; the second where the first fails.
 METHODS: tuple[dict[str, Any], ...] = (
     {"formulation": "standard", "stabilization": "projection", "integrator": "dop853"},
     {"formulation": "augmented_lagrangian", "stabilization": "projection", "integrator": "dop853"},

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from linkwork.errors import FileError, nearest
+from linkwork.given import path as path_of
 from linkwork.importers.description import Imported, Note
 from linkwork.importers.mjcf import import_mjcf
 from linkwork.importers.sdf import import_sdf
@@ -50,7 +51,7 @@ def read(path: str | os.PathLike[str], **options: Any) -> Imported:
 
     An empty `search_path` is that of every format.
     """
-    suffix = Path(path).suffix.lower()
+    suffix = path_of(path, "file to import").suffix.lower()
     if suffix not in IMPORTERS:
         known = ", ".join(IMPORTERS)
         raise FileError(

@@ -73,7 +73,7 @@ def _meant(axis: Floats, known: list[Floats], near: float) -> Floats:
 
 def loops(description: Description) -> list[list[JointDescription]]:
     """The joints of each closed loop; loops that share a joint are one. Links fixed to the ground are it."""
-    joints = list(description.joints)
+    joints = [joint for joint in description.joints if joint.kind != "free"]
     carried = {joint.child for joint in joints if not joint.closes_loop}
     of_ground = {link for link in description.grounded if link not in carried} | {WORLD}
     ends = [tuple(WORLD if x in of_ground else x for x in (joint.parent, joint.child)) for joint in joints]

@@ -49,8 +49,8 @@ class Options(TypedDict, total=False):
     velocities: Mapping[str, Any]
     #: acceleration (3,) [m/s2]; None: of the file, or (0, 0, -9.81)
     gravity: ArrayLike | None
-    #: take moving links without mass or inertia as massless bodies, which need the penalty or augmented
-    #: Lagrangian formulation; False: they are refused
+    #: take moving links without mass or inertia as massless bodies, which joints must hold; False: they are
+    #: refused
     keep_massless: bool
     #: give links whose principal moments no real body can have the nearest that one can; False: they are
     #: refused
@@ -221,8 +221,8 @@ def _check_light(
             description.note("massless", f"link '{name}'", f"moves without {lack}: a massless body")
             continue
         reason = (
-            f"moves but has no {lack}: give its inertial, or import with keep_massless (then the formulation "
-            "must be penalty or augmented_lagrangian)"
+            f"moves but has no {lack}: give its inertial, or import with keep_massless (then joints must "
+            "hold it)"
         )
         faults.append(Fault(lines.get(f"link {name}", 1), f"link '{name}'", reason))
 
@@ -298,6 +298,17 @@ class _Builder:
             velocity=state.velocity_of(position),
             omega=state.frame.A.T @ state.omega,
         )
+        for link in group.links:
+            self._lift(link, group)
+
+    # -c m g in the link's center of mass
+    def _lift(self, name: str, group: _Group) -> None:
+        """Take from a link the share of its weight that its file takes from it."""
+        link = self._description.links[name]
+        force = -link.weightless * link.mass * np.asarray(self._model.compiled().gravity)
+        if force.any():
+            at = self._side(name, Frame(r=link.center)).at
+            self._model.force(self._bodies[group.main], force=force.tolist(), at=at, name=f"{name} lift")
 
     def add_joint(self, joint: JointDescription) -> None:
         a, b = self._side(joint.parent, joint.in_parent), self._side(joint.child, joint.in_child)
@@ -306,6 +317,7 @@ class _Builder:
                 self._note("rigid", joint, "joins links of one rigid group: it cannot move")
             return
         if joint.kind == "free":
+            self._add_isotropic(joint, a, b)
             return
         place = {"at": (a.at, b.at), "frames": "body", "name": joint.name}
         getattr(self, f"_add_{joint.kind}")(joint, a, b, place)
@@ -371,6 +383,9 @@ class _Builder:
             self._add_rotor(joint)
         elif joint.armature:
             self._note("armature", joint, f"rotor inertia {joint.armature:g} is not represented")
+        if joint.kind == "spherical":
+            self._add_isotropic(joint, a, b)
+            return
         if joint.kind not in ("revolute", "translational"):
             if joint.damping or joint.friction or joint.stiffness:
                 self._note(
@@ -400,6 +415,25 @@ class _Builder:
         )
         self._note("armature", joint, text)
 
+    def _add_isotropic(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        """Spring and damping, the same in all directions and about all axes that the joint leaves free."""
+        shift = float(joint.kind == "free")  # a spherical joint only turns
+        if joint.stiffness:
+            frames = tuple(rotation.from_matrix(side.frame.A) for side in (a, b))
+            self._model.bushing(
+                a.body, b.body, at=(a.at, b.at), frames="body", orientation=frames,
+                stiffness=[shift * joint.stiffness] * 3, rotational_stiffness=[joint.stiffness] * 3,
+                name=f"{joint.name} spring",
+            )  # fmt: skip
+        if joint.damping:
+            self._model.linear_damping(
+                a.body, b.body, at=(a.at, b.at), frames="body", damping=shift * joint.damping,
+                rotational_damping=joint.damping, name=f"{joint.name} damping",
+            )  # fmt: skip
+        if joint.friction:
+            text = f"friction {joint.friction:g} of a {joint.kind} joint is not represented"
+            self._note("friction", joint, text)
+
     def _add_friction(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         kind = "rotational_friction" if joint.kind == "revolute" else "translational_friction"
         if not joint.damping and not joint.friction:
@@ -428,13 +462,13 @@ class _Builder:
             frames="body",
             **self._axis_place(joint, a, b),
             stiffness=joint.stiffness,
-            free_angle=joint.spring_reference - joint.reference,
+            free_angle=joint.spring_reference - float(joint.reference[0]),
             name=f"{joint.name} spring",
         )
 
     def _add_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         """Along the axis from a point so far back that the distance never becomes zero."""
-        rest = joint.spring_reference - joint.reference
+        rest = joint.spring_reference - float(joint.reference[0])
         back = 10.0 * (1.0 + abs(rest))
         far = a.at - back * a.axis(joint.motions[0].axis)
         self._model.spring_damper(

@@ -60,6 +60,7 @@ class LinkDescription:
     center: Floats = field(default_factory=lambda: np.zeros(3))  #: of mass, in the link's frame [m]
     inertia: Floats = field(default_factory=lambda: np.zeros((3, 3)))  #: about the center, link axes [kg m2]
     pose: Frame = field(default_factory=Frame)  #: in the world, of a link that no joint carries
+    weightless: float = 0.0  #: the share of its weight that is taken from it
 
 
 @dataclass(frozen=True)
@@ -85,10 +86,11 @@ class JointDescription:
     in_parent: Frame  #: the joint's frame in the parent link
     in_child: Frame = field(default_factory=Frame)  #: and in the child link
     motions: Sequence[Motion] = ()
-    reference: float = 0.0  #: the coordinate where both sides agree [rad or m]
-    damping: float = 0.0  #: [N m s/rad] or [N s/m]
+    #: the coordinates, one for each motion, where both sides agree [rad or m]
+    reference: Floats = field(default_factory=lambda: np.zeros(1))
+    damping: float = 0.0  #: [N m s/rad] or [N s/m]; of a free joint both, of a spherical one about all axes
     friction: float = 0.0  #: [N m] or [N]
-    stiffness: float = 0.0  #: [N m/rad] or [N/m]
+    stiffness: float = 0.0  #: [N m/rad] or [N/m], likewise
     spring_reference: float = 0.0  #: coordinate of the spring at rest
     armature: float = 0.0  #: inertia of a rotor, seen at the joint [kg m2] or [kg]
     pitch: float = 0.0  #: of a screw [m per turn]

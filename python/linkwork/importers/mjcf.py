@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from linkwork.errors import Fault, LinkworkError, ModelFileError
 from linkwork.importers.building import Options, build
+from linkwork.importers.coverage import report
 from linkwork.importers.description import (
     WORLD,
     Coupling,
@@ -22,6 +23,9 @@ from linkwork.importers.description import (
     Motion,
 )
 from linkwork.importers.frames import Frame, from_quaternion
+from linkwork.importers.mjcf_coverage import MJCF
+from linkwork.importers.mjcf_dynamics import JointDynamics, is_disabled
+from linkwork.importers.mjcf_files import roots
 from linkwork.importers.xml_text import Node, Reader
 
 if TYPE_CHECKING:
@@ -37,18 +41,22 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
     keep_massless, repair_inertia, align_axes, couple, merge_fixed. Coordinates are those of MuJoCo, zero or
-    `ref` in the file's pose. Several joints of one body are taken where one joint here does the same: two
+    `ref` in the file's pose; flags that disable gravity, equalities, springs, dampers or friction are heeded.
+    Several joints of one body are taken where one joint here does the same: two
     slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
 
-    Not represented, and listed in the notes: limits, contact, actuators, joint equalities that are
-    not linear. Needs the package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses,
-    tendons, joints that cannot be combined, moving bodies without inertia. ModelError: wrong coordinates.
-    LinkworkError: no mujoco package.
+    Not represented, and listed in the notes: limits, contact, actuators (but for their damping and armature),
+    joint equalities that are not linear, and what else linkwork.importers.mjcf_coverage lists. Needs the
+    package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, deformable
+    bodies, plugins that act on bodies, joints that cannot be combined, moving bodies without inertia.
+    ModelError: wrong coordinates. LinkworkError: no mujoco package.
     """
     reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
     model, warnings = _compiled(path)
     lines = dict(_lines(reader.root))
     description = _MujocoModel(os.fspath(path), model, lines).description()
+    _report(reader, description)
+    reader.finish()
     for text in dict.fromkeys(warnings):
         description.note("mujoco", "model", f"MuJoCo warns: {text}")
     return build(description, options, lines)
@@ -61,6 +69,17 @@ def _lines(node: Node) -> Iterator[tuple[str, int]]:
         if name and child.tag in ("body", "joint", "freejoint"):
             yield f"{'link' if child.tag == 'body' else 'joint'} {name}", child.line
         yield from _lines(child)
+
+
+def _report(reader: Reader, description: Description) -> None:
+    """Note and refuse what the lists of the format say, in the file and in those that it includes."""
+
+    def unread(node: Node, reason: str) -> None:
+        file = f"<{node.tag}> '{node.attributes.get('file', '')}'"
+        description.note("unread", file, f"{reason}: what it has that is not represented is not listed")
+
+    found = (met for root in roots(reader, unread) for met in MJCF.survey(root))
+    report(found, description.note, reader.add)
 
 
 def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
@@ -90,14 +109,17 @@ class _MujocoModel:
         import mujoco
 
         self._path, self._model, self._mj, self._lines = path, model, mujoco, lines
+        self._dynamics = JointDynamics(model)
+        self._links: dict[str, LinkDescription] = {}
         self._faults: list[Fault] = []
 
     def description(self) -> Description:
         model = self._model
-        links = {
-            name: self._link(body, name) for body, name in enumerate(self._names("body", model.nbody)) if body
-        }
-        out = Description(self._path, self._model_name(), links, [], [], np.array(model.opt.gravity))
+        for body, name in enumerate(self._names("body", model.nbody)):
+            if body:
+                self._links[name] = self._link(body, name)
+        gravity = np.zeros(3) if is_disabled(model, "gravity") else np.array(model.opt.gravity)
+        out = Description(self._path, self._model_name(), self._links, [], [], gravity)
         joints = [joint for body in range(1, model.nbody) for joint in self._joints_of(body, out)]
         out.joints = joints
         out.joints = joints + list(self._equalities(out))
@@ -127,7 +149,10 @@ class _MujocoModel:
         model = self._model
         inertial = from_quaternion(model.body_ipos[body], model.body_iquat[body])
         inertia = inertial.A @ np.diag(model.body_inertia[body]) @ inertial.A.T
-        return LinkDescription(name, float(model.body_mass[body]), inertial.r, inertia, self._pose(body))
+        mass, weightless = float(model.body_mass[body]), float(model.body_gravcomp[body])
+        if is_disabled(model, "spring") and is_disabled(model, "damper"):
+            weightless = 0.0  # no passive force acts in MuJoCo then, this one neither
+        return LinkDescription(name, mass, inertial.r, inertia, self._pose(body), weightless)
 
     def _pose(self, body: int) -> Frame:
         """In the parent, all joints at their reference; of children of the world that is their pose."""
@@ -136,13 +161,14 @@ class _MujocoModel:
     # --- joints of the tree ---
 
     def _joints_of(self, body: int, out: Description) -> Iterator[JointDescription]:
-        """What carries a body: nothing (free), a fixed joint, or one joint for all that the file has."""
+        """What carries a body: a fixed joint, or one for all in the file; nothing carries a free one."""
         model, name = self._model, self._body_name(body)
         parent, pose = self._body_name(int(model.body_parentid[body])), self._pose(body)
         joints = range(model.body_jntadr[body], model.body_jntadr[body] + max(model.body_jntnum[body], 0))
         types = [int(model.jnt_type[k]) for k in joints]
         kinds = self._mj.mjtJoint
         if types == [kinds.mjJNT_FREE]:
+            yield from self._free(joints[0], name, pose, out)
             return
         if not types:
             yield JointDescription(f"{name} fixed", "fixed", parent, name, pose)
@@ -161,12 +187,37 @@ class _MujocoModel:
             self._fault(f"body '{name}'", f"no joint here does what its joints {words} do together")
             return
         joint = JointDescription("+".join(labels), kind, parent, name, pose @ anchor, anchor, motions)
-        if len(types) == 1 and types[0] != kinds.mjJNT_BALL:
-            self._dynamics(joints[0], joint)
-        else:
-            self._note_dynamics(joints, joint, out)
+        joint.reference = np.array([model.qpos0[model.jnt_qposadr[k]] for k in joints])
+        if len(types) == 1:
+            self._dynamics.set(joints[0], joint)
+            joint.spring_reference = float(model.qpos_spring[model.jnt_qposadr[joints[0]]])
+        elif self._dynamics.any_at(joints):
+            text = f"damping, friction, spring or armature of a {joint.kind} joint is not represented"
+            out.note("damping", f"joint '{joint.name}'", text)
+        self._note_polynomials(joints, joint, out)
         self._note_limits(joints, labels, out)
         yield joint
+
+    # The rates of a free joint are the velocity v of the body's origin, inertial, and its angular velocity
+    # omega, in body axes. Each has the same armature a, T = a |v|^2 / 2 + a |omega|^2 / 2: that of a mass a
+    # in the origin with the inertia a about all axes, which gravity does not pull.
+    def _free(self, k: int, name: str, pose: Frame, out: Description) -> Iterator[JointDescription]:
+        """What acts on a free body; a joint that carries nothing."""
+        label = self._name("joint", k)
+        joint = JointDescription(label, "free", WORLD, name, pose, closes_loop=True)
+        self._dynamics.set(k, joint)
+        self._note_polynomials(range(k, k + 1), joint, out)
+        armature, joint.armature = joint.armature, 0.0
+        if armature:
+            rotor = f"{label} rotor"
+            self._links[rotor] = LinkDescription(
+                rotor, armature, inertia=armature * np.eye(3), weightless=1.0
+            )
+            text = f"armature {armature:g} is that of the weightless body '{rotor}', fixed to its body"
+            out.note("armature", f"joint '{label}'", text)
+            yield JointDescription(f"{rotor} fixed", "fixed", name, rotor, Frame())
+        if joint.damping or joint.stiffness or joint.friction:
+            yield joint
 
     def _kind(
         self, types: list[int], motions: list[Motion], anchors: list[Floats]
@@ -189,30 +240,14 @@ class _MujocoModel:
                 return "planar", motions
         return None, []
 
-    def _dynamics(self, k: int, joint: JointDescription) -> None:
-        model = self._model
-        dof, q = int(model.jnt_dofadr[k]), int(model.jnt_qposadr[k])
-        joint.damping, joint.friction = (
-            float(_first(model.dof_damping[dof])),
-            float(model.dof_frictionloss[dof]),
-        )
-        joint.armature, joint.stiffness = (
-            float(model.dof_armature[dof]),
-            float(_first(model.jnt_stiffness[k])),
-        )
-        joint.reference, joint.spring_reference = float(model.qpos0[q]), float(model.qpos_spring[q])
-
-    def _note_dynamics(self, joints: range, joint: JointDescription, out: Description) -> None:
-        model = self._model
-        first = int(model.jnt_dofadr[joints[0]])
-        dofs = slice(first, first + max(3 if len(joints) == 1 else 0, len(joints)))  # a ball joint has three
-        values = [getattr(model, f"dof_{what}")[dofs] for what in ("damping", "frictionloss", "armature")]
-        values.append(model.jnt_stiffness[list(joints)])
-        if any(np.any(value) for value in values):
-            text = f"damping, friction, spring or armature of a {joint.kind} joint is not represented"
-            out.note("damping", f"joint '{joint.name}'", text)
+    def _note_polynomials(self, joints: range, joint: JointDescription, out: Description) -> None:
+        if self._dynamics.is_bent(joints):
+            text = "its spring or damping is a polynomial: only the linear part is represented"
+            out.note("nonlinear", f"joint '{joint.name}'", text)
 
     def _note_limits(self, joints: range, labels: list[str], out: Description) -> None:
+        if is_disabled(self._model, "limit", "constraint"):
+            return
         for k, label in zip(joints, labels, strict=True):
             if self._model.jnt_limited[k]:
                 lower, upper = self._model.jnt_range[k]
@@ -224,8 +259,9 @@ class _MujocoModel:
         model, kinds = self._model, self._mj.mjtEq
         for k in range(model.neq):
             name, type_, data = self._name("equality", k), int(model.eq_type[k]), model.eq_data[k]
-            if not model.eq_active0[k]:
-                out.note("equality", f"equality '{name}'", "is not active: left out")
+            if not model.eq_active0[k] or is_disabled(model, "equality", "constraint"):
+                why = "is not active" if not model.eq_active0[k] else "is disabled by a flag"
+                out.note("equality", f"equality '{name}'", f"{why}: left out")
                 continue
             if type_ == kinds.mjEQ_JOINT and self._couple(name, k, out):
                 continue
@@ -241,7 +277,8 @@ class _MujocoModel:
                 bodies = one, other
                 frames = self._anchors(type_ == kinds.mjEQ_WELD, data)
             names = [self._body_name(body) for body in bodies]
-            kind = "fixed" if type_ == kinds.mjEQ_WELD else "spherical"
+            turns = type_ == kinds.mjEQ_CONNECT or data[10] == 0  # a weld whose torquescale is zero
+            kind = "spherical" if turns else "fixed"
             out.note("equality", f"equality '{name}'", f"soft in MuJoCo, a rigid {kind} joint here")
             yield JointDescription(name, kind, names[0], names[1], *frames, closes_loop=True)
 
@@ -279,28 +316,38 @@ class _MujocoModel:
         for k in range(getattr(model, "nflex", 0)):
             self._fault(f"flex '{self._name('flex', k)}'", "deformable bodies are not taken")
         for k in range(model.nu):
-            out.note("actuator", f"actuator '{self._name('actuator', k)}'", "is not represented")
-        contacts = int(np.count_nonzero((model.geom_contype != 0) | (model.geom_conaffinity != 0)))
-        if contacts:
-            out.note("contact", "model", f"contact of {contacts} geoms is not represented")
+            lost = ", nor its damping and armature" if k in self._dynamics.lost_actuators else ""
+            out.note("actuator", f"actuator '{self._name('actuator', k)}'", f"is not represented{lost}")
+        self._note_contact(out)
+        self._note_sleep(out)
         if model.ngeom:
             out.note("visual", "model", f"the shapes of {model.ngeom} geoms are not represented")
-        if model.nsensor:
-            out.note("sensor", "model", f"{model.nsensor} sensors are not represented")
         if model.opt.density or model.opt.viscosity or np.any(model.opt.wind):
             out.note("medium", "model", "forces of the surrounding medium are not represented")
-        if np.any(model.body_gravcomp):
-            out.note("gravcomp", "model", "gravity compensation of bodies is not represented")
+
+    def _note_contact(self, out: Description) -> None:
+        model = self._model
+        if is_disabled(model, "contact", "constraint"):
+            return
+        geoms = int(np.count_nonzero((model.geom_contype != 0) | (model.geom_conaffinity != 0)))
+        for count, what in ((geoms, "geoms"), (model.npair, "pairs of geoms")):
+            if count:
+                out.note("contact", "model", f"contact of {count} {what} is not represented")
+
+    def _note_sleep(self, out: Description) -> None:
+        model, policies = self._model, self._mj.mjtSleepPolicy
+        for tree in range(model.ntree):
+            if model.tree_sleep_policy[tree] == policies.mjSLEEP_INIT:
+                name = self._body_name(int(model.tree_bodyadr[tree]))
+                text = "and what it carries start asleep in MuJoCo: here they move from the start"
+                out.note("sleep", f"body '{name}'", text)
+        if model.opt.enableflags & int(self._mj.mjtEnableBit.mjENBL_SLEEP):
+            out.note("sleep", "model", "what comes to rest falls asleep in MuJoCo: here it stays awake")
 
     def _fault(self, field: str, message: str) -> None:
         kind, _, name = field.partition(" ")
         line = self._lines.get(f"{'link' if kind == 'body' else kind} {name[1:-1]}", 1)
         self._faults.append(Fault(line, field, message))
-
-
-def _first(value: Any) -> Any:
-    """MuJoCo may keep coefficients of a polynomial; the first is the linear one."""
-    return np.ravel(value)[0]
 
 
 def _parallel(u: Floats, w: Floats) -> bool:

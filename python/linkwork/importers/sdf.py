@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.importers.building import Options, build
+from linkwork.importers.coverage import report
 from linkwork.importers.description import (
     WORLD,
     Coupling,
@@ -20,9 +21,10 @@ from linkwork.importers.description import (
 )
 from linkwork.importers.frames import Frame
 from linkwork.importers.robot_file import RobotFile, coupling, direction, set_inertia
+from linkwork.importers.sdf_coverage import SDF
 from linkwork.importers.sdf_includes import Library, Source
 from linkwork.importers.sdf_scopes import Scope
-from linkwork.importers.xml_text import Node, Reader
+from linkwork.importers.xml_text import Node, Reader, is_true
 
 __all__ = ["import_sdf"]
 
@@ -67,8 +69,9 @@ def import_sdf(
     links put them; those that close loops have no coordinates of their own. Links and joints of models in
     models, and of the models of a world with several, are called model::name.
 
-    Not represented, and listed in the notes: limits, plugins, geometry. ModelFileError: what
-    is wrong in the file, with lines; moving links without inertia. ModelError: wrong coordinates.
+    Not represented, and listed in the notes: limits, plugins, geometry, and what else
+    linkwork.importers.sdf_coverage lists. ModelFileError: what is wrong in the file, with lines; moving links
+    without inertia. ModelError: wrong coordinates.
     """
     library, source = Library.of(path, search_path)
     file = _SdfFile(source, library)
@@ -93,9 +96,20 @@ class _SdfFile(RobotFile):
                 read(scope)
         for scope, name, node in self._gearboxes:
             self._gearbox(scope, name, node)
+        self._report(library)
         if not self.links:
             reader.add(self.root.node, "model", "has no links")
         self.check_couplings(reader)
+
+    def _report(self, library: Library) -> None:
+        """Note and refuse what the lists of the format say, in all files."""
+        for reader in library.readers.values():
+            where = "" if reader is self._reader else f" (in '{os.path.basename(reader.path)}')"
+
+            def note(topic: str, subject: str, message: str, where: str = where) -> None:
+                self.note(topic, subject, message + where)
+
+            report(SDF.survey(reader.root), note, reader.add)
 
     def _first(self) -> Node:
         """The world, or the model where there is no world."""
@@ -112,15 +126,6 @@ class _SdfFile(RobotFile):
         return found[0]
 
     def _read_links(self, scope: Scope) -> None:
-        """And note what else is in the model."""
-        known = {"link", "joint", "frame", "pose", "static", "model", "include"}
-        nodes = [(scope.node, known | {"gravity"} if scope.is_world else known)]
-        if scope.placed_by is not scope.node:
-            nodes.append((scope.placed_by, {"pose", "static", "name", "uri", "placement_frame"}))
-        for child in (
-            child for node, expected in nodes for child in node.children if child.tag not in expected
-        ):
-            self.note("element", f"<{child.tag}>", f"in line {child.line} is not represented")
         for tag, name in ((tag, name) for tag, named in scope.nodes.items() for name in named):
             scope.pose_of(tag, name)  # faults of frames that nothing uses are faults, too
         for name, node in scope.nodes["link"].items():
@@ -143,11 +148,23 @@ class _SdfFile(RobotFile):
         link = LinkDescription(scope.prefix + name, pose=scope.absolute @ scope.pose_of("link", name))
         who, reader = f"link '{link.name}'", scope.reader
         self.note_geometry(node, who)
+        gravity = node.word("gravity")
+        link.weightless = float(gravity is not None and not is_true(gravity))
         inertial = node.one("inertial")
         if inertial is None:  # the defaults of the format
             link.mass, link.inertia = 1.0, np.eye(3)
             self.note("inertial", who, "is missing: 1 kg and 1 kg m2, the defaults of SDF")
             return link
+        if is_true(inertial.attributes.get("auto")):
+            reader.add(
+                inertial, who, "auto inertia is not taken: it follows from shapes; give mass and inertia"
+            )
+        pose = inertial.one("pose")
+        for what in ("relative_to", "frame") if pose is not None else ():
+            if pose is not None and pose.attributes.get(what):
+                reader.add(
+                    pose, f"{who} inertial pose", f"{what} is not taken: it is in the frame of the link"
+                )
         link.mass = reader.number(inertial, inertial.word("mass"), f"{who} mass", 1.0)
         inertia = inertial.one("inertia") or inertial
         set_inertia(link, reader, scope.own(inertial, who), inertia, inertia.word, INERTIA)
@@ -195,8 +212,8 @@ class _SdfFile(RobotFile):
             self._screw(reader, node, joint, who)
         if count == 1:
             self._dynamics(scope, node, joint, who)
-        elif count:
-            self._note_dynamics(node, who)
+        unused = {"universal": ("axis", "axis2"), "spherical": ("axis", "axis2")}.get(joint.kind, ("axis2",))
+        self._note_dynamics(node, who, unused)
         self.note_children(node, who, ("physics", "sensor"))
         return joint
 
@@ -224,7 +241,7 @@ class _SdfFile(RobotFile):
         xyz = axis.one("xyz")
         given = direction(scope.reader, xyz or axis, xyz.text if xyz else None, f"{who} {tag}", Z)
         expressed_in = xyz.attributes.get("expressed_in") if xyz is not None else None
-        in_model = axis.word("use_parent_model_frame") in ("1", "true") or version < (1, 5)
+        in_model = is_true(axis.word("use_parent_model_frame")) or version < (1, 5)
         if expressed_in or (in_model and version < (1, 7)):
             frame = scope.absolute @ scope.pose(expressed_in or "", axis)
             given = here.A.T @ (frame.A @ given)
@@ -237,12 +254,20 @@ class _SdfFile(RobotFile):
             field = "stiffness" if tag == "spring_stiffness" else tag
             if dynamics is not None:
                 setattr(joint, field, reader.number(dynamics, dynamics.word(tag), f"{who} {tag}", 0.0))
-        ends = [reader.number(limit, limit.word(end), f"{who} {end}", sign * 1e16)
-                for end, sign in (("lower", -1), ("upper", 1))] if limit else []  # fmt: skip
-        if any(abs(end) < 1e15 for end in ends):
-            self.note("limits", who, f"limits {ends[0]:g} to {ends[1]:g} are not represented")
+        if limit is not None:
+            self._limits(reader, limit, who)
         if mimic is not None:
             self.couplings.append(self._mimic(scope, mimic, joint))
+
+    def _limits(self, reader: Reader, limit: Node, who: str) -> None:
+        lower, upper = (reader.number(limit, limit.word(end), f"{who} {end}", sign * 1e16)
+                        for end, sign in (("lower", -1), ("upper", 1)))  # fmt: skip
+        words = ((tag, limit.word(tag)) for tag in ("effort", "velocity", "stiffness", "dissipation"))
+        found = [f"{tag} {text}" for tag, text in words if text]
+        if min(abs(lower), abs(upper)) < 1e15:
+            found.insert(0, f"{lower:g} to {upper:g}")
+        if found:
+            self.note("limits", who, f"limits {', '.join(found)} are not represented")
 
     def _mimic(self, scope: Scope, mimic: Node, joint: JointDescription) -> Coupling:
         leader = mimic.attributes.get("joint", "")
@@ -283,8 +308,8 @@ class _SdfFile(RobotFile):
                     return joint.name, np.sign(along) * (1.0 if joint.parent == a else -1.0)
         return None
 
-    def _note_dynamics(self, node: Node, who: str) -> None:
-        for tag in ("axis", "axis2"):
+    def _note_dynamics(self, node: Node, who: str, tags: Sequence[str]) -> None:
+        for tag in tags:
             for what in ("dynamics", "limit", "mimic"):
                 if node.find(tag, what) is not None:
                     self.note(what, who, f"the {what} of its {tag} is not represented")

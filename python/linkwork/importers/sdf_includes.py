@@ -9,7 +9,8 @@ from pathlib import Path, PurePosixPath
 from urllib.parse import unquote, urlsplit
 
 from linkwork.errors import FileError
-from linkwork.importers.xml_text import Node, Reader
+from linkwork.given import path as path_of
+from linkwork.importers.xml_text import Node, Reader, is_true
 
 #: The most includes in all: of files that include the next one twice each, there are soon too many.
 MOST = 10_000
@@ -41,7 +42,7 @@ class Library:
         cls, path: str | os.PathLike[str], search_path: Sequence[str | os.PathLike[str]]
     ) -> tuple[Library, Source]:
         """With the first file. FileError: it cannot be read. ModelFileError: it is no SDF."""
-        file = Path(path).resolve()
+        file = path_of(path, "<sdf> file").resolve()
         library = cls([Path(folder).resolve() for folder in search_path], file.parent)
         library.readers[file] = Reader(path, "sdf")
         return library, library._source(file, ())
@@ -62,7 +63,7 @@ class Library:
         uri = node.word("uri") or ""
         self.models += 1
         try:
-            if node.attributes.get("merge") in ("1", "true"):
+            if is_true(node.attributes.get("merge")):
                 raise _refused(
                     "is to be merged, which is not taken: leave merge out; names get a prefix then"
                 )

@@ -16,7 +16,7 @@ from linkwork.errors import nearest
 from linkwork.importers.description import WORLD
 from linkwork.importers.frames import Frame, from_quaternion, from_rpy
 from linkwork.importers.sdf_includes import DEPTH, Library, Source
-from linkwork.importers.xml_text import Node
+from linkwork.importers.xml_text import Node, is_true
 
 __all__ = ["Scope"]
 
@@ -76,7 +76,7 @@ class Scope:
     def is_static(self) -> bool:
         """The model cannot move: it says so, or what includes it, or one around it."""
         said = self.placed_by.word("static") or self.node.word("static")
-        return said in ("1", "true") or (self.parent is not None and self.parent.is_static)
+        return is_true(said) or (self.parent is not None and self.parent.is_static)
 
     # --- names ---
 
@@ -247,7 +247,7 @@ class Scope:
                 self.reader.add(pose, f"{who} pose", "quaternion is zero")
                 return Frame()
             return from_quaternion(values[:3], (w, x, y, z))
-        degrees = pose.attributes.get("degrees") in ("1", "true")
+        degrees = is_true(pose.attributes.get("degrees"))
         return from_rpy(values[:3], np.radians(values[3:]) if degrees else values[3:])
 
     def _refuse_ring(self, node: Node, how: str, names: list[str]) -> None:

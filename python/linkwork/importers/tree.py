@@ -72,7 +72,7 @@ def link_states(description: Description, coordinates: Values, velocities: Value
 
 
 def _checked(description: Description, given: Values, what: str) -> dict[str, Floats]:
-    joints = {joint.name: joint for joint in description.joints}
+    joints = {joint.name: joint for joint in description.joints if joint.kind != "free"}
     out: dict[str, Floats] = {}
     for name, value in given.items():
         if name not in joints:

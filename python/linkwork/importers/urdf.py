@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.importers.building import Options, build
+from linkwork.importers.coverage import report
 from linkwork.importers.description import Imported, JointDescription, LinkDescription, Motion
 from linkwork.importers.frames import Frame, from_rpy
 from linkwork.importers.robot_file import RobotFile, coupling, direction, set_inertia
+from linkwork.importers.urdf_coverage import URDF
 from linkwork.importers.xml_text import Node, Reader
 from linkwork.rotation import perpendicular
 
@@ -41,7 +43,8 @@ def import_urdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     floating=True. Each link is a body of the same name, its axes those of the link; massless links are parts
     of the links that they are fixed to.
 
-    Not represented, and listed in the notes: limits, transmissions, geometry. ModelFileError: what is
+    Not represented, and listed in the notes: limits, transmissions, geometry, and what else
+    linkwork.importers.urdf_coverage lists. ModelFileError: what is
     wrong in the file, with lines; moving links without inertia. ModelError: coordinates of joints that do not
     exist.
     """
@@ -69,8 +72,7 @@ class _Robot(RobotFile):
                     self._once(self.joints, node, joint)
             elif node.tag.startswith("xacro:"):
                 reader.add(node, node.tag, "is a macro: expand the file by xacro first")
-            elif node.tag not in ("material", "gazebo") or node.children:
-                self.note("element", f"<{node.tag}>", f"in line {node.line} is not represented")
+        report(URDF.survey(root), self.note, reader.add)
         self._check_tree()
         self.check_couplings(reader)
 
@@ -140,6 +142,7 @@ class _Robot(RobotFile):
             self._mimic(node, joint)
         elif type_ in OTHERS:
             joint.kind = OTHERS[type_]
+            self.note_children(node, who, ("dynamics", "limit", "mimic"), f" of a {type_} joint")
         else:
             self._reader.add(node, who, f"type '{type_}' does not exist" if type_ else "type is missing")
             return None
@@ -161,12 +164,13 @@ class _Robot(RobotFile):
             return
         lower, upper = (self._reader.number(limit, limit.attributes.get(end), f"{who} limit {end}", 0.0)
                         for end in ("lower", "upper"))  # fmt: skip
+        found = [
+            f"{what} {text}" for what, text in limit.attributes.items() if what not in ("lower", "upper")
+        ]
         if type_ in ("revolute", "prismatic") and (lower or upper):
-            self.note(
-                "limits",
-                who,
-                f"limits {lower:g} to {upper:g} {'rad' if type_ == 'revolute' else 'm'} are not represented",
-            )
+            found.insert(0, f"{lower:g} to {upper:g} {'rad' if type_ == 'revolute' else 'm'}")
+        if found:
+            self.note("limits", who, f"limits {', '.join(found)} are not represented")
 
     def _mimic(self, node: Node, joint: JointDescription) -> None:
         mimic = node.one("mimic")

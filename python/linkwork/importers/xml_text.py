@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 from xml.parsers import expat
 
 from linkwork.errors import Fault, FileError, ModelFileError, cause
+from linkwork.given import path as path_of
 
 #: Largest file [bytes], and levels of elements in each other.
 SIZE, DEPTH = 2**26, 100
@@ -43,15 +44,20 @@ class Node:
         return node.text.strip() if node is not None else None
 
 
+def is_true(text: str | None) -> bool:
+    """Of a bool in SDF."""
+    return text is not None and text.strip().lower() in ("1", "true")
+
+
 class Reader:
     """One XML file and the faults in it."""
 
-    def __init__(self, path: str | os.PathLike[str], root_tag: str) -> None:
-        """FileError: it cannot be read. ModelFileError: no XML, or another root."""
-        self.path = os.fspath(path)
+    def __init__(self, path: str | os.PathLike[str], root_tag: str | None) -> None:
+        """FileError: it cannot be read. ModelFileError: no XML, or another root than one of this tag."""
+        self.path = str(path_of(path, f"<{root_tag}> file" if root_tag else "XML file"))
         self.faults: list[Fault] = []
         self.root = self._parse()
-        if self.root.tag != root_tag:
+        if root_tag is not None and self.root.tag != root_tag:
             reason = f"<{self.root.tag}> is not the <{root_tag}> that was expected"
             raise ModelFileError(path, [Fault(self.root.line, "", reason)])
 

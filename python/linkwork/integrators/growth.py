@@ -8,5 +8,5 @@ from numpy.typing import NDArray
 
 def damped_roots(alpha_h: float, beta_h: float) -> NDArray[np.complex128]:
     """z = h s for the two roots s of s^2 + 2 alpha s + beta^2 = 0, from alpha h and beta h."""
-    root = np.sqrt(complex(alpha_h**2 - beta_h**2))
+    root = np.sqrt(np.complex128(alpha_h - beta_h)) * np.sqrt(np.complex128(alpha_h + beta_h))
     return np.array([-alpha_h + root, -alpha_h - root])

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from linkwork import _core
 from linkwork.errors import OptionError
+from linkwork.integrators.growth import damped_roots
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,19 @@ class HalfExplicit:
             for i, row in enumerate(rows):
                 square[i, : len(row)] = row
         return squares[0], squares[1]
+
+    def growth(self, alpha_h: float, beta_h: float) -> float:
+        """By which a motion with s^2 + 2 alpha s + beta^2 = 0 that the constraints allow grows in a step.
+
+        There the last row of A_bar has the weights of a Runge-Kutta method: R(z) = 1 + z b^T (1 - z A)^-1 1.
+        """
+        A, A_bar = self.matrices
+        one = np.ones(len(A))
+        stability = [
+            1 + z * (A_bar[-1] @ np.linalg.solve(np.eye(len(A)) - z * A, one))
+            for z in damped_roots(alpha_h, beta_h)
+        ]
+        return float(np.max(np.abs(stability)))
 
     def compiled(self) -> _core.HalfExplicit:
         """The same method in the compiled module."""

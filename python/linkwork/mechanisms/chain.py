@@ -8,6 +8,7 @@ import numpy as np
 
 from linkwork import Model, OptionError
 from linkwork.errors import nearest
+from linkwork.given import is_one_of
 from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import square_rod
 
@@ -29,9 +30,9 @@ def chain(bodies: int = 10, joint: str = "revolute") -> Model:
     joint   between the links: revolute (about y), spherical or universal
     """
     at_least(1, bodies, "chain: bodies")
-    if joint not in AXES:
+    if not is_one_of(joint, AXES):
         raise OptionError(
-            f"chain: joint '{joint}' is not available{nearest(joint, AXES)}", code="unknown_option"
+            f"chain: joint '{joint!s:.80}' is not available{nearest(str(joint), AXES)}", code="unknown_option"
         )
     model = Model(gravity=(0, 0, -9.81), name="chain")
     x_axis = np.array([1.0, 0.0, 0.0])

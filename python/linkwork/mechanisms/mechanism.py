@@ -8,6 +8,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from linkwork.errors import ModelError
 from linkwork.model import Model
 
@@ -71,6 +73,8 @@ class Mechanism:
 
 
 def at_least(least: int, value: int, what: str) -> None:
-    """ModelError: a number of things that is too small."""
+    """ModelError: a number of things that is too small, or none."""
+    if not isinstance(value, int | np.integer) or isinstance(value, bool):
+        raise ModelError(f"{what} {value!r:.80} is not a whole number", code="count")
     if value < least:
         raise ModelError(f"{what} {value} is too small: at least {least}", code="count")

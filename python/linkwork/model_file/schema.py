@@ -120,7 +120,8 @@ def constructors() -> Mapping[str, Callable[..., functions.TimeFunction]]:
     return {
         name: value
         for name in functions.__all__
-        if inspect.isfunction(value := getattr(functions, name)) and name != "as_time_function"
+        if inspect.isfunction(value := getattr(functions, name))
+        and name not in ("as_time_function", "with_breaks")
     }
 
 

@@ -52,10 +52,9 @@ def record_of(model: Model, simulation: Mapping[str, Any]) -> dict[str, Any]:
 
     ModelError: a Python function in it.
     """
-    for name, _ in model._user_forces:
-        raise ModelError(
-            f"'{name}' is a function of the user's own, which a file cannot hold", code="not_data"
-        )
+    for name, law, _ in model._user_forces:
+        what = "a function" if callable(law) else "a law"
+        raise ModelError(f"'{name}' is {what} of the user's own, which a file cannot hold", code="not_data")
     core = model.compiled()
     names = _function_names(model)
     elements = {f"{role}s": list(_elements(model, role, names)) for role in KINDS}

@@ -1,7 +1,7 @@
 """How force elements and rolling joints are drawn: springs, dampers, bearings, contacts, gears, discs.
 
 What a kind is follows from the names of its parameters, so that one added to the compiled module is drawn
-without a word here. Applied forces, drag, friction and stops have no picture.
+without a word here. Applied forces, drag, linear damping, friction and stops have no picture.
 """
 
 from __future__ import annotations

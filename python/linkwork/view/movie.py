@@ -6,7 +6,7 @@ GIF is written by pillow, MP4 by the ffmpeg that imageio-ffmpeg brings: pip inst
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import rotation
+from linkwork import given, rotation
 from linkwork.errors import FileError, OptionError, unwritable
 from linkwork.header import Floats
 from linkwork.plotting import new_figure
@@ -31,6 +31,9 @@ MOST_FACES = 200_000
 #: Direction to the light, in axes (right, up, towards the eye).
 LIGHT = np.array([0.35, 0.75, 0.56])
 
+#: Of a movie: hours of it.
+MOST_PICTURES = 1_000_000
+
 Pixels = NDArray[np.uint8]
 
 
@@ -43,17 +46,18 @@ def movie(
     size: tuple[int, int] = (960, 640),
 ) -> None:
     """Write a .mp4 or .gif; see `Result.movie`."""
-    file = Path(path)
+    file = given.path(path, "movie")
     if file.suffix.lower() not in (".mp4", ".gif"):
         raise FileError(f"movie '{path}': is neither .mp4 nor .gif: name it so", code="format")
     if not len(result):
         raise OptionError("the result has no frames: there is nothing to film", code="empty")
     duration = float(result.t[-1] - result.t[0])
     lasts = seconds if seconds is not None else min(max(duration, 2.0), 20.0)
-    if not 0 < lasts < np.inf or frames_per_second < 1 or min(size) < 32 or size[0] % 2 or size[1] % 2:
+    good = given.is_number(lasts) and given.is_number(frames_per_second) and _is_size(size)
+    if not good or not lasts > 0 or frames_per_second < 1 or not lasts * frames_per_second < MOST_PICTURES:
         raise OptionError(
-            f"movie of {lasts} s, {frames_per_second} frames per second, {size} pixels: give positive times "
-            "and even sizes of 32 pixels or more",
+            f"movie of {lasts!r:.80} s, {frames_per_second!r:.80} frames per second, {size!r:.80} pixels: "
+            f"give positive times, even sizes of 32 pixels or more, and less than {MOST_PICTURES} pictures",
             code="movie",
         )
     times = result.t[0] + duration * np.linspace(0, 1, max(2, round(lasts * frames_per_second)))
@@ -65,6 +69,13 @@ def movie(
         write(file, pictures, frames_per_second, size)
     except OSError as error:
         raise unwritable("movie", path, error) from error
+
+
+def _is_size(size: object) -> bool:
+    """Whether it is two even whole numbers of 32 pixels or more."""
+    if not isinstance(size, Sequence) or len(size) != 2:
+        return False
+    return all(isinstance(n, int | np.integer) and n >= 32 and n % 2 == 0 for n in size)
 
 
 def _write_gif(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[int, int]) -> None:

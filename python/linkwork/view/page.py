@@ -7,12 +7,15 @@ import json
 import os
 import tempfile
 import webbrowser
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from linkwork.errors import unwritable
+import numpy as np
+
+from linkwork.errors import OptionError, unwritable
+from linkwork.given import is_number
 from linkwork.view.run import LIMIT, document
 
 if TYPE_CHECKING:
@@ -83,7 +86,11 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
 
     OptionError: the limit is too small for two frames.
     """
-    names = [*labels, *("" for _ in results)][: len(results)]
+    if not isinstance(labels, Iterable) or isinstance(labels, np.ndarray | str):
+        raise OptionError(f"labels {labels!r:.80} are no names of runs", code="labels")
+    if not is_number(limit):
+        raise OptionError(f"limit {limit!r:.80} is not a finite number of bytes", code="limit")
+    names = [*map(str, labels), *("" for _ in results)][: len(results)]
     documents = [
         document(result, label, limit / len(results)) for result, label in zip(results, names, strict=True)
     ]

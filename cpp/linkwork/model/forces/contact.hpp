@@ -16,6 +16,15 @@ inline std::vector<std::string> contact_parameters(std::vector<std::string> own)
   return own;
 }
 
+/// What they may be. Below an exponent of 1 the stiffness K n d^(n-1) is infinite where contact begins: no step is
+/// small enough there, and there is no material that does so.
+inline std::vector<Bound> contact_bounds(std::vector<Bound> own) {
+  for (Bound bound : {positive("stiffness"), at_least(1.0, "exponent"), not_negative("hysteresis"),
+                      not_negative("friction"), positive("transition")})
+    own.push_back(std::move(bound));
+  return own;
+}
+
 /// At the point C in space, with the unit normal n from i to j and the depth d; `memory` is the speed at which contact
 /// began, 0 while there is none. The speed counts as `transition` where it was smaller.
 template <class Real>

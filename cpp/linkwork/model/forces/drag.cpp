@@ -10,6 +10,7 @@ struct Drag {
     return {.name = "drag",
             .placement = "point",
             .parameters = {"coefficient"},
+            .bounds = {not_negative("coefficient")},
             .documentation =
                 "Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u "
                 "[N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / "

@@ -11,6 +11,7 @@ struct RotationalFriction {
             .placement = Angle::placement,
             .parameters = {"coulomb", "viscous", "transition"},
             .constants = {"transition"},
+            .bounds = {not_negative("coulomb"), not_negative("viscous"), positive("transition")},
             .defaults = {0.0, 0.0, 1e-2},
             .documentation =
                 "Friction about a joint axis: the torque on b is -n_c tanh(w / w_t) - c w [N m], w the "

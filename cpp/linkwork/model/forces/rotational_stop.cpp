@@ -11,6 +11,8 @@ struct RotationalStop {
             .placement = Angle::placement,
             .parameters = {"lower", "upper", "stiffness", "damping"},
             .differentiated = {"lower", "upper", "stiffness"},
+            .bounds = {positive("stiffness"), not_negative("damping")},
+            .ordered = {{"lower", "upper"}},
             .defaults = {no_default, no_default, no_default, 0.0},
             .documentation =
                 "End stops about a joint axis: where the angle of b against a [rad] is beyond `lower` or "

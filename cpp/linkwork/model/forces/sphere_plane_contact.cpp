@@ -11,6 +11,7 @@ struct SpherePlaneContact {
             .placement = "plane",
             .parameters = contact_parameters({"radius"}),
             .constants = {"radius", "stiffness", "exponent", "transition"},
+            .bounds = contact_bounds({positive("radius")}),
             .defaults = {no_default, no_default, 1.5, 0.0, 0.0, 1e-3},
             .documentation =
                 "Contact of a sphere of b, by its center and `radius` [m], with a plane of a, by a point and "

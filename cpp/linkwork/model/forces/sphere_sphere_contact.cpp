@@ -11,6 +11,7 @@ struct SphereSphereContact {
             .placement = "two_points",
             .parameters = contact_parameters({"radius_a", "radius_b"}),
             .constants = {"radius_a", "radius_b", "stiffness", "exponent", "transition"},
+            .bounds = contact_bounds({positive("radius_a"), positive("radius_b")}),
             .defaults = {no_default, no_default, no_default, 1.5, 0.0, 0.0, 1e-3},
             .documentation =
                 "Contact of a sphere of a with a sphere of b, by their centers and radii [m]; stiffness K "

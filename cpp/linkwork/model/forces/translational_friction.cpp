@@ -11,6 +11,7 @@ struct TranslationalFriction {
             .placement = Displacement::placement,
             .parameters = {"coulomb", "viscous", "transition"},
             .constants = {"transition"},
+            .bounds = {not_negative("coulomb"), not_negative("viscous"), positive("transition")},
             .defaults = {0.0, 0.0, 1e-3},
             .documentation =
                 "Friction along a joint axis: the force on b is -f_c tanh(v / v_t) - c v [N], v the relative "

@@ -11,6 +11,8 @@ struct TranslationalStop {
             .placement = Displacement::placement,
             .parameters = {"lower", "upper", "stiffness", "damping"},
             .differentiated = {"lower", "upper", "stiffness"},
+            .bounds = {positive("stiffness"), not_negative("damping")},
+            .ordered = {{"lower", "upper"}},
             .defaults = {no_default, no_default, no_default, 0.0},
             .documentation =
                 "End stops along a joint axis: where the shift of b against a [m] is beyond `lower` or "

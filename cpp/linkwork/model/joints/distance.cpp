@@ -12,6 +12,7 @@ struct Distance {
             .placement = "two_points",
             .parameters = {"length"},
             .differentiated = {"length"},
+            .bounds = {positive("length")},
             .equations = {"distance"},
             .documentation =
                 "Massless rod with ball ends: a point of a and a point of b keep the distance `length` "

@@ -12,6 +12,7 @@ struct RevoluteRevolute {
             .placement = "centers",
             .parameters = {"length"},
             .differentiated = {"length"},
+            .bounds = {positive("length")},
             .equations = {"rotation about joint y", "rotation about joint x", "translation along joint z", "distance"},
             .documentation =
                 "Massless link, hinged on a and on b about parallel axes that are `length` [m] apart, "

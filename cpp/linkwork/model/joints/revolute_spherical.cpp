@@ -12,6 +12,7 @@ struct RevoluteSpherical {
             .placement = "centers",
             .parameters = {"length"},
             .differentiated = {"length"},
+            .bounds = {positive("length")},
             .equations = {"translation along joint z", "distance"},
             .documentation =
                 "Massless link, hinged on an axis of a and with a ball joint on b: the ball stays on a circle "

@@ -13,6 +13,7 @@ struct RollingDisc {
             .placement = "disc",
             .parameters = {"radius"},
             .constants = {"radius"},
+            .bounds = {positive("radius")},
             .equations = {"translation along the normal", "velocity along joint x", "velocity along joint y"},
             .velocity_rows = 2,
             .documentation =

@@ -12,6 +12,7 @@ struct UniversalSpherical {
             .placement = "two_points",
             .parameters = {"length"},
             .differentiated = {"length"},
+            .bounds = {positive("length")},
             .equations = {"distance"},
             .documentation =
                 "Massless rod with a Cardan joint on a and a ball joint on b: the two points keep the "

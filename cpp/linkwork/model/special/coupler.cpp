@@ -15,54 +15,16 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int most_turns = 100;
 constexpr double same = 3e-6, off = 0.5;  // [rad] relative to the factors
 
-using State = BodyState<double>;
-using Place = Attachment<double>;
-
-void turn_of_revolute(const Place& at, const State& i, const State& j, Equation<double>& out) {
-  angle<double>(i, j, at.x_i(), at.y_i(), at.x_j(), out.rows());
-}
-
-void shift(const Place& at, const State& i, const State& j, Equation<double>& out) {
-  in_plane<double>(i, j, at.z_i(), at.s_i, at.s_j, out.rows());
-}
-
-// Of a Cardan joint, x = z_a x z_b: about z_a turns z_b, which was -y_a; about z_b turns y_b, which was z_a.
-void turn_about_a(const Place& at, const State& i, const State& j, Equation<double>& out) {
-  Equation<double> s, c;
-  perpendicular<double>(i, j, at.x_i(), at.z_j(), s.rows());
-  perpendicular<double>(i, j, -at.y_i(), at.z_j(), c.rows());
-  angle_of<double>(i, j, s, c, out.rows());
-}
-
-void turn_about_b(const Place& at, const State& i, const State& j, Equation<double>& out) {
-  Equation<double> s, c;
-  perpendicular<double>(i, j, at.z_i(), at.x_j(), s.rows());
-  perpendicular<double>(i, j, at.z_i(), at.y_j(), c.rows());
-  angle_of<double>(i, j, s, c, out.rows());
-}
-
-struct Coordinate {
-  const char* name;
-  bool angle;
-  void (*evaluate)(const Place&, const State&, const State&, Equation<double>&);
-};
-
-constexpr Coordinate coordinates[] = {{"angle", true, turn_of_revolute},
-                                      {"displacement", false, shift},
-                                      {"angle_a", true, turn_about_a},
-                                      {"angle_b", true, turn_about_b}};
-
 /// Of a joint. ModelError: there is no such joint, or no such coordinate of it.
-int coordinate_index(const Model& model, const CoupledCoordinate& given) {
+const FreeCoordinate* coordinate_of(const Model& model, const CoupledCoordinate& given) {
   if (given.joint < 0 || given.joint >= static_cast<int>(model.joints().size()))
     throw ModelError("unknown_joint", "coupler: joint index " + std::to_string(given.joint) + " does not exist");
-  const auto& known = joint_info(model.joints()[static_cast<std::size_t>(given.joint)].kind).coordinates;
-  const auto same_name = [&](const Coordinate& coordinate) { return coordinate.name == given.name; };
-  const auto found = std::find_if(std::begin(coordinates), std::end(coordinates), same_name);
-  if (found == std::end(coordinates) || std::find(known.begin(), known.end(), given.name) == known.end())
+  const Element& joint = model.joints()[static_cast<std::size_t>(given.joint)];
+  const FreeCoordinate* found = find_coordinate(joint_info(joint.kind), given.name);
+  if (!found)
     throw ModelError("coordinate",
                      "coupler: joint '" + model.joint_name(given.joint) + "' has no coordinate '" + given.name + "'");
-  return static_cast<int>(found - std::begin(coordinates));
+  return found;
 }
 
 /// Place of a body in the list, to which it is added where it is missing.
@@ -94,7 +56,7 @@ KindInfo coupler_joint() {
 Coupler::Coupler(const Model& model, const std::vector<CoupledCoordinate>& given) {
   if (given.empty()) throw ModelError("coordinate", "coupler: it has no coordinates");
   for (const CoupledCoordinate& it : given) {
-    const int coordinate = coordinate_index(model, it);
+    const FreeCoordinate* coordinate = coordinate_of(model, it);
     if (!std::isfinite(it.factor) || it.factor == 0.0)
       throw ModelError("factor", "coupler: the factor of '" + model.joint_name(it.joint) + "' is " +
                                      std::to_string(it.factor) + " and must be finite and not zero");
@@ -114,9 +76,8 @@ void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* pa
   out.gamma[0] = parameters[0].acceleration;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const Term& term = terms_[k];
-    const Coordinate& coordinate = coordinates[term.coordinate];
-    coordinate.evaluate(term.at, bodies[term.i], bodies[term.j], row);
-    last[k] = row.Phi + (coordinate.angle ? turn * std::round((last[k] - row.Phi) / turn) : 0.0);
+    term.coordinate->evaluate(term.at, bodies[term.i], bodies[term.j], row);
+    last[k] = term.coordinate->angle ? continued(row.Phi, last[k]) : row.Phi;
     out.Phi[0] += term.factor * last[k];
     out.gamma[0] += term.factor * row.gamma;
     add(term.factor, row.D_i, out.D + velocity_size * term.i);
@@ -136,7 +97,7 @@ void Coupler::choose_turns(double violation, double* turns) const {
   std::vector<std::size_t> angles;
   double sum = 0.0, least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < terms_.size(); ++k)
-    if (coordinates[terms_[k].coordinate].angle) {
+    if (terms_[k].coordinate->angle) {
       angles.push_back(k);
       sum += std::abs(terms_[k].factor);
       least = std::min(least, std::abs(terms_[k].factor));

@@ -25,7 +25,7 @@ class Coupler final : public SpecialJoint {
   struct Term {
     std::size_t i, j;  ///< places in bodies_
     Attachment<double> at;
-    int coordinate;
+    const FreeCoordinate* coordinate;
     double factor;
   };
   void choose_turns(double violation, double* turns) const;

@@ -1,0 +1,165 @@
+#include "linkwork/constraints/length_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double at_rest = 1e-12;  // [1/s]: slower, and nothing moves but by roundoff
+
+constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
+constexpr double least_row = 0.1;  // of natural size 1
+
+Vec3<double> point(const Body& body, const Vec3<double>& s) {
+  return body.position + rotation_matrix<double>(body.orientation) * s;
+}
+
+/// Lengths of the bodies that joints connect, by one of these bodies.
+class Clusters {
+ public:
+  explicit Clusters(const System& system)
+      : model_(system.model()),
+        parent_(static_cast<std::size_t>(system.body_count())),
+        arm_(parent_.size(), 0.0),
+        way_(arm_),
+        gyration_(arm_),
+        reach_(arm_) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+    for (int joint = 0; joint < system.joint_count(); ++joint) {
+      int last = -1;
+      for (const int block : system.joint_blocks(joint)) {
+        const int body = system.blocks()[static_cast<std::size_t>(block)].body;
+        if (last >= 0) parent_[root(body)] = static_cast<int>(root(last));
+        last = body;
+      }
+    }
+    for (const Element& joint : model_.joints()) measure(joint);
+    for (std::size_t body = 0; body < parent_.size(); ++body) measure(body);
+  }
+
+  double length(int body) {
+    const std::size_t c = root(body);
+    for (const double length : {arm_[c], way_[c], gyration_[c]})
+      if (length > roundoff * reach_[c]) return length;
+    return 1.0;
+  }
+
+ private:
+  std::size_t root(int body) {
+    auto k = static_cast<std::size_t>(body);
+    while (static_cast<std::size_t>(parent_[k]) != k)
+      k = static_cast<std::size_t>(parent_[k] = parent_[static_cast<std::size_t>(parent_[k])]);
+    return k;
+  }
+
+  static void keep_largest(double& largest, double x) { largest = std::max(largest, x); }
+
+  void measure(const Element& joint) {
+    Vec3<double> ends[2] = {joint.at.s_i, joint.at.s_j};
+    const int bodies[2] = {joint.i, joint.j};
+    for (int k = 0; k < 2; ++k)
+      if (bodies[k] != ground) {
+        keep_largest(arm_[root(bodies[k])], ends[k].norm());
+        ends[k] = point(model_.bodies()[static_cast<std::size_t>(bodies[k])], ends[k]);
+      }
+    for (const int body : bodies)
+      if (body != ground) keep_largest(way_[root(body)], (ends[0] - ends[1]).norm());
+  }
+
+  void measure(std::size_t body) {
+    const std::size_t c = root(static_cast<int>(body));
+    const Body& own = model_.bodies()[body];
+    keep_largest(reach_[c], own.position.norm());
+    keep_largest(way_[c], (own.position - model_.bodies()[c].position).norm());
+    if (own.mass > 0.0) keep_largest(gyration_[c], std::sqrt(own.inertia.trace() / (2.0 * own.mass)));
+  }
+
+  const Model& model_;
+  std::vector<int> parent_;
+  std::vector<double> arm_, way_, gyration_, reach_;  ///< of the roots
+};
+
+}  // namespace
+
+VectorXd characteristic_lengths(const System& system) {
+  Clusters clusters(system);
+  VectorXd lengths(system.body_count());
+  for (int body = 0; body < system.body_count(); ++body) lengths[body] = clusters.length(body);
+  return lengths;
+}
+
+VectorXd velocity_scale(const System& system) {
+  const VectorXd lengths = characteristic_lengths(system);
+  VectorXd scale = VectorXd::Ones(system.v_size());
+  for (int body = 0; body < system.body_count(); ++body)
+    scale.segment<3>(velocity_size * body).setConstant(lengths[body]);
+  return scale;
+}
+
+VectorXd row_lengths(const System& system, const Evaluation& at) {
+  const VectorXd scale = velocity_scale(system);
+  VectorXd squares = VectorXd::Zero(system.row_count());
+  for (const ConstraintBlock& block : system.blocks())
+    for (int k = 0; k < block.rows; ++k) {
+      const Eigen::Map<const Eigen::Matrix<double, velocity_size, 1>> row(at.D.data() + block.offset +
+                                                                          velocity_size * k);
+      squares[block.row + k] +=
+          row.cwiseProduct(scale.segment<velocity_size>(velocity_size * block.body)).squaredNorm();
+    }
+  VectorXd lengths = squares.cwiseSqrt();
+  const std::vector<char> rotations = rows_of_rotations(system, at);
+  for (int row = 0; row < system.row_count(); ++row) {
+    if (rotations[static_cast<std::size_t>(row)]) lengths[row] = std::max(lengths[row], least_row);
+    else if (!(lengths[row] > 0.0)) lengths[row] = 1.0;
+  }
+  return lengths;
+}
+
+std::vector<char> rows_of_rotations(const System& system, const Evaluation& at) {
+  std::vector<char> out(static_cast<std::size_t>(system.row_count()), 1);
+  for (const ConstraintBlock& block : system.blocks()) {
+    const bool special = system.model().special_joint(block.joint) != nullptr;
+    for (int k = 0; k < block.rows; ++k) {
+      const double* row = at.D.data() + block.offset + velocity_size * k;
+      if (special || row[0] != 0.0 || row[1] != 0.0 || row[2] != 0.0) out[static_cast<std::size_t>(block.row + k)] = 0;
+    }
+  }
+  return out;
+}
+
+double farthest_position(const System& system, const ConstVector& q) {
+  const VectorXd lengths = characteristic_lengths(system);
+  double most = 0.0;
+  for (int body = 0; body < system.body_count(); ++body)
+    if (const BlockRange blocks = system.body_blocks(body); blocks.begin() != blocks.end())
+      most = std::max(most, q.segment<3>(position_size * body).norm() / lengths[body]);
+  return most;
+}
+
+double roundoff_of_positions(const System& system, const ConstVector& q) {
+  return roundoff * farthest_position(system, q);
+}
+
+double characteristic_rate(const System& system, const Evaluation& at, const ConstVector& v) {
+  const VectorXd lengths = characteristic_lengths(system);
+  double rate = 0.0, force = 0.0, inertia = 0.0;
+  for (int body = 0; body < system.body_count(); ++body) {
+    const auto own = v.segment<velocity_size>(velocity_size * body);
+    rate = std::max({rate, own.head<3>().norm() / lengths[body], own.tail<3>().norm()});
+    force += at.g.segment<3>(velocity_size * body).norm();
+    inertia += system.mass(body) * lengths[body];
+  }
+  if (at.Phi_t.size() > 0) {
+    const VectorXd rows = row_lengths(system, at);
+    rate = std::max({rate, at.Phi_t.cwiseQuotient(rows).cwiseAbs().maxCoeff(),
+                     std::sqrt(at.gamma.cwiseQuotient(rows).cwiseAbs().maxCoeff())});
+  }
+  return std::max(at_rest, inertia > 0.0 ? std::max(rate, std::sqrt(force / inertia)) : rate);
+}
+
+}  // namespace linkwork

@@ -1,0 +1,116 @@
+#include "linkwork/constraints/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace linkwork {
+namespace {
+
+// Corrections, relative to the size of the solution: where they are nothing, and where those that no longer shrink are
+// roundoff; what the first one may be where factors are good, because the second is the square of it.
+constexpr double exact = 1e-14, roundoff = 1e-7, shrinking = 0.5;
+constexpr double second_order = 1e-8;
+constexpr double slow = 0.1;  // conjugate gradients need fewer
+constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
+
+}  // namespace
+
+Refinement::Refinement(const System& system, const VectorXd& lengths) : system_(&system), lengths_(lengths) {
+  for (VectorXd* velocities : {&r_1_, &dx_, &p_, &Mp_}) velocities->setZero(system.v_size());
+  for (VectorXd* rows : {&r_2_, &dlambda_, &p_lambda_}) rows->setZero(system.row_count());
+}
+
+void Refinement::find_residuals(const Evaluation& at, const ConstVector& a, const ConstVector& b, const ConstVector& x,
+                                const ConstVector& lambda) {
+  system_->multiply_mass(x, dx_);
+  r_1_ = a - dx_;
+  system_->add_D_transposed(at, lambda, r_1_);
+  system_->multiply_D(at, x, r_2_);
+  r_2_ = b - r_2_;
+}
+
+void Refinement::correct(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
+                         MutableVector lambda, const Nearby& nearby) {
+  find_residuals(at, a, b, x, lambda);
+  nearby(r_1_, r_2_, dx_, dlambda_);
+  x += dx_;
+  lambda += dlambda_;
+}
+
+bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
+                        MutableVector lambda, const Nearby& nearby, Cause cause, double least_size) {
+  const bool inertia = cause == Cause::inertia;
+  const double free = size_of_free_motion(a);
+  double last = INFINITY, enough = cause == Cause::roundoff ? second_order : exact;
+  for (int k = 0; k < most_corrections; ++k) {
+    correct(at, a, b, x, lambda, nearby);
+    const double size = std::max(size_of(x) + free, least_size), change = size_of(dx_);
+    if (change <= enough * size) return true;
+    if (!std::isfinite(change)) return false;
+    if (inertia && change > slow * last) return accelerate(at, a, b, x, lambda, nearby, size);
+    if (!inertia && change > shrinking * last && change <= roundoff * size) return true;
+    last = change;
+    enough = exact;
+  }
+  return false;
+}
+
+/// From a solution with r_2 = 0 but for roundoff: then r_1 . dx is the square of the residual in the norm of M^-1 on
+/// ker D, and every D^T lambda in r_1 is orthogonal to all directions. Ends where steps are nothing, or where residuals
+/// are roundoff and no longer shrink.
+bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
+                            MutableVector lambda, const Nearby& nearby, double size) {
+  double square = 0.0, least = INFINITY;
+  int waiting = 0;
+  p_.setZero();
+  p_lambda_.setZero();
+  for (int k = 0; k < most_accelerated; ++k) {
+    find_residuals(at, a, b, x, lambda);
+    nearby(r_1_, r_2_, dx_, dlambda_);
+    const double residual = size_of(dx_), before = square;
+    square = r_1_.dot(dx_);
+    const double beta = before > 0.0 && square > 0.0 ? square / before : 0.0;
+    p_ = dx_ + beta * p_;
+    p_lambda_ = dlambda_ + beta * p_lambda_;
+    system_->multiply_mass(p_, Mp_);
+    const double curvature = p_.dot(Mp_), descent = r_1_.dot(p_);
+    if (!(curvature > 0.0) || !(descent > 0.0)) return residual <= roundoff * size;
+    const double step = descent / curvature;
+    dx_ = step * p_;
+    x += dx_;
+    lambda += step * p_lambda_;
+    size = std::max(size, size_of(x));
+    waiting = residual < shrinking * least ? 0 : waiting + 1;
+    least = std::min(least, residual);
+    if (size_of(dx_) <= exact * size || (waiting == patience && residual <= roundoff * size)) return true;
+  }
+  return false;
+}
+
+double Refinement::size_of_body(const ConstVector& x, int body) const {
+  return x.segment<3>(6 * body).norm() + lengths_[body] * x.segment<3>(6 * body + 3).norm();
+}
+
+double Refinement::size_of(const ConstVector& x) const {
+  double out = 0.0;
+  for (int body = 0; body < system_->body_count(); ++body) out = std::max(out, size_of_body(x, body));
+  return out;
+}
+
+/// M^-1 a, bodies without inertia taken for what their lengths make of their masses.
+double Refinement::size_of_free_motion(const ConstVector& a) const {
+  double out = 0.0;
+  for (int body = 0; body < system_->body_count(); ++body)
+    if (const double m = system_->mass(body); m > 0.0)
+      out = std::max(out, (a.segment<3>(6 * body).norm() + a.segment<3>(6 * body + 3).norm() / lengths_[body]) / m);
+  return out;
+}
+
+int Refinement::least_certain_body() const {
+  int out = 0;
+  for (int body = 1; body < system_->body_count(); ++body)
+    if (size_of_body(dx_, body) > size_of_body(dx_, out)) out = body;
+  return out;
+}
+
+}  // namespace linkwork

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+
+#include "linkwork/assembly/system.hpp"
+
+namespace linkwork {
+
+/// THE iterative refinement of solutions of
+///   M x - D^T lambda = a,   D x = b:
+/// with the residuals r_1 = a - M x + D^T lambda and r_2 = b - D x a solver for a nearby matrix, M^ for M or roundoff
+/// in its factors, is asked for the correction
+///   M^ dx - D^T dlambda = r_1,   D dx = r_2,
+/// again and again. The error shrinks by (M^ - M) / M^ over the motions that D allows, and what is left in the end is
+/// the roundoff of the residuals.
+///
+/// A motion with hardly any inertia in M, and that D allows, makes this slow. Then the corrections become those of the
+/// conjugate gradient method with M^ on ker D as its preconditioner (N. Gould, M. Hribar, J. Nocedal, SIAM J. Sci.
+/// Comput. 23, 1376-1395, 2001), which needs one iteration for each such motion.
+class Refinement {
+ public:
+  /// Solves for the nearby matrix.
+  using Nearby = std::function<void(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda)>;
+
+  Refinement() = default;
+  /// `lengths`, one per body, make rotations comparable with translations; `refine` needs them.
+  explicit Refinement(const System& system, const VectorXd& lengths = {});
+
+  /// One correction of x and lambda by the residuals at an evaluation.
+  void correct(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda,
+               const Nearby& nearby);
+  const VectorXd& r_2() const { return r_2_; }  ///< before the last correction
+  const VectorXd& dx() const { return dx_; }    ///< the last correction
+
+  /// What makes nearby solutions inexact: other inertias, roundoff alone, or roundoff near a singular pose.
+  enum class Cause { inertia, roundoff, singular_pose };
+
+  /// Corrections until they are roundoff: of `x` and M^-1 a, or of `least_size` where these are smaller, in m/s^2. Only
+  /// other inertias may be so far away that it takes conjugate gradients. False: they do not converge.
+  bool refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda,
+              const Nearby& nearby, Cause cause, double least_size = 0.0);
+
+  /// The body that the last correction changed most.
+  int least_certain_body() const;
+
+ private:
+  bool accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
+                  MutableVector lambda, const Nearby& nearby, double size);
+  void find_residuals(const Evaluation& at, const ConstVector& a, const ConstVector& b, const ConstVector& x,
+                      const ConstVector& lambda);
+  double size_of_body(const ConstVector& x, int body) const;
+  double size_of(const ConstVector& x) const;
+  double size_of_free_motion(const ConstVector& a) const;
+
+  const System* system_ = nullptr;
+  VectorXd lengths_;
+  VectorXd r_1_, r_2_, dx_, dlambda_;
+  VectorXd p_, p_lambda_, Mp_;  ///< of the conjugate gradients
+};
+
+}  // namespace linkwork

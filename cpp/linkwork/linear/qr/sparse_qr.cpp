@@ -1,0 +1,264 @@
+#include "linkwork/linear/qr/sparse_qr.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+#include "linkwork/linear/block/joint_order.hpp"
+#include "linkwork/linear/qr/front.hpp"
+#include "linkwork/math/aligned.hpp"
+
+namespace linkwork::qr {
+namespace {
+
+using Numbers = std::vector<int>;
+
+constexpr double weak_pivot = 1e-4;       // relative to the dense rows
+constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense
+
+template <class Container>
+auto& at(Container& container, int k) {
+  return container[static_cast<std::size_t>(k)];
+}
+
+/// Groups of columns coupled by a row.
+block::JointGraph group_graph(const RowMatrix& A, const Numbers& groups) {
+  block::JointGraph graph;
+  const int count = groups.empty() ? 0 : groups.back() + 1;
+  graph.weight.assign(static_cast<std::size_t>(count), 0);
+  graph.hub.assign(static_cast<std::size_t>(count), -1);
+  for (const int group : groups) ++at(graph.weight, group);
+  Numbers clique;
+  for (int row = 0; row < A.rows(); ++row) {
+    clique.clear();
+    for (RowMatrix::InnerIterator it(A, row); it; ++it) clique.push_back(at(groups, static_cast<int>(it.col())));
+    std::sort(clique.begin(), clique.end());
+    clique.erase(std::unique(clique.begin(), clique.end()), clique.end());
+    if (clique.size() > 1 && (graph.cliques.empty() || graph.cliques.back() != clique)) graph.cliques.push_back(clique);
+  }
+  return graph;
+}
+
+/// What a front leaves to its parent: rows of R on the columns that are not its own.
+struct Contribution {
+  Numbers columns;  ///< positions in the order of elimination
+  Numbers lead;     ///< per row: place of its first entry in `columns`, ascending
+  AlignedDoubles entries;
+  double& operator()(int row, int column) {
+    return entries[static_cast<std::size_t>(column) * lead.size() + static_cast<std::size_t>(row)];
+  }
+};
+
+class Elimination {
+ public:
+  Elimination(const RowMatrix& A, const Numbers& groups, double tolerance, MatrixXd& dense)
+      : A_(A),
+        tolerance_(tolerance),
+        weak_(std::max(weak_pivot * (dense.size() > 0 ? dense.cwiseAbs().maxCoeff() : 0.0), tolerance)),
+        dense_(dense),
+        most_rows_(dense.rows() + spare_rows),
+        tree_(block::order_joint_graph(group_graph(A, groups))) {
+    order_columns(groups);
+    sort_rows();
+    children_.resize(tree_.supernodes.size());
+    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s)
+      if (const int parent = tree_.supernodes[s].parent; parent >= 0)
+        at(children_, parent).push_back(static_cast<int>(s));
+    contributions_.resize(tree_.supernodes.size());
+    local_.resize(static_cast<std::size_t>(A.cols()));
+  }
+
+  Numbers run() {
+    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
+      list_columns(tree_.supernodes[s]);
+      assemble(static_cast<int>(s));
+      factor_(front_);
+      contribute(contributions_[s]);
+      if (dense_.rows() > 0) {
+        postpone_weak_pivots();
+        reduce_dense_rows();
+      }
+      for (int k = 0; k < front_.pivots; ++k)
+        if (at(row_, k) < 0) dead_.push_back(at(column_, at(columns_, k)));
+    }
+    return std::move(dead_);
+  }
+
+ private:
+  /// Columns of a group stand together, in their order.
+  void order_columns(const Numbers& groups) {
+    Numbers begin(tree_.order.size() + 1, 0);
+    for (const int group : groups) ++at(begin, group + 1);
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    position_.resize(groups.size());
+    for (const int group : tree_.order) {
+      first_.push_back(static_cast<int>(column_.size()));
+      for (int column = at(begin, group); column < at(begin, group + 1); ++column) {
+        at(position_, column) = static_cast<int>(column_.size());
+        column_.push_back(column);
+        supernode_.push_back(at(tree_.supernode_of, static_cast<int>(first_.size()) - 1));
+      }
+    }
+    first_.push_back(static_cast<int>(column_.size()));
+  }
+
+  /// By their first column, in which a row enters a front.
+  void sort_rows() {
+    const int none = static_cast<int>(A_.cols());
+    lead_.assign(static_cast<std::size_t>(A_.rows()), none);
+    for (int row = 0; row < A_.rows(); ++row)
+      for (RowMatrix::InnerIterator it(A_, row); it; ++it)
+        at(lead_, row) = std::min(at(lead_, row), at(position_, static_cast<int>(it.col())));
+    rows_.resize(tree_.supernodes.size());
+    for (int row = 0; row < A_.rows(); ++row)
+      if (at(lead_, row) < none) at(rows_, at(supernode_, at(lead_, row))).push_back(row);
+  }
+
+  void list_columns(const block::Supernode& node) {
+    columns_.clear();
+    const auto add = [&](int place) {
+      for (int position = at(first_, place); position < at(first_, place + 1); ++position) {
+        at(local_, position) = static_cast<int>(columns_.size());
+        columns_.push_back(position);
+      }
+    };
+    for (int place = node.first; place < node.last; ++place) add(place);
+    front_.pivots = static_cast<int>(columns_.size());
+    for (const int place : node.below) add(place);
+    front_.columns = static_cast<int>(columns_.size());
+  }
+
+  void assemble(int s) {
+    stair_.assign(columns_.size(), 0);
+    for (const int row : at(rows_, s)) ++at(stair_, at(local_, at(lead_, row)));
+    for (const int child : at(children_, s)) {
+      const Contribution& part = at(contributions_, child);
+      for (const int lead : part.lead) ++at(stair_, at(local_, at(part.columns, lead)));
+    }
+    next_.resize(columns_.size());
+    int rows = 0;
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      next_[k] = rows;
+      stair_[k] = rows += stair_[k];
+    }
+    entries_.assign(static_cast<std::size_t>(rows) * columns_.size(), 0.0);
+    row_.resize(columns_.size());
+    workspace_.resize(workspace_size(static_cast<std::size_t>(rows), columns_.size()));
+    front_.entries = entries_.data();
+    front_.stride = rows;
+    front_.stair = stair_.data();
+    front_.tolerance = tolerance_;
+    front_.row = row_.data();
+    front_.workspace = workspace_.data();
+    add_rows(at(rows_, s));
+    for (const int child : at(children_, s)) add(std::exchange(at(contributions_, child), {}));
+  }
+
+  void add_rows(const Numbers& rows) {
+    for (const int row : rows) {
+      const int place = at(next_, at(local_, at(lead_, row)))++;
+      for (RowMatrix::InnerIterator it(A_, row); it; ++it)
+        front_.entries[place + front_.stride * at(local_, at(position_, static_cast<int>(it.col())))] = it.value();
+    }
+  }
+
+  void add(Contribution part) {
+    places_.clear();
+    for (const int lead : part.lead) places_.push_back(at(next_, at(local_, at(part.columns, lead)))++);
+    int rows = 0;
+    for (int k = 0; k < static_cast<int>(part.columns.size()); ++k) {
+      while (rows < static_cast<int>(part.lead.size()) && at(part.lead, rows) <= k) ++rows;
+      double* column = front_.entries + front_.stride * at(local_, at(part.columns, k));
+      for (int row = 0; row < rows; ++row) column[at(places_, row)] = part(row, k);
+    }
+  }
+
+  /// Rows of R that would be taken from the dense ones many times over become dense rows, and their columns wait.
+  void postpone_weak_pivots() {
+    for (int j = 0; j < front_.pivots; ++j) {
+      if (at(row_, j) < 0 || dense_.rows() >= most_rows_) continue;
+      const double* R = front_.entries + at(row_, j);
+      if (std::abs(R[front_.stride * j]) > weak_) continue;
+      dense_.conservativeResize(dense_.rows() + 1, Eigen::NoChange);
+      dense_.bottomRows(1).setZero();
+      for (int k = j; k < front_.columns; ++k)
+        dense_(dense_.rows() - 1, at(column_, at(columns_, k))) = R[front_.stride * k];
+      at(row_, j) = -1;
+    }
+  }
+
+  /// F_k -= (F_j / R_jj) R_jk for the columns k after each pivot j.
+  void reduce_dense_rows() {
+    for (int j = 0; j < front_.pivots; ++j) {
+      if (at(row_, j) < 0) continue;
+      const double* R = front_.entries + at(row_, j);
+      auto own = dense_.col(at(column_, at(columns_, j)));
+      own /= R[front_.stride * j];
+      for (int k = j + 1; k < front_.columns; ++k)
+        dense_.col(at(column_, at(columns_, k))) -= R[front_.stride * k] * own;
+      own.setZero();
+    }
+  }
+
+  void contribute(Contribution& out) {
+    int first = 0;
+    for (int k = 0; k < front_.pivots; ++k) first = std::max(first, at(row_, k) + 1);
+    for (int k = front_.pivots; k < front_.columns; ++k)
+      if (at(row_, k) >= 0) out.lead.push_back(k - front_.pivots);
+    if (out.lead.empty()) return;
+    out.columns.assign(columns_.begin() + front_.pivots, columns_.end());
+    out.entries.resize(out.columns.size() * out.lead.size());
+    int rows = 0;
+    for (int k = 0; k < static_cast<int>(out.columns.size()); ++k) {
+      while (rows < static_cast<int>(out.lead.size()) && at(out.lead, rows) <= k) ++rows;
+      const double* column = front_.entries + front_.stride * (front_.pivots + k) + first;
+      for (int row = 0; row < rows; ++row) out(row, k) = column[row];
+    }
+  }
+
+  const RowMatrix& A_;
+  const double tolerance_, weak_;
+  MatrixXd& dense_;
+  const Eigen::Index most_rows_;
+  const block::Elimination tree_;
+  const FactorFront factor_ = front_factorization();
+  Numbers first_;                            ///< position of the first column at each place of the order
+  Numbers column_, supernode_;               ///< at each position
+  Numbers position_;                         ///< of each column
+  Numbers lead_;                             ///< first position in each row of A
+  std::vector<Numbers> rows_, children_;     ///< of each supernode
+  std::vector<Contribution> contributions_;  ///< likewise, from when it is there until it is used
+  Numbers dead_;
+
+  // the front at hand
+  Front front_{};
+  Numbers columns_, stair_, row_;  ///< position, rows that reach it, and row of R of each column
+  Numbers next_;                   ///< per column: where the next row goes that begins in it
+  Numbers local_;                  ///< of positions: the column
+  Numbers places_;
+  AlignedDoubles entries_, workspace_;
+};
+
+}  // namespace
+
+std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, double tolerance,
+                                   MatrixXd& dense) {
+  return Elimination(A, groups, tolerance, dense).run();
+}
+
+extern const FactorFront factor_front_v2;
+#if LINKWORK_X86
+extern const FactorFront factor_front_v3, factor_front_v4;
+#endif
+
+FactorFront front_factorization() {
+#if LINKWORK_X86
+  const int level = best_instruction_set().level;
+  if (level == 2) return factor_front_v4;
+  if (level == 1) return factor_front_v3;
+#endif
+  return factor_front_v2;
+}
+
+}  // namespace linkwork::qr

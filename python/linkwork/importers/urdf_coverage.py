@@ -1,0 +1,45 @@
+"""What becomes of the elements and attributes of URDF. The syntax is that of linkwork.importers.coverage."""
+
+from linkwork.importers.coverage import Coverage, Noted, Refused
+
+__all__ = ["URDF"]
+
+REPRESENTED = """
+    @ name version
+    link: name type
+    link/inertial
+    link/inertial/origin: xyz rpy
+    link/inertial/mass: value
+    link/inertial/inertia: ixx ixy ixz iyy iyz izz
+    joint: name type
+    joint/origin: xyz rpy
+    joint/parent: link
+    joint/child: link
+    joint/axis: xyz
+    joint/dynamics: damping friction
+    joint/mimic: joint multiplier offset reference
+"""
+
+NOTED = (
+    Noted("visual", "", "link/visual/**", by_name=True),
+    Noted("collision", "", "link/collision/**", by_name=True),
+    Noted(
+        "limits", "", "joint/limit: lower upper effort velocity acceleration deceleration jerk", by_name=True
+    ),
+    Noted("calibration", "", "joint/calibration/**", by_name=True),
+    Noted("safety_controller", "", "joint/safety_controller/**", by_name=True),
+    Noted("element", "is not represented", "material/**\ntransmission/**\nsensor/**\nlink/sensor/**"),
+    Noted("element", "is not represented: what it changes in Gazebo stays as it is", "gazebo/**"),
+    Noted(
+        "element", "is not represented: there is no contact", "link/contact/**\nlink/collision_checking/**"
+    ),
+)
+
+REFUSED = (Refused("", "link/inertial/origin @ quat_xyzw\njoint/origin @ quat_xyzw", by_name=True),)
+
+URDF = Coverage(
+    REPRESENTED,
+    NOTED,
+    REFUSED,
+    several="link joint",
+)

@@ -1,0 +1,121 @@
+// Rank-revealing QR of D^T of growing mechanisms: linkwork's own beside SuiteSparse's SPQR, on the same matrix, in
+// turns. Build and run: cmake --build build/dev --target bench_rank && build/dev/bench_rank
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+
+#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/row_selection.hpp"
+#include "spqr_rank.hpp"
+#include "support.hpp"
+
+using namespace support;
+
+namespace {
+
+Body at(const Vec3<double>& position) {
+  Body body;
+  body.position = position;
+  return body;
+}
+
+void join(Model& model, const std::string& kind, int i, int j, const Vec3<double>& P) {
+  const Mat3<double> I = Mat3<double>::Identity();
+  model.add_joint(kind, kind + std::to_string(model.joints().size()), i, j, place(model, i, j, P, P, I, I));
+}
+
+/// Posts on the ground joined by beams with hinges: of each loop three equations are redundant.
+Model ladder(int loops) {
+  Model model;
+  for (int k = 0; k <= loops; ++k) {
+    model.add_body("post" + std::to_string(k), at({1.0 * k, 0.5, 0.0}));
+    join(model, "revolute", ground, k, {1.0 * k, 0, 0});
+  }
+  for (int k = 0; k < loops; ++k) {
+    const int beam = model.add_body("beam" + std::to_string(k), at({k + 0.5, 1.0, 0.0}));
+    join(model, "revolute", k, beam, {1.0 * k, 1, 0});
+    join(model, "revolute", k + 1, beam, {k + 1.0, 1, 0});
+  }
+  return model;
+}
+
+/// Plates in a square of n x n, joined to their neighbors: all by hinges about z (redundant), or by balls.
+Model plates(int n, const std::string& kind) {
+  Model model;
+  Random random(7);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      model.add_body("plate" + std::to_string(model.bodies().size()), at({1.0 * i, 1.0 * j, 0.1 * random.number()}));
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      if (i + 1 < n) join(model, kind, n * i + j, n * (i + 1) + j, {i + 0.5, 1.0 * j, 0.2 * random.number()});
+      if (j + 1 < n) join(model, kind, n * i + j, n * i + j + 1, {1.0 * i, j + 0.5, 0.2 * random.number()});
+    }
+  return model;
+}
+
+/// Legs of two bars from one frame to the ground.
+Model legs(int n) {
+  Model model;
+  Random random(8);
+  const int frame = model.add_body("frame", at({0, 0, 1}));
+  for (int k = 0; k < n; ++k) {
+    const Vec3<double> foot = random.vec3(), knee = random.vec3(), hip = random.vec3();
+    const int lower = model.add_body("lower" + std::to_string(k), at(0.5 * (foot + knee)));
+    const int upper = model.add_body("upper" + std::to_string(k), at(0.5 * (hip + knee)));
+    join(model, "universal", ground, lower, foot);
+    join(model, "revolute", lower, upper, knee);
+    join(model, "spherical", upper, frame, hip);
+  }
+  return model;
+}
+
+/// Of the processor, with one thread.
+double seconds(const std::function<void()>& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+void measure(const char* name, int size, const Model& model) {
+  const System system(model);
+  const Evaluation at = evaluate_initially(system);
+  const LoopCore core(system, at, 1e-9);
+  const SparseRows D = core.scaled_D(at);
+  const Eigen::SparseMatrix<double> transposed = D.transpose();
+  double own = 1e300, reference = 1e300;
+  const int repeats = static_cast<int>(1 + 20000 / D.rows());
+  std::size_t own_count = 0, reference_count = 0;
+  for (int round = 0; round < (D.rows() > 100000 ? 1 : 3); ++round) {
+    own = std::min(own, seconds([&] {
+                          for (int k = 0; k < repeats; ++k) own_count = dependent_rows(D, 1e-9).size();
+                        }) / repeats);
+    reference = std::min(reference, seconds([&] {
+                                      for (int k = 0; k < repeats; ++k)
+                                        reference_count = spqr_dependent_columns(transposed, 1e-9).size();
+                                    }) / repeats);
+  }
+  std::printf("%-14s %6d %8ld %8zu %8zu %10.6f %10.6f %8.2f\n", name, size, static_cast<long>(D.rows()), own_count,
+              reference_count, own, reference, own / reference);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int most = argc > 1 ? std::atoi(argv[1]) : 1 << 30;
+  std::printf("%-14s %6s %8s %8s %8s %10s %10s %8s\n", "mechanism", "size", "rows", "dead", "SPQR's", "own [s]",
+              "SPQR [s]", "ratio");
+  for (const int n : {1, 10, 200, 2000, 20000, 50000})
+    if (n <= most) measure("ladder", n, ladder(n));
+  for (const int n : {4, 10, 30, 100, 224})
+    if (n * n <= most) measure("plates, balls", n, plates(n, "spherical"));
+  for (const int n : {4, 10, 30, 60})
+    if (n * n <= most) measure("plates, hinges", n, plates(n, "revolute"));
+  for (const int n : {3, 30, 300, 3000, 30000})
+    if (n <= most) measure("legs of a hub", n, legs(n));
+}

@@ -1,0 +1,305 @@
+"""Steps that follow tolerances end where functions of time are not smooth."""
+
+import itertools
+import math
+import warnings
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import functions
+from scipy.interpolate import CubicSpline, PPoly
+
+PAIRS = ("bs32", "dopri5", "tsit5", "dop853")
+MASS = 2.0
+
+
+def slider(force=0.0, breaks=()) -> lw.Model:
+    """A body on a guide along x that a force pushes."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("b", mass=MASS, inertia=(1, 1, 1))
+    model.translational("ground", body, at=(0, 0, 0), axis=(1, 0, 0), name="guide")
+    model.force(body, force=(force, 0, 0), breaks=breaks)
+    return model
+
+
+def driven(**motion) -> lw.Model:
+    model = slider()
+    model.drive("guide", name="driver", **motion)
+    return model
+
+
+def x_and_v(result: lw.Result) -> np.ndarray:
+    return np.array([result.q[-1, 0, 0], result.v[-1, 0, 0]])
+
+
+def pieces(*knots_and_rows) -> functions.TimeFunction:
+    """piecewise_polynomial(t_0, row, t_1, row, ..., t_n)."""
+    return functions.piecewise_polynomial(knots_and_rows[::2], _padded(knots_and_rows[1::2]))
+
+
+def _padded(rows) -> np.ndarray:
+    out = np.zeros((len(rows), max(map(len, rows))))
+    for k, row in enumerate(rows):
+        out[k, : len(row)] = row
+    return out
+
+
+def exact(force: functions.Table, t: float) -> np.ndarray:
+    """x and v at t of the body that starts at rest."""
+    v = PPoly(force.coefficients.T[::-1], force.breaks).antiderivative()
+    return np.array([v.antiderivative()(t), v(t)]) / MASS
+
+
+def random_force(rng: np.random.Generator, t_end: float) -> functions.Table:
+    """Steps, ramps and pulses of 1e-3 s, at rest between them now and then."""
+    knots, rows, level = [0.0], [], 0.0
+    for t in np.sort(rng.uniform(0.05, t_end - 0.05, 4)):
+        kind, size = rng.choice(["step", "ramp", "pulse", "hat"]), rng.uniform(-5, 5)
+        if t <= knots[-1]:
+            continue
+        rows.append([level])
+        knots.append(t)
+        if kind == "step":
+            level = size
+        elif kind == "ramp":
+            rows.append([level, (size - level) / 0.03])
+            knots.append(t + 0.03)
+            level = size
+        elif kind == "pulse":
+            rows.append([level + 1e3 * size])
+            knots.append(t + 1e-3)
+        else:
+            rows += [[level, 1e6 * size], [level + 5e2 * size, -1e6 * size]]
+            knots += [t + 5e-4, t + 1e-3]
+    if knots[-1] >= t_end:
+        return random_force(rng, t_end)
+    return functions.piecewise_polynomial([*knots, t_end], _padded([*rows, [level]]))
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_random_steps_ramps_and_pulses_give_the_exact_end(pair: str) -> None:
+    rng = np.random.default_rng(PAIRS.index(pair))
+    for _ in range(25):
+        rtol = 10.0 ** -rng.uniform(5, 9)
+        force = random_force(rng, 10.0)
+        result = lw.simulate(slider(force), 10.0, rtol=rtol, atol=rtol, integrator=pair)
+        wanted = exact(force, 10.0)
+        path = np.abs(wanted).max() + 1.0
+        assert np.abs(x_and_v(result) - wanted).max() < 10 * rtol * path
+        assert set(force.break_points[1:-1]) <= set(_steps_of(force, pair)), "a step ends at each"
+
+
+def _steps_of(force: functions.Table, pair: str) -> np.ndarray:
+    return lw.simulate(slider(force), 10.0, rtol=1e-3, integrator=pair, record_every=1).t
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_random_driven_accelerations_are_followed(pair: str) -> None:
+    rng = np.random.default_rng(10 + PAIRS.index(pair))
+    for what, _ in itertools.product(("acceleration", "velocity"), range(3)):
+        rtol = 10.0 ** -rng.uniform(5, 8)
+        given = random_force(rng, 10.0)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            result = lw.simulate(driven(**{what: given}), 10.0, rtol=rtol, atol=rtol, integrator=pair)
+        levels = exact(given, 10.0) * MASS if what == "acceleration" else exact(given, 10.0)[1:] * MASS
+        wanted = levels if what == "acceleration" else [levels[0], given.evaluate(10.0)[0]]
+        assert np.abs(x_and_v(result) - wanted).max() < 10 * rtol * (1 + np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_short_rise_after_a_long_rest_is_not_leapt_over(pair: str) -> None:
+    model = driven(position=functions.cycloidal(1, 0.01, start=0.5))
+    result = lw.simulate(model, 1.0, rtol=1e-6, integrator=pair, record_every=1)
+    assert result.q[-1, 0, 0] == pytest.approx(1.0, abs=1e-5)
+    assert {0.5, 0.5 + 0.01} <= set(result.t)
+    assert result.statistics["breaks"] == 2
+
+
+def bump(t: float, order: int) -> float:
+    """A rise by 1 between 0.5 and 0.51 s, smooth up to the second derivative."""
+    s = (t - 0.5) / 0.01
+    if not 0 < s < 1:
+        return float(s >= 1) if order == 0 else 0.0
+    rows = ((10, 3), (-15, 4), (6, 5))
+    value = sum(c * math.perm(k, order) * s ** (k - order) for c, k in rows)
+    return value / 0.01**order
+
+
+def test_a_driver_that_nobody_declared_is_seen_by_its_violation() -> None:
+    rise = tuple(lambda t, order=order: bump(t, order) for order in range(3))
+    result = lw.simulate(driven(position=rise), 1.0, rtol=1e-6)
+    assert result.q[-1, 0, 0] == pytest.approx(1.0, abs=1e-4)
+    assert result.violation[:, 0].max() < 1e-2
+
+
+# --- tables -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("drives", [True, False])
+def test_a_dense_smooth_table_costs_no_step_a_knot(pair: str, drives: bool) -> None:
+    t = np.linspace(0, 10, 5001)
+    spline = CubicSpline(t, 1 - np.cos(2 * t), bc_type="clamped" if drives else "not-a-knot")
+    table = functions.piecewise_polynomial(t, spline.c[::-1].T)
+    wave = functions.harmonic(-1.0, 2.0, phase=np.pi / 2, offset=1.0)
+    make = (lambda f: driven(position=f)) if drives else slider
+    runs = [lw.simulate(make(f), 9.0, rtol=1e-5, integrator=pair) for f in (table, wave)]
+    steps, usual = (run.statistics["steps"] for run in runs)
+    assert steps <= (3 if drives and pair == "dop853" else 1.2) * usual + 5, "4500 knots"
+    assert np.abs(x_and_v(runs[0]) - x_and_v(runs[1])).max() < 1e-3
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("shape", ["pulse", "doublet"])
+def test_a_pulse_in_a_dense_table_is_seen(pair: str, shape: str) -> None:
+    t = np.linspace(0, 10, 10001)
+    values = np.where(np.abs(t - 7.3) < 2.5e-3, 100.0, 0.0)
+    if shape == "doublet":
+        values *= np.sign(t - 7.3)
+    table = functions.table(t, values)
+    result = lw.simulate(slider(table), 10.0, rtol=1e-7, integrator=pair)
+    wanted = exact(table, 10.0)
+    assert np.abs(wanted).max() > 1e-5
+    assert np.abs(x_and_v(result) - wanted).max() < 1e-5 * max(np.abs(wanted).max(), 1e-2)
+
+
+def test_knots_are_breaks_where_a_derivative_up_to_the_second_jumps() -> None:
+    spline = functions.table([0, 1, 2.5, 3, 4], [0, 1, 0, 1, 0])
+    assert spline.break_points == [0, 4]
+    line = pieces(0.0, [0, 1], 1.0, [1, 1], 2.0, [2, -1], 3.0)
+    assert line.break_points == [0, 2, 3]
+    assert line.integral().break_points == [0, 2, 3]
+    assert line.integral().integral().break_points == [0, 3], "continuous up to the second derivative"
+    total = functions.with_breaks(lambda t: abs(t - 0.7), [0.7])
+    assert total.break_points == [0.7]
+    assert functions.cycloidal(1, 2, start=3).break_points == [3, 5]
+
+
+# --- users' functions ---------------------------------------------------------------------------------------
+
+SIDES = {
+    "half open": lambda t: 1e3 if 3.0 <= t < 3.001 else 0.0,
+    "open": lambda t: 1e3 if 3.0 < t < 3.001 else 0.0,
+    "closed": lambda t: 1e3 if 3.0 <= t <= 3.001 else 0.0,
+}
+
+
+@pytest.mark.parametrize("sides", SIDES)
+@pytest.mark.parametrize("where", ["force", "user force", "joint force", "simulate", "with_breaks"])
+def test_breaks_of_python_functions(sides: str, where: str) -> None:
+    pair = PAIRS[(len(sides) + len(where)) % len(PAIRS)]
+    f, breaks, options = SIDES[sides], (3.0, 3.001), {}
+    model = slider(f, breaks=breaks) if where == "force" else slider()
+    if where == "user force":
+        model.user_force(lambda t, q, v: [f(t), 0, 0, 0, 0, 0], "b", breaks=breaks)
+    elif where == "joint force":
+        model.joint_force("guide", lambda t, x, rate: f(t), breaks=breaks)
+    elif where == "simulate":
+        model, options = slider(f), {"breaks": breaks}
+    elif where == "with_breaks":
+        model = slider(functions.with_breaks(f, breaks))
+    result = lw.simulate(model, 10.0, rtol=1e-9, integrator=pair, **options)
+    v = 1e3 * (3.001 - 3.0) / MASS
+    assert np.allclose(x_and_v(result), [v * (10 - 3.0005), v], rtol=1e-8)
+
+
+def test_breaks_at_the_start_the_end_an_event_and_the_output() -> None:
+    f = functions.with_breaks(lambda t: 3.0 if 0 < t < 1.5 else -1.0, [0, 0.5, 1.5, 2.0])
+    event = lw.Event(lambda t, state: t - 0.5, name="halfway", change=lambda t, state: None)
+    result = lw.simulate(slider(f), 2.0, rtol=1e-8, times=[0.0, 0.5, 1.0, 1.5, 2.0], events=event)
+    v = 3.0 * 1.5 / MASS
+    assert result.t.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0]
+    assert result.v[:, 0, 0] == pytest.approx([0.0, v / 3, 2 * v / 3, v, v - 0.25], abs=1e-9)
+    assert [it.t for it in result.events] == pytest.approx([0.5], abs=1e-12)
+    after = [3.0, 3.0, 3.0, -1.0, -1.0]
+    assert result.acceleration[:, 0, 0] == pytest.approx(np.array(after) / MASS, abs=1e-9)
+
+
+def test_a_run_that_starts_at_a_break_sees_what_is_after_it() -> None:
+    f = functions.with_breaks(lambda t: 1.0 if t <= 1.0 else 4.0, [1.0])
+    first = lw.simulate(slider(f), 1.0, rtol=1e-9)
+    second = lw.simulate(slider(f), 2.0, rtol=1e-9, start=first.snapshot())
+    assert first.v[-1, 0, 0] == pytest.approx(1.0 / MASS, rel=1e-9)
+    assert second.v[-1, 0, 0] == pytest.approx(5.0 / MASS, rel=1e-9)
+    assert second.acceleration[0, 0, 0] == pytest.approx(4.0 / MASS, rel=1e-9)
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("gap", [1e-6, 1e-9, 1e-12, 1e-15])
+def test_breaks_close_together(pair: str, gap: float) -> None:
+    f = functions.with_breaks(lambda t: 1.0 / gap if 0.3 <= t < 0.3 + gap else 0.0, [0.3, 0.3 + gap])
+    result = lw.simulate(slider(f), 1.0, rtol=1e-8, integrator=pair)
+    v = (0.3 + gap - 0.3) / gap / MASS if gap > 1e-14 else result.v[-1, 0, 0]
+    assert result.v[-1, 0, 0] == pytest.approx(v, rel=1e-6)
+    assert result.violation[:, :2].max() < 1e-9
+
+
+def test_breaks_that_are_none_are_refused() -> None:
+    for breaks in ("soon", [math.nan], [math.inf]):
+        with pytest.raises(lw.ModelError, match="breaks"):
+            functions.with_breaks(abs, breaks)
+        with pytest.raises(lw.OptionError, match="breaks"):
+            lw.simulate(slider(), 1.0, rtol=1e-6, breaks=breaks)
+    with pytest.raises(lw.ModelError, match="no function of time"):
+        slider(1.0, breaks=[1.0])
+
+
+# --- drivers that jump --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("given", [{"rtol": 1e-6}, {"step": 1e-3}])
+def test_a_driver_whose_position_jumps_is_refused(given) -> None:
+    model = driven(position=pieces(0.0, [0.0], 0.4, [0.1], 1.0))
+    with pytest.raises(lw.ModelError, match=r"'driver'.*jumps by 0.1 at t = 0.4 s") as caught:
+        lw.simulate(model, 1.0, **given)
+    assert caught.value.time == 0.4
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "projection", "none"])
+def test_a_driver_whose_velocity_jumps_strikes(pair: str, stabilization: str) -> None:
+    """A cart jerks a hanging rod: m v_c = P, I omega = P l, v_c = V - l omega."""
+    V, m, inertia, arm = 0.5, 3.0, 0.4, 0.7
+    model = lw.Model(gravity=(0, 0, 0))
+    cart = model.body("cart", mass=1.0, inertia=(1, 1, 1))
+    rod = model.body("rod", mass=m, inertia=(inertia, inertia, 0.1), position=(0, 0, -arm))
+    model.translational("ground", cart, at=(0, 0, 0), axis=(1, 0, 0), name="guide")
+    model.revolute(cart, rod, at=(0, 0, 0), axis=(0, 1, 0))
+    model.drive("guide", position=pieces(0.0, [0.0], 0.25, [0.0, V], 1.0), name="driver")
+    result = lw.simulate(
+        model, 0.3, rtol=1e-8, integrator=pair, times=[0, 0.25, 0.3], stabilization=stabilization
+    )
+    v_c = V * inertia / (inertia + m * arm**2)
+    assert result.v[1, 0, 0] == pytest.approx(V, abs=1e-9)
+    assert result.v[1, 1, [0, 4]] == pytest.approx([v_c, (V - v_c) / arm], abs=1e-8)
+    assert result.statistics["impacts"] == 1
+    assert np.abs(result.energy_error).max() < 1e-7
+    assert result.q[-1, 0, 0] == pytest.approx(V * 0.05, abs=1e-7)
+
+
+def test_fixed_steps_warn_of_an_impact() -> None:
+    model = driven(position=pieces(0.0, [0.0], 0.25, [0.0, 0.5], 1.0))
+    with pytest.warns(lw.LinkworkWarning, match=r"'driver'.* jumps by 0.5 at t = 0.25 s"):
+        lw.simulate(model, 0.5, 1e-3)
+
+
+# --- fixed steps --------------------------------------------------------------------------------------------
+
+
+def test_fixed_steps_say_how_many_contain_breaks() -> None:
+    force = pieces(0.0, [0.0], 0.1004, [1.0], 0.1007, [0.0], 0.5, [1.0], 2.0)
+    result = lw.simulate(slider(force), 1.0, 1e-3)
+    assert result.statistics["steps_with_breaks"] == 2
+    assert result.manifest["breaks"] == {"count": 3, "steps_with_breaks": 2}
+    assert "2 steps contain break points" in result.summary()
+    smooth = lw.simulate(slider(functions.harmonic(1, 2)), 1.0, 1e-3)
+    assert "steps_with_breaks" not in smooth.statistics
+    assert "break points" not in smooth.summary()
+
+
+def test_breaks_change_nothing_with_fixed_steps() -> None:
+    f = SIDES["half open"]
+    runs = [lw.simulate(slider(f, breaks=b), 3.5, 1e-3) for b in ((), (3.0, 3.001))]
+    assert np.array_equal(runs[0].q, runs[1].q)

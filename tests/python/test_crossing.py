@@ -1,0 +1,102 @@
+"""Singular poses are passed on the branch of the motion, at every step and tolerance: a seeded part of the benchmark."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
+
+import singular_poses
+from planar_branches import BRANCHES
+
+SIZES = {True: (1e-6, 1e-8, 1e-10, 1e-12), False: (1e-3, 1e-4)}
+
+
+@pytest.mark.parametrize("branch", BRANCHES)
+@pytest.mark.parametrize("method", singular_poses.METHODS)
+def test_energy_and_branch_are_kept_through_singular_poses(method: str, branch: str) -> None:
+    """Of random speeds, and of poses within 1e-12 .. 1e-6 s of the end or the middle of a step."""
+    rng = np.random.default_rng(len(method) + 100 * len(branch))
+    for k, size in enumerate(SIZES[method in singular_poses.ADAPTIVE]):
+        case = singular_poses.one_case(BRANCHES[branch], method, size, 2 * k + 1, rng)
+        found = singular_poses.run(case)
+        assert not found.failure, found
+        assert found.energy <= singular_poses.allowed(method, size), found
+        assert found.position <= 1e3 * singular_poses.allowed(method, size), found  # on the same branch
+
+
+@pytest.mark.parametrize("step", [1e-4, 5e-5, 2.5e-5])
+def test_a_smaller_step_is_not_worse(step: float) -> None:
+    """Steps of a grid one of whose points is within 1e-7 s of a singular pose, at t = 0.70845."""
+    result = lw.simulate(mechanisms.four_bar(1), 1.0, step, record_every=100, progress=False)
+    assert np.abs(result.energy_error).max() <= 1e-10 * 21.0
+    assert [it.t for it in result.singular_poses] == pytest.approx([0.70845], abs=1e-5)
+
+
+def test_frames_beside_a_pose_have_the_accelerations_of_the_branch() -> None:
+    """Of a parallelogram of four equal bars of 1 kg with rods of 1 m: theta_ddot = -(2 + 1) g cos(theta) / (2/3 + 1) / 1 m
+    from the horizontal; the frame at the pose is none of roundoff."""
+    result = lw.simulate(mechanisms.four_bar(1), 0.72, 1e-4, progress=False)
+    near = np.abs(result.t - 0.70845) < 2e-3
+    up = result.orientation[near, 0]
+    theta = 2 * np.arctan2(up[:, 3], up[:, 0])  # of the post's x axis, from x
+    expected = -1.2 * 9.81 * np.cos(theta)
+    assert np.abs(result.angular_acceleration[near, 0, 2] - expected).max() <= 1e-6 * 9.81
+
+
+def flat_parallelogram(rocker: float) -> lw.Model:
+    """Crank and rocker of 1 m on one line, the crank at 3 rad/s: D v = 0 with any speed [rad/s] of the rocker."""
+    model = lw.Model(gravity=(0, -9.81, 0))
+
+    def bar(name: str, x: float, omega: float, velocity: float) -> lw.Body:
+        return model.body(
+            name,
+            mass=1.0,
+            inertia=(0.1, 0.2, 0.25),
+            position=(x, 0, 0),
+            omega=(0, 0, omega),
+            velocity=(0, velocity, 0),
+        )
+
+    crank, rod = bar("crank", 0.5, 3.0, 1.5), bar("rod", 2.0, (rocker - 3.0) / 2, (rocker + 3.0) / 2)
+    end = bar("rocker", 2.5, rocker, rocker / 2)
+    for a, b, x in ((model.ground, crank, 0), (crank, rod, 1), (rod, end, 3), (end, model.ground, 2)):
+        model.revolute(a, b, at=(x, 0, 0), axis=(0, 0, 1), name=f"pin {x}")
+    return model
+
+
+CHOICES = [
+    {"step": 1e-3},
+    {"rtol": 1e-8},
+    {"step": 1e-3, "formulation": "penalty"},
+    {"step": 1e-3, "formulation": "augmented_lagrangian"},
+    {"step": 1e-3, "linear_solver": "cholmod"},
+]
+
+
+@pytest.mark.parametrize("options", CHOICES, ids=str)
+@pytest.mark.parametrize("rocker", [-1.0, 1.5])
+def test_velocities_of_no_branch_are_refused_in_a_singular_pose(
+    rocker: float, options: dict[str, object]
+) -> None:
+    with pytest.raises(lw.SingularSystemError, match="velocities that belong to none of them") as caught:
+        lw.simulate(flat_parallelogram(rocker), 1.0, progress=False, **options)
+    assert caught.value.code == "no_branch"
+
+
+@pytest.mark.parametrize("options", CHOICES, ids=str)
+@pytest.mark.parametrize("rocker", [3.0, -9.0])
+def test_a_run_leaves_a_singular_pose_on_the_branch_of_its_velocities(
+    rocker: float, options: dict[str, object]
+) -> None:
+    """As a parallelogram, or crossed: with bars of 1 m 2 m apart it turns by -3 times the crank's rate there."""
+    result = lw.simulate(flat_parallelogram(rocker), 0.3, progress=False, **options)
+    assert np.abs(result.energy_error).max() <= 1e-6
+    turns = [2 * np.arctan2(result.orientation[-1, k, 3], result.orientation[-1, k, 0]) for k in (0, 2)]
+    assert np.sign(turns[0] * turns[1]) == np.sign(rocker)

@@ -1,0 +1,135 @@
+"""Redundant equations are judged all along a run."""
+
+import warnings
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import functions
+
+#: Every way to run, by name.
+WAYS = {
+    "rk4": {"step": 1e-3},
+    "dopri5": {"rtol": 1e-6},
+    "dop853": {"rtol": 1e-9, "integrator": "dop853"},
+    "bs32": {"rtol": 1e-5, "integrator": "bs32"},
+    "tsit5": {"rtol": 1e-7, "integrator": "tsit5"},
+    "abm4": {"step": 1e-3, "integrator": "abm4"},
+    "hem4": {"step": 1e-3, "integrator": "hem4"},
+    "euler": {"step": 1e-3, "integrator": "euler"},
+    "schur": {"step": 1e-3, "system": "schur"},
+    "penalty": {"step": 1e-3, "formulation": "penalty"},
+    "augmented_lagrangian": {"step": 1e-3, "formulation": "augmented_lagrangian"},
+    "projection": {"step": 1e-3, "stabilization": "projection"},
+    "none": {"step": 1e-3, "stabilization": "none"},
+}
+
+
+def twice_driven(second: functions.TimeFunction, size: float = 1.0) -> lw.Model:
+    """A slide that `first` drives to 1 and back, and `second` likewise; lengths times `size`."""
+    model = lw.Model(gravity=(0, 0, 0))
+    slide = model.body("slide", mass=2.0, inertia=(1, 1, 1))
+    rod = model.body("rod", mass=1.0, inertia=(size**2, size**2, size**2), position=(0, 0, -size))
+    guide = model.translational("ground", slide, at=(0, 0, 0), axis=(1, 0, 0), name="guide")
+    model.revolute(slide, rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    model.drive(guide, position=functions.expression(f"{size} * t**2 * (1 - t)**2"), name="first")
+    model.drive(guide, position=second, name="second")
+    return model
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_drivers_that_agree_at_both_ends_and_part_between_are_an_error(way: str) -> None:
+    other = functions.expression("2 * t**2 * (1 - t)**2")
+    with pytest.raises(lw.ViolationError, match="contradict each other") as caught:
+        lw.simulate(twice_driven(other), 1.0, **WAYS[way])
+    assert caught.value.joints == ["first", "second"]
+    assert 0.0 < caught.value.time < 0.02
+    assert caught.value.result is not None
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_when_it_is_noticed_does_not_depend_on_units(size: float) -> None:
+    other = functions.expression(f"2 * {size} * t**2 * (1 - t)**2")
+    with pytest.raises(lw.ViolationError) as caught:
+        lw.simulate(twice_driven(other, size), 1.0, 1e-4)
+    assert caught.value.time == pytest.approx(4e-4, abs=2e-4)
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_contradiction_within_the_inaccuracy_of_tables_is_told(way: str) -> None:
+    other = functions.expression("(1 + 2e-3) * t**2 * (1 - t)**2")
+    with pytest.warns(lw.LinkworkWarning, match="'?first'?.*contradict each other") as caught:
+        result = lw.simulate(twice_driven(other), 1.0, **WAYS[way])
+    assert len(caught) == 1
+    found = result.statistics["contradiction"]
+    assert found["joints"] == ["first", "second"]
+    assert found["t"] < 0.3
+    with pytest.raises(lw.ViolationError, match="contradict"):
+        lw.simulate(twice_driven(other), 1.0, violation_limit=1.0, on_violation="stop", **WAYS[way])
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_drivers_that_agree_are_no_matter(way: str) -> None:
+    same = functions.expression("(1 + 1e-9 * t) * t**2 * (1 - t)**2")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        result = lw.simulate(twice_driven(same), 1.0, **WAYS[way])
+    assert result.finished
+
+
+def test_redundant_mechanisms_raise_no_alarm() -> None:
+    """Coarse steps let the equations that are kept drift, and the others with them."""
+    for name in ("bricard", "bennett", "four_bar", "double_wishbone", "planetary_gear", "stewart_platform"):
+        model = lw.mechanisms.named(name).function()
+        for options in ({"step": 1e-3}, {"rtol": 1e-4}):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                result = lw.simulate(model, 0.2, **options)
+            assert result.finished
+            assert "contradiction" not in result.statistics
+
+
+#: A platform in the plane that three parallel legs hold: alpha is their angle, theta its own.
+ALPHA, THETA, LEGS = "(0.3 + 0.2*t + 0.3*t**2)", "(0.5*t**2)", (0.0, 1.0, 2.5)
+
+
+def leg(place: float) -> functions.TimeFunction:
+    x = f"(sin{ALPHA} + {place}*cos{THETA} - {place})"
+    y = f"(cos{ALPHA} + {place}*sin{THETA})"
+    return functions.expression(f"sqrt({x}**2 + {y}**2)")
+
+
+def platform() -> lw.Model:
+    """As long as the legs are equal and parallel one depends on the others, and the platform moves freely."""
+    model = lw.Model(gravity=(0, 0, 0))
+    start = np.array([np.sin(0.3), np.cos(0.3), 0.0])
+    body = model.body(
+        "platform", mass=1.0, inertia=(0.3, 0.3, 0.3), position=start,
+        velocity=0.2 * np.array([np.cos(0.3), -np.sin(0.3), 0.0]),
+    )  # fmt: skip
+    model.planar("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="plane")
+    for k, place in enumerate(LEGS):
+        ends = ((place, 0, 0), np.add(start, (place, 0, 0)))
+        model.distance("ground", body, at=ends, length=leg(place), name=f"leg {k}")
+    return model
+
+
+@pytest.mark.parametrize("way", [way for way in WAYS if way not in ("none", "euler", "penalty")])
+def test_rows_that_become_independent_count_from_there_on(way: str) -> None:
+    result = lw.simulate(platform(), 1.0, **WAYS[way])
+    alpha, theta = 0.3 + 0.2 + 0.3, 0.5
+    assert result.q[-1, 0, :2] == pytest.approx([np.sin(alpha), np.cos(alpha)], abs=1e-4)
+    assert 2 * np.arcsin(result.q[-1, 0, 6]) == pytest.approx(theta, abs=1e-4)
+    assert result.statistics["row_changes"] >= 1
+    assert np.abs(result.violation[-1, 0]) < 1e-5
+
+
+def test_check_names_redundant_equations_that_ask_for_other_accelerations() -> None:
+    from linkwork.cli.checking import examine
+
+    other = functions.expression("2 * t**2 * (1 - t)**2")
+    found = examine(twice_driven(other))["contradictions"]
+    (equation,) = found
+    assert "first" in equation or "second" in equation
+    assert found[equation] == pytest.approx(2.0, rel=1e-6), "4 - 2 m/s2"
+    assert not examine(twice_driven(functions.expression("t**2 * (1 - t)**2")))["contradictions"]
