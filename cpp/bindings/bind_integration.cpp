@@ -98,7 +98,7 @@ double relative_violation(const Run& run, RelativeViolation measure) {
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int order) {
   RelativeViolation violation(dynamics.system());
   const double end_violation = relative_violation(run, violation);
-  const std::vector<RunPart> parts = run.sampling().parts();
+  std::vector<RunPart> parts = run.sampling().parts();
   std::vector<StepError> errors;
   std::vector<int> part_of;
   StepJudge steps(dynamics, second_take(method, order));
@@ -110,6 +110,11 @@ py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int
         errors.push_back(steps.judge(*step, errors.size() % 4 == 0));
         part_of.push_back(static_cast<int>(k));
       }
+    for (const KeptStep& step : run.sampling().outliers(parts)) {  // each a part of its own
+      errors.push_back(steps.judge(step, false));
+      part_of.push_back(static_cast<int>(parts.size()));
+      parts.push_back({1, step.t, step.h, step.change, {}, {}});
+    }
   }
   py::dict out = to_dict(parts, errors, part_of);
   out["end_violation"] = end_violation;
@@ -223,6 +228,13 @@ void bind_runs(py::module_& module) {
           "relative_violation",
           [](const Run& run) { return relative_violation(run, RelativeViolation(run.dynamics().system())); },
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
+      .def_property_readonly(
+          "energies",
+          [](const Run& run) {
+            const EnergyRange& it = run.sampling().energies();
+            return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
+          },
+          "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
       .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("order") = 0,
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
            "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "

@@ -90,6 +90,7 @@ class Judge:
             result._finer = Result.load(output)._finer
 
     def _of(self, system: System, statistics: Mapping[str, Any]) -> Verdict:
+        self._energies.reach(*self._run.energies)
         remembering = callbacks.changed(self._contents, self._functions)
         if remembering:
             names = ", ".join(f"'{name}'" for name in remembering[:3])

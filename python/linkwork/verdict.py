@@ -116,6 +116,11 @@ class Energies:
 
     def __init__(self) -> None:
         self._frames: list[tuple[Floats, Floats, Floats]] = []
+        self._reached = 0.0, math.inf, -math.inf, 0.0
+
+    def reach(self, kinetic: float, least: float, largest: float, work: float) -> None:
+        """What energies came to between frames, too: see `_core.Run.energies`."""
+        self._reached = kinetic, least, largest, work
 
     def add(self, frames: Mapping[str, Floats]) -> None:
         if len(frames["t"]):
@@ -128,9 +133,11 @@ class Energies:
         kinetic, potential, work = (np.concatenate(one) for one in zip(*self._frames, strict=True))
         balance = kinetic + potential - work
         error = float(np.abs(balance - balance[0]).max())
-        largest = float(max(np.abs(kinetic).max(), np.abs(potential).max(), np.abs(work).max()))
-        scale = max(float(kinetic.max()), float(np.ptp(potential)), float(np.abs(work).max()))
-        replaced = float(np.abs(work).max()) / scale if scale > 0 else 0.0
+        moving, least, most, done = self._reached
+        least, most = min(least, float(potential.min())), max(most, float(potential.max()))
+        moving, done = max(moving, float(kinetic.max())), max(done, float(np.abs(work).max()))
+        largest, scale = max(moving, abs(least), abs(most), done), max(moving, most - least, done)
+        replaced = done / scale if scale > 0 else 0.0
         made = max(error - ROUNDING * largest, 0.0)
         return (made / max(scale, 1e-9 * largest) if made > 0 else 0.0), replaced
 
@@ -175,7 +182,7 @@ def estimate(
     poses = np.maximum(found["position"], L * found["rotation"]) / size
     velocities = np.maximum(found["velocity"], L * found["omega"]) / V
 
-    left = parts.start[-1] + parts.seconds[-1] - (parts.start + parts.seconds / 2)
+    left = (parts.start + parts.seconds).max() - (parts.start + parts.seconds / 2)
     growth = 1 + np.minimum(left * V / size, GROWTH)
     accumulated = float(parts.sums(poses).sum() + (parts.sums(velocities) * growth).sum())
     energy, replaced = energies.error()

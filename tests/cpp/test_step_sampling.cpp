@@ -40,7 +40,7 @@ Model pendulum() {
 void follow(StepSampling& sampling, const Dynamics& dynamics, int steps, int kick) {
   VectorXd y = dynamics.initial_y(), y_new = y;
   for (int n = 0; n < steps; ++n) {
-    sampling.before(dynamics);
+    sampling.before(dynamics, y);
     y_new[7] = y[7] + 2.0 + (n == kick ? 1.0 : 0.0);
     sampling.after(n, 1.0, y, y_new);
     y = y_new;

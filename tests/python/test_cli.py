@@ -233,7 +233,7 @@ MISTAKES = [
     (
         ["run", "pendulum", "--output", "/nowhere/run.h5"],
         1,
-        "output '/nowhere/run.h5': cannot be written: no such",
+        "result '/nowhere/run.h5': cannot be written: no such",
     ),
     (
         ["run", "pendulum", "--plot", "/nowhere/run.png"],

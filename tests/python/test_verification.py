@@ -105,4 +105,4 @@ def test_a_function_that_remembers_is_not_run_twice() -> None:
     model.user_force(wind, bodies=[rod], name="wind")
     with pytest.warns(lw.LinkworkWarning, match="no second run was made, as 'wind' may remember"):
         result = quick(model, 0.1, step=1e-2, verify=True)
-    assert not result.verified and calls[0] <= result.statistics["evaluations"] + 2
+    assert not result.verified and calls[0] < 1.2 * result.statistics["evaluations"]

@@ -121,7 +121,7 @@ double AdaptiveSimulation::initial_step() {
 void AdaptiveSimulation::attempt() {
   if (!evaluated_) evaluate(clock(), y_);
   if (leap()) return;
-  sampling_.before(dynamics_);
+  sampling_.before(dynamics_, y_);
   double h = proposed_ = std::min(step_, schedule_.largest_step);
   t_new_ = end_of_step(h);
   Phi_ = dynamics_.evaluation().Phi;
@@ -350,6 +350,7 @@ void AdaptiveSimulation::finish_step() {
   dated(t_, h_, [&] { keep_to_budget(clock()); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
+  if (finished_) sampling_.before(dynamics_, y_);
   if (stop_) finish_event();
   std::move(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_));
   of_step_.clear();

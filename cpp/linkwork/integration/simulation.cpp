@@ -69,10 +69,11 @@ double Simulation::begin_step() {
     divergence_.blame(y_, t(), schedule_.step, [&] { dated(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
+    if (finished_) sampling_.before(dynamics_, y_);
     if (finished_) break;
     if (!leaping_) dated(t(), next_step(), [&] { begin_leap(); });
     if (!leaping_) {
-      sampling_.before(dynamics_);
+      sampling_.before(dynamics_, y_);
       return next_step();
     }
     follow_leap();

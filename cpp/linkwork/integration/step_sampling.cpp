@@ -13,6 +13,9 @@ constexpr std::size_t usual_parts = 50;                // with one or two steps 
 constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may take
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
+constexpr std::size_t most_outliers = 4;
+constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
+constexpr double energy_noise = 1e-13;
 constexpr double golden = 0.6180339887498949;          // spreads places evenly and in step with no period of the motion
 
 /// Mean square of the distances of joints from centers of mass, in the metric that makes v and omega comparable.
@@ -63,7 +66,8 @@ StepSampling::StepSampling(const Dynamics& dynamics)
       every_body_(1 + body_count_ / most_looked_at),
       squared_length_(squared_length_of(dynamics.system())),
       most_parts_(std::clamp(most_bytes / bytes_of_part(dynamics) / 2, std::size_t{1}, usual_parts)),
-      rates_(VectorXd::Zero(dynamics.system().v_size())) {
+      rates_(VectorXd::Zero(dynamics.system().v_size())),
+      system_(dynamics.system()) {
   parts_.reserve(2 * most_parts_ + 2);
 }
 
@@ -82,9 +86,34 @@ void StepSampling::expect(std::int64_t steps) {
   width_ = std::max<std::int64_t>((steps + count - 1) / count, 1);
 }
 
-void StepSampling::before(const Dynamics& dynamics) {
+void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
+  balance(dynamics, y);
   if (!dynamics.evaluation().memory.empty()) memory_ = dynamics.evaluation().memory;
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
+}
+
+void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
+  const double work = y[y.size() - 1], potential = dynamics.evaluation().potential;
+  const double kinetic = system_.kinetic_energy(y.segment(q_size_, system_.v_size()));
+  const double balance = kinetic + potential - work;
+  energies_.kinetic = std::max(energies_.kinetic, kinetic);
+  energies_.work = std::max(energies_.work, std::abs(work));
+  energies_.least_potential = std::min(energies_.least_potential, potential);
+  energies_.largest_potential = std::max(energies_.largest_potential, potential);
+  const double noise = energy_noise * std::max({kinetic, std::abs(potential), std::abs(work)});
+  const double made = std::abs(balance - balance_);
+  if (last_.kept() && made > noise) keep_jump(std::sqrt(kinetic_ + made) - std::sqrt(kinetic_));
+  last_.h = 0.0;
+  kinetic_ = kinetic;
+  balance_ = balance;
+}
+
+void StepSampling::keep_jump(double jump) {
+  sum_of_jumps_ += jump;
+  if (worst_.size() < most_outliers) return worst_.push_back({jump, last_});
+  const auto least = std::min_element(worst_.begin(), worst_.end(),
+                                      [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; });
+  if (jump > least->jump) *least = {jump, last_};
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
@@ -95,6 +124,7 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
   else if (changed > steeper * std::max(part.steepest.change, part.any.change))
     keep(part.steepest, t, h, changed, y, y_new);
+  keep(last_, t, h, changed, y, y_new);
   part.steps += 1;
   part.seconds += h;
   part.sum_of_changes += changed;
@@ -145,6 +175,18 @@ std::vector<RunPart> StepSampling::parts() const {
   return out;
 }
 
+std::vector<KeptStep> StepSampling::outliers(const std::vector<RunPart>& parts) const {
+  std::vector<KeptStep> out;
+  for (const Balanced& one : worst_) {
+    if (!(one.jump * static_cast<double>(steps_) > far_more * sum_of_jumps_)) continue;
+    const bool there = std::any_of(parts.begin(), parts.end(), [&](const RunPart& part) {
+      return (part.any.kept() && part.any.t == one.step.t) || (part.steepest.kept() && part.steepest.t == one.step.t);
+    });
+    if (!there) out.push_back(one.step);
+  }
+  return out;
+}
+
 double time_sampling(const Dynamics& dynamics, std::int64_t steps) {
   StepSampling sampling(dynamics);
   const VectorXd y = dynamics.initial_y(), y_new = 1.001 * y;
@@ -153,7 +195,7 @@ double time_sampling(const Dynamics& dynamics, std::int64_t steps) {
   {
     const Stopwatch watch(seconds, 1);
     for (std::int64_t step = 0; step < steps; ++step) {
-      sampling.before(dynamics);
+      sampling.before(dynamics, step % 2 == 0 ? y : y_new);
       sampling.after(static_cast<double>(step), 1.0, step % 2 == 0 ? y : y_new, step % 2 == 0 ? y_new : y);
     }
   }
