@@ -1,6 +1,7 @@
 #include "bindings.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
 #include "linkwork/integration/simulation.hpp"
+#include "linkwork/integration/step_judge.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork::python {
@@ -24,6 +25,102 @@ std::unique_ptr<Integrator> make_integrator(const py::object& method) {
   if (py::isinstance<SemiImplicitEulerTag>(method)) return make_semi_implicit_euler();
   throw OptionError("integrator",
                     "integrator must be a Tableau, a Multistep, a HalfExplicit, a SemiImplicitEuler or None");
+}
+
+/// An integrator of the user's own: step(t, y, h) -> y at t + h, y = (q, v).
+class PythonIntegrator final : public Integrator {
+ public:
+  PythonIntegrator(py::object step, int order) : step_(std::move(step)), order_(order) {}
+
+  const std::string& name() const override { return name_; }
+  int order() const override { return order_; }
+  void start(int) override {}
+  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
+    dynamics.hold_correction(deadbeat_gains(0.5, h));
+    const py::gil_scoped_acquire acquire;
+    y.head(y.size() - 1) = step_(t, VectorXd(y.head(y.size() - 1)), h).cast<VectorXd>();
+  }
+
+ private:
+  std::string name_ = "of the user's own";
+  py::object step_;
+  int order_;
+};
+
+SecondTake second_take(const py::object& method, int order) {
+  if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
+  if (py::isinstance<EmbeddedPair>(method)) return in_halves(make_runge_kutta(method.cast<EmbeddedPair>().method));
+  if (py::isinstance<py::function>(method)) return in_halves(std::make_unique<PythonIntegrator>(method, order));
+  return in_halves(make_integrator(method));
+}
+
+/// One array for each number of what a run and its steps say.
+py::dict to_dict(const std::vector<RunPart>& parts, const std::vector<StepError>& errors,
+                 const std::vector<int>& part_of) {
+  py::dict out;
+  const auto list = [&](const char* name, const auto& of, auto number) {
+    std::vector<double> values;
+    values.reserve(of.size());
+    for (const auto& one : of) values.push_back(static_cast<double>(number(one)));
+    const auto size = static_cast<py::ssize_t>(values.size());
+    out[name] = to_numpy(std::move(values), {size});
+  };
+  list("part_t", parts, [](const RunPart& it) { return it.t; });
+  list("part_seconds", parts, [](const RunPart& it) { return it.seconds; });
+  list("part_steps", parts, [](const RunPart& it) { return it.steps; });
+  list("part_change", parts, [](const RunPart& it) { return it.sum_of_changes; });
+  list("part", part_of, [](int it) { return it; });
+  using E = StepError;
+  const std::pair<const char*, double E::*> numbers[] = {{"t", &E::t},
+                                                         {"h", &E::h},
+                                                         {"change", &E::change},
+                                                         {"position", &E::position},
+                                                         {"rotation", &E::rotation},
+                                                         {"velocity", &E::velocity},
+                                                         {"omega", &E::omega},
+                                                         {"force", &E::force},
+                                                         {"torque", &E::torque},
+                                                         {"speed", &E::speed},
+                                                         {"spin", &E::spin},
+                                                         {"largest_force", &E::largest_force},
+                                                         {"largest_torque", &E::largest_torque},
+                                                         {"violation", &E::violation}};
+  for (const auto& [name, number] : numbers) list(name, errors, [member = number](const E& it) { return it.*member; });
+  list("failed", errors, [](const E& it) { return it.failed; });
+  return out;
+}
+
+/// Where the run is now.
+double relative_violation(const Run& run, RelativeViolation measure) {
+  return measure.largest(run.t(), run.y(), run.dynamics().history());
+}
+
+py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int order) {
+  RelativeViolation violation(dynamics.system());
+  const double end_violation = relative_violation(run, violation);
+  std::vector<RunPart> parts = run.sampling().parts();
+  std::vector<StepError> errors;
+  std::vector<int> part_of;
+  StepJudge steps(dynamics, second_take(method, order));
+  {
+    const py::gil_scoped_release release;
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      for (const KeptStep* step : {&parts[k].any, &parts[k].steepest}) {
+        if (!step->kept()) continue;
+        errors.push_back(steps.judge(*step, errors.size() % 4 == 0));
+        part_of.push_back(static_cast<int>(k));
+      }
+    for (const KeptStep& step : run.sampling().outliers(parts)) {  // each a part of its own
+      errors.push_back(steps.judge(step, false));
+      part_of.push_back(static_cast<int>(parts.size()));
+      parts.push_back({1, step.t, step.h, step.change, {}, {}});
+    }
+  }
+  py::dict out = to_dict(parts, errors, part_of);
+  out["end_violation"] = end_violation;
+  out["length"] = violation.length();
+  out["diagonal"] = steps.diagonal();
+  return out;
 }
 
 py::dict to_dict(Frames&& frames, const System& system) {
@@ -113,6 +210,8 @@ void bind_events(py::module_& module) {
 }
 
 void bind_runs(py::module_& module) {
+  module.def("time_sampling", &time_sampling, py::arg("dynamics"), py::arg("steps"),
+             "Time that a run of so many steps spends on following them for its verdict [s].");
   py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
       .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
            "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
@@ -127,6 +226,23 @@ void bind_runs(py::module_& module) {
           "history", [](const Run& run) { return run.dynamics().history(); }, "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
+      .def(
+          "relative_violation",
+          [](const Run& run) { return relative_violation(run, RelativeViolation(run.dynamics().system())); },
+          "Largest violation of a position constraint now, relative to the size of the mechanism.")
+      .def_property_readonly(
+          "energies",
+          [](const Run& run) {
+            const EnergyRange& it = run.sampling().energies();
+            return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
+          },
+          "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
+      .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("order") = 0,
+           "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
+           "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
+           "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, "
+           "largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. "
+           "`method`: data, or step(t, y, h), of this order where it is known.")
       .def("statistics", &statistics);
 
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")

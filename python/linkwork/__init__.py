@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from linkwork.comparison import Comparison, compare
     from linkwork.contact import contact_hysteresis
     from linkwork.errors import (
+        AccuracyError,
         Fault,
         FileError,
         LinkworkError,
@@ -49,8 +50,10 @@ if TYPE_CHECKING:
     from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
     from linkwork.simulation import simulate
     from linkwork.system import System
+    from linkwork.verdict import StepEstimate, Verdict
 
 __all__ = [
+    "AccuracyError",
     "Assembly",
     "Body",
     "BodyResult",
@@ -89,8 +92,10 @@ __all__ = [
     "Snapshot",
     "Sphere",
     "State",
+    "StepEstimate",
     "StepSizeError",
     "System",
+    "Verdict",
     "ViolationError",
     "__version__",
     "assemble",
@@ -125,8 +130,8 @@ _PLACES = {
     "linkwork.contact": ("contact_hysteresis",),
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
-    "linkwork.errors": ("Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
-                        "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
+    "linkwork.errors": ("AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
+                        "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
                         "SingularSystemError", "StepSizeError", "ViolationError"),
     "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),
     "linkwork.model": ("Model",),
@@ -135,6 +140,7 @@ _PLACES = {
     "linkwork.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
     "linkwork.simulation": ("simulate",),
     "linkwork.system": ("System",),
+    "linkwork.verdict": ("StepEstimate", "Verdict"),
 }  # fmt: skip
 _HOME = {name: module for module, names in _PLACES.items() for name in names}
 

@@ -39,6 +39,7 @@ __all__ = [
     "linear_solvers",
     "special_joint_kinds",
     "stabilizations",
+    "time_sampling",
 ]
 
 class AdaptiveSimulation(Run):
@@ -702,6 +703,19 @@ class Run:
         """
         Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, history.
         """
+    def judge(
+        self, dynamics: Dynamics, method: typing.Any, order: typing.SupportsInt | typing.SupportsIndex = 0
+    ) -> dict:
+        """
+        Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. `method`: data, or step(t, y, h), of this order where it is known.
+        """
+    @property
+    def energies(self) -> tuple:
+        """Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J]."""
+    def relative_violation(self) -> float:
+        """
+        Largest violation of a position constraint now, relative to the size of the mechanism.
+        """
     def statistics(self) -> dict: ...
     def take_frames(self) -> dict: ...
     @property
@@ -894,3 +908,7 @@ def special_joint_kinds() -> list[KindInfo]:
     """
 
 def stabilizations() -> list[StabilizationInfo]: ...
+def time_sampling(dynamics: Dynamics, steps: typing.SupportsInt | typing.SupportsIndex) -> float:
+    """
+    Time that a run of so many steps spends on following them for its verdict [s].
+    """

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from linkwork.result import Result, Snapshot
 
 __all__ = [
+    "AccuracyError",
     "Fault",
     "FileError",
     "LinkworkError",
@@ -98,6 +99,10 @@ class StepSizeError(LinkworkError):
 
 class ViolationError(LinkworkError):
     """The constraints are violated beyond the limit of the run."""
+
+
+class AccuracyError(LinkworkError):
+    """A run is less accurate than it may be."""
 
 
 class FileError(LinkworkError):

@@ -558,6 +558,11 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         return tuple(self._signals)
 
     @property
+    def user_forces(self) -> Sequence[tuple[str, Any]]:
+        """The user's own forces, each a name and the function that was given."""
+        return tuple((name, function) for name, function, _ in self._user_forces)
+
+    @property
     def drivers(self) -> Sequence[tuple[str, TimeFunction]]:
         """Those of the `signals` that drive joints."""
         return tuple(self._drivers)

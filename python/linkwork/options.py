@@ -50,6 +50,9 @@ class Options(TypedDict, total=False):
 #: Of constraints, in the order of `Result.violation`.
 LEVELS = ("position", "velocity", "acceleration")
 
+#: What `on_inaccurate` of simulate can be.
+POLICIES = ("pass", "warn", "stop")
+
 #: Flores (2015), section 12.4.
 TEXTBOOK_DAMPING_RATIO, TEXTBOOK_FREQUENCY = 1.0, 10.0
 
@@ -81,6 +84,7 @@ def names() -> dict[str, list[str]]:
         "system": ["auto", "kkt", "schur"],
         "on_singular": ["pass", "warn", "stop"],
         "on_violation": ["record", "project", "stop"],
+        "on_inaccurate": list(POLICIES),
     }
 
 

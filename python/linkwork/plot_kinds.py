@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -90,8 +91,14 @@ def _coordinates(result: Result, chosen: Chosen) -> Figure:
         plotting.style(ax, f"{which} [{UNITS[which][0]}]")
         for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
             ax.plot(result.t, motion.value, color=color, label=motion.name)
+            plotting.plot_band(ax, result, motion.value, color, partial(_coordinate_error, result, motion))
         plotting.legend(ax, _share(result, motions, chosen))
     return figure
+
+
+def _coordinate_error(result: Result, motion: _Motion) -> Floats:
+    found: Floats = result.error_of("coordinate", motion.name, motion.which).value
+    return found
 
 
 def _phase(result: Result, chosen: Chosen) -> Figure:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -112,6 +113,7 @@ def plot_energies(ax: Axes, result: Result) -> None:
     ax.plot(result.t, result.kinetic_energy, color=COLORS[0], label="kinetic")
     ax.plot(result.t, result.potential_energy, color=COLORS[1], label="potential")
     ax.plot(result.t, result.energy, color=COLORS[6], label="total")
+    plot_band(ax, result, result.energy, COLORS[6], lambda: result.error_of("energy"))
     if np.any(result.work):
         ax.plot(result.t, result.work, color=COLORS[2], ls="--", label="work of other forces")
     legend(ax)
@@ -141,6 +143,7 @@ def plot_positions(ax: Axes, result: Result, bodies: Sequence[int] | None = None
         for axis, (coordinate, line) in enumerate(COORDINATES):
             if len(position) and np.ptp(position[:, axis]) >= 0.02 * most:
                 ax.plot(result.t, position[:, axis], color=color, ls=line, label=f"{name}  {coordinate}")
+                plot_band(ax, result, position[:, axis], color, partial(_position_error, result, name, axis))
     which = "" if bodies else share(len(chosen), len(result.body_names), "bodies, those that move most")
     legend(ax, which)
 
@@ -159,6 +162,7 @@ def plot_reactions(
         doubt = "" if result.unique_reactions[j] else " (not unique)"
         line = "--" if doubt else "-"
         ax.plot(result.t, magnitude, color=color, ls=line, label=f"{result.joint_names[j]}{doubt}")
+        plot_band(ax, result, magnitude, color, partial(_reaction_error, result, j, part))
     if not chosen:
         ax.set_yticks([])
         ax.text(0.5, 0.5, "none", transform=ax.transAxes, ha="center", color="0.5")
@@ -168,6 +172,23 @@ def plot_reactions(
         else share(len(chosen), len(result.joint_names), f"joints, those with the largest {part}")
     )
     legend(ax, which)
+
+
+def plot_band(ax: Axes, result: Result, values: Floats, color: str, error: Callable[[], Floats]) -> None:
+    """Where the values may be, of a run that was verified."""
+    if result.verified:
+        reach = error()
+        ax.fill_between(result.t, values - reach, values + reach, color=color, alpha=0.25, lw=0)
+
+
+def _position_error(result: Result, body: str, axis: int) -> Floats:
+    found: Floats = result.error_of("body", body).position[:, axis]
+    return found
+
+
+def _reaction_error(result: Result, joint: int, part: str) -> Floats:
+    found: Floats = np.linalg.norm(getattr(result.error_of("reaction", joint), part), axis=-1)
+    return found
 
 
 def travel_of(result: Result) -> Floats:

@@ -6,7 +6,7 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,9 @@ from linkwork.model import Model
 from linkwork.progress import Report
 from linkwork.result import Result, Snapshot
 from linkwork.system import System
+
+if TYPE_CHECKING:
+    from linkwork.judging import Judge
 
 __all__ = ["PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
 
@@ -109,13 +112,14 @@ def record(
     to: Recorder,
     report: Report,
     labels: Sequence[str],
+    judge: Judge,
     *,
     warns: bool = False,
 ) -> float:
     """Write the pieces as they come, and close the file however the run ends; the time they took [s].
 
     `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run
-    has passed a singular pose.
+    has passed a singular pose. AccuracyError: `judge` stops the run.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     violation: float | None = None
@@ -124,6 +128,7 @@ def record(
             spent += time.perf_counter() - before
             to.note(_occurrences(run, labels))
             to.write(frames)
+            judge.look(frames)
             if len(frames["t"]):
                 violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
             report(run.t, run.steps_done, violation)

@@ -18,6 +18,8 @@ from linkwork.given import path as path_of
 from linkwork.handles import Body, Joint
 from linkwork.header import Floats, Header, record_reactions
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
+from linkwork.verdict import Verdict
+from linkwork.verification import Finer, band, difference
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -68,6 +70,8 @@ class Snapshot(NamedTuple):
     #: (h,) history variables of springs, stops, contacts and couplers: full turns, speeds at which contacts
     #: began, see linkwork.System; none: they begin anew
     history: Sequence[float] | Floats = ()
+    #: of the runs that led there, see `Verdict.before`
+    error: float = 0.0
 
     @classmethod
     def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:
@@ -127,13 +131,14 @@ class Result:
         self._places: dict[str, dict[str, int]] = {}
         self.statistics = dict(statistics)
         self.t: Floats = self._frames["t"][:]
+        self._finer: Finer | None = None
 
     # --- what was run ---
 
     @property
     def manifest(self) -> dict[str, Any]:
         """Versions, options and the hash of the model: what is needed to run it again."""
-        return dict(self._header.manifest)
+        return {**self._header.manifest, **self._said()}
 
     @property
     def header(self) -> Header:
@@ -152,6 +157,20 @@ class Result:
     def finished(self) -> bool:
         """False for a run that failed, and for the file of one that was interrupted."""
         return bool(self.statistics) and not self.statistics.get("failed", False)
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """How accurate the run is, estimated from steps that were taken again: see linkwork.Verdict.
+
+        None: the run did not finish, or had no step.
+        """
+        numbers = self.statistics.get("verdict")
+        return None if numbers is None else Verdict.of(numbers)
+
+    def _said(self) -> dict[str, Any]:
+        """Of the verdict for the manifest."""
+        found = self.statistics.get("verdict")
+        return {"verdict": {name: found[name] for name in ("level", "sentence", "error")}} if found else {}
 
     @property
     def events(self) -> tuple[Occurrence, ...]:
@@ -271,9 +290,16 @@ class Result:
                 f"{count - 1}, or -1 for the last",
                 code="frame",
             )
-        return Snapshot(
-            float(self.t[frame]), self._field("q", frame), self._field("v", frame), self.history[frame]
-        )
+        state = self._field("q", frame), self._field("v", frame)
+        return Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
+
+    def _error_at(self, frame: int) -> float:
+        """The part of the accumulated error that a run has made up to a frame."""
+        verdict = self.verdict
+        if verdict is None or verdict.state is None:
+            return 0.0
+        share = (self.t[frame] - self.t[0]) / ((self.t[-1] - self.t[0]) or 1.0)
+        return float(verdict.before + share * (verdict.state - verdict.before))
 
     @property
     def singular_poses(self) -> tuple[SingularPose, ...]:
@@ -414,6 +440,30 @@ class Result:
         """Largest violation of the constraints (k, 3): max abs of Phi, Phi_dot and Phi_ddot."""
         return self._field("violation")
 
+    # --- errors ---
+
+    @property
+    def verified(self) -> bool:
+        """Whether a second, finer run was made beside this one: simulate(..., verify=True)."""
+        return self._finer is not None
+
+    def error_of(self, what: str, *name: Any, **how: Any) -> Any:
+        """The estimated error of what is recorded, in its shape and unit, from the finer run of `verify`.
+
+        what       the name of a property or method of a result: "position", "energy", "reaction", "body", ...
+        name, how  the arguments of the method: error_of("reaction", "pin").force (k, 3) is that of
+                   reaction("pin").force
+
+        At each time the largest of Richardson's estimates there and at the next frames; NaN after the end of
+        the finer run. OptionError: the run was not verified, or has no such quantity.
+        """
+        if self._finer is None:
+            raise OptionError(
+                "error_of needs a second, finer run: simulate(..., verify=True)", code="not_verified"
+            )
+        ours, finer = (_quantity(result, what, name, how) for result in (self, self._finer.result))
+        return difference(ours, finer, band(self._finer.factor))
+
     # --- files, pictures, text ---
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -424,6 +474,8 @@ class Result:
         result_file.save(
             path_of(path, "result"), self._header, self._frames, self.statistics, self._run, self._events
         )
+        if self._finer is not None:
+            result_file.add_finer(path_of(path, "result"), self._finer, self.statistics)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
@@ -431,7 +483,11 @@ class Result:
         from linkwork import stored_result
 
         stored = stored_result.read(path_of(path, "result"))
-        return cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
+        result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
+        if stored.finer is not None:
+            factor, fields = stored.finer
+            result._finer = Finer(cls(fields, stored.header, {}, run=stored.run), factor)
+        return result
 
     def plot(
         self,
@@ -556,6 +612,24 @@ class Result:
         if text not in places:
             raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
         return places[text]
+
+
+#: What `error_of` takes.
+_QUANTITIES = (
+    "q", "v", "position", "orientation", "velocity", "omega", "omega_inertial", "acceleration",
+    "angular_acceleration", "body", "multipliers", "reactions", "reaction", "coordinate", "joint_axes",
+    "joint_points", "kinetic_energy", "potential_energy", "energy", "work", "energy_error", "violation",
+)  # fmt: skip
+
+
+def _quantity(result: Result, what: str, name: tuple[Any, ...], how: Mapping[str, Any]) -> Any:
+    """OptionError: there is none of that name."""
+    if what not in _QUANTITIES:
+        raise OptionError(
+            f"'{what}' is no recorded quantity{nearest(str(what), _QUANTITIES)}", code="unknown_option"
+        )
+    found = getattr(result, what)
+    return found(*name, **how) if callable(found) else found
 
 
 def _check_every(every: object) -> None:

@@ -6,6 +6,8 @@
                violation (k, 3), history (k, h), reaction_force and reaction_torque (k, joints, 3), t (k,)
     /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
                of joints, by their index
+    /finer/    of a run that was verified: the fields of /frames/ by a finer run, at the same times, and the
+               attribute `factor` by which the difference is an error
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
 
 The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
@@ -39,6 +41,7 @@ from linkwork.events import Occurrence
 from linkwork.given import path as path_of
 from linkwork.header import MODEL_NAMES, Floats, Header, record_reactions
 from linkwork.shapes_file import write_shapes
+from linkwork.verification import Finer
 
 fcntl: ModuleType | None
 try:
@@ -306,6 +309,20 @@ def save(
         raise unwritable("output", path, error) from error
     finally:
         beside.unlink(missing_ok=True)
+
+
+def add_finer(path: str | os.PathLike[str], finer: Finer, statistics: Mapping[str, Any]) -> None:
+    """To the file of a run that was verified, with what is known by then. FileError."""
+    finer.result.reactions()
+    try:
+        with h5py.File(path, "r+") as file:
+            file.attrs["statistics"] = json.dumps(dict(statistics), default=_plain)
+            group = file.create_group("finer")
+            for name in file["frames"]:
+                group.create_dataset(name, data=finer.result.recorded(name))
+            group.attrs["factor"] = finer.factor
+    except OSError as error:
+        raise unwritable("output", path, error) from error
 
 
 def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:

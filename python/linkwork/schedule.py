@@ -47,6 +47,10 @@ class Fixed:
     def expected_frames(self, run: _core.Run) -> int:
         return run.steps_total // self.record_every + 2
 
+    def finer(self, times: NDArray[np.float64]) -> dict[str, Any]:
+        """Arguments of a run with half the step and frames at the same times."""
+        return {"step": self.step / 2, "record_every": 2 * self.record_every}
+
     def least_steps(self, t_start: float) -> float:
         return (self.t_end - t_start) / self.step
 
@@ -99,6 +103,12 @@ class Adaptive:
 
     def expected_frames(self, run: _core.Run) -> int | None:
         return None if self.record_every else len(self.times) + 1
+
+    def finer(self, times: NDArray[np.float64]) -> dict[str, Any]:
+        """Arguments of a run with a tenth of the tolerances and frames at these times."""
+        largest = self.largest_step if math.isfinite(self.largest_step) else None
+        rtol = max(self.rtol / 10, LEAST_RTOL)
+        return {"rtol": rtol, "atol": self.atol / 10, "step": largest, "times": np.unique(times)}
 
     def least_steps(self, t_start: float) -> float:
         return (self.t_end - t_start) / self.largest_step

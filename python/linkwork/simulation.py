@@ -11,7 +11,7 @@ from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
-from linkwork import break_points, checks, duration, integrators, recording, schedule
+from linkwork import break_points, checks, duration, integrators, judging, recording, schedule
 from linkwork.assembly import Assembly
 from linkwork.errors import OptionError, unwritable
 from linkwork.events import Event, compile_events
@@ -21,7 +21,7 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.interrupts import Interrupts
 from linkwork.manifest import manifest
 from linkwork.model import Model
-from linkwork.options import Options
+from linkwork.options import POLICIES, Options, check_name
 from linkwork.progress import ProgressOption, check_progress, reporting
 from linkwork.recording import PythonStep
 from linkwork.result import Result, Snapshot
@@ -48,6 +48,8 @@ def simulate(
     output: str | os.PathLike[str] | None = None,
     progress: ProgressOption = None,
     assemble: bool = True,
+    on_inaccurate: str = "warn",
+    verify: bool = False,
     **options: Unpack[Options],
 ) -> Result:
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
@@ -80,6 +82,10 @@ def simulate(
     assemble      initial poses and velocities that violate the joints by up to 1/1000 of the size and speed
                   of the mechanism are corrected as by linkwork.assemble, larger violations are refused.
                   False: the run starts from them as they are, with a warning
+    on_inaccurate "pass", "warn" or "stop": what an estimated error of more than 1 % means to the run, see
+                  `Result.verdict`. "stop" looks after it ever doubled the number of its steps, too
+    verify        a second run at half the step, or a tenth of the tolerances: `Result.error_of` then tells
+                  the error of whatever was recorded, and plots have error bands
     options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
                   linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
                   tolerance, max_iterations, on_singular="pass",
@@ -94,10 +100,11 @@ def simulate(
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
-    written. ViolationError: on_violation="stop", or joints and drivers contradict each other. An error of a
-    run has its `result` up to there and the last `state`. ModelError: initial poses or velocities do not
-    satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected; redundant equations contradict the others a little.
+    written. ViolationError: on_violation="stop", or joints and drivers contradict each other. AccuracyError:
+    on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`. ModelError:
+    initial poses or velocities do not satisfy the joints, see `assemble`.
+    LinkworkWarning: they were corrected; the run is inaccurate; redundant equations contradict the others a
+    little.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
@@ -105,6 +112,7 @@ def simulate(
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
+    check_name("on_inaccurate", on_inaccurate, POLICIES)
     if not isinstance(assemble, bool):
         raise OptionError(f"assemble {assemble!r:.80} is not True or False", code="assemble")
     checks.check_tables(model, t_end)
@@ -113,7 +121,8 @@ def simulate(
     watched = compile_events(events, model)
     method = _method(plan.usual_integrator if integrator is None else integrator)
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
-             "record_every": record_every, "breaks": breaks, "assemble": assemble, **options}  # fmt: skip
+             "record_every": record_every, "breaks": breaks, "assemble": assemble,
+             "on_inaccurate": on_inaccurate, **options}  # fmt: skip
     system, assembly = _system(model, method, options, plan, assemble, start)
 
     run = plan.run(method, system, [event for _, event in watched], start, known)
@@ -138,13 +147,26 @@ def simulate(
     with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total, t_start) as report:
         pieces = recording.pieces(run, interrupts, method, system)
         labels, warns = facts["events"], system.options["on_singular"] == "warn"
-        driver_seconds = recording.record(run, pieces, recorder, report, labels, warns=warns)
+        judge = judging.Judge(run, method, system, options, start, plan, stops=on_inaccurate == "stop")
+        driver_seconds = recording.record(run, pieces, recorder, report, labels, judge, warns=warns)
+        statistics = {**run.statistics(), **plan.steps_with_breaks(known, t_start)}
+        driven = time.perf_counter()
+        verdict = judge.verdict(statistics)
+        verdict_seconds = time.perf_counter() - driven
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
-    times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds}
-    broken = plan.steps_with_breaks(known, t_start)
-    result = recorder.result({**run.statistics(), **times_spent, **broken})
+    times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds,
+                   "verdict_seconds": verdict_seconds}  # fmt: skip
+    found = {"verdict": verdict.numbers()} if verdict is not None else {}
+    result = recorder.result({**statistics, **times_spent, **found})
     checks.warn_of_contradiction(result.statistics)
+    if verify:
+        again: dict[str, Any] = {"integrator": method, "events": events, "breaks": breaks, "start": start,
+                                 "assemble": assemble}  # fmt: skip
+        judge.verify(result, output, lambda finer: simulate(
+            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass", **options
+        ))  # fmt: skip
+    judging.heed(result, on_inaccurate)
     return result
 
 

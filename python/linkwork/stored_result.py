@@ -39,6 +39,7 @@ class StoredField:
     run: str
     name: str
     shape: tuple[int, ...]
+    group: str = "frames"
 
     def __len__(self) -> int:
         return self.shape[0]
@@ -58,7 +59,7 @@ class StoredField:
                 raise FileError(
                     f"result '{self.path}': was replaced by another run since it was loaded", code="changed"
                 )
-            values: Floats = np.asarray(file["frames"][self.name][(rows, *rest)], dtype=float)
+            values: Floats = np.asarray(file[self.group][self.name][(rows, *rest)], dtype=float)
             return values[::-1] if backward else values
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
@@ -74,6 +75,7 @@ class StoredRun:
     statistics: dict[str, Any]
     fields: dict[str, StoredField]
     events: list[Occurrence]
+    finer: tuple[float, dict[str, StoredField]] | None  #: see `verification`
 
 
 def read(path: str | os.PathLike[str]) -> StoredRun:
@@ -99,9 +101,14 @@ def read(path: str | os.PathLike[str]) -> StoredRun:
         count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], path.stat().st_size))
         statistics = json.loads(file.attrs.get("statistics", "{}"))
         events = _read_events(file)
+        finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
     shapes = header.frame_shapes().items()
     fields = {name: StoredField(path, run, name, (count, *shape)) for name, shape in shapes}
-    return StoredRun(run, header, statistics, fields, events)
+    if finer is None:
+        return StoredRun(run, header, statistics, fields, events, None)
+    factor, count = finer
+    second = {name: StoredField(path, run, name, (count, *shape), "finer") for name, shape in shapes}
+    return StoredRun(run, header, statistics, fields, events, (factor, second))
 
 
 def _read_header(file: h5py.File) -> Header:

@@ -38,6 +38,7 @@ def numbers(result: Result) -> dict[str, Any]:
         "projections": int(result.statistics.get("projections", 0)),
         "singular_poses": int(result.statistics.get("singular_poses", 0)),
         "finished": result.finished,
+        "verdict": _verdict(result),
     }
 
 
@@ -57,6 +58,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
         ("model", f"{model}: {counts}"),
         ("method", ", ".join(method(manifest.get("options", {})))),
         ("recorded", f"{end}, {found['frames']} frames{'' if result.finished else ', not finished'}"),
+        ("verdict", verdict_text(result)),
         ("violation", f"largest {violation}"),
         ("energy", f"{_figure(found['energy_start'])} J at the start, error at most "
                    f"{_figure(found['max_energy_error'])} J"),
@@ -143,6 +145,28 @@ def _excesses(result: Result) -> str:
     projections = int(result.statistics["projections"])
     done = f"; projected {projections} times" if projections else ""
     return f"passed {count} times, {worst}{done}"
+
+
+def verdict_text(result: Result) -> str:
+    """The sentence, and the numbers behind it."""
+    verdict = result.verdict
+    if verdict is None:
+        return ""
+    if verdict.state is None:
+        return verdict.sentence
+    found = {"local error": verdict.local_error, "reactions": verdict.reactions, "energy": verdict.energy,
+             "violation": verdict.violation}  # fmt: skip
+    numbers = ", ".join(f"{name} {value:.0e}{'/s' if name == 'local error' else ''}".replace("e-0", "e-")
+                        for name, value in found.items() if value is not None)  # fmt: skip
+    return f"{verdict.sentence} ({numbers}; {len(verdict.steps)} of {verdict.steps_total:,} steps)"
+
+
+def _verdict(result: Result) -> dict[str, Any] | None:
+    """The numbers, without those of single steps."""
+    verdict = result.verdict
+    if verdict is None:
+        return None
+    return {name: value for name, value in verdict.numbers().items() if name != "steps"}
 
 
 def _effort(statistics: dict[str, Any]) -> str:

@@ -105,7 +105,7 @@ def test_a_step_longer_than_the_run_is_refused(step: float) -> None:
 
 def test_a_step_of_the_whole_run_and_a_largest_step_beyond_it_are_no_mistakes() -> None:
     assert len(run(0.01, 0.01).t) == 2
-    assert len(run(0.1 + 0.2, 0.3).t) == 2  # 0.30000000000000004
+    assert len(run(0.1 + 0.2, 0.3, on_inaccurate="pass").t) == 2  # 0.30000000000000004
     assert run(0.1, 1e11, rtol=1e-6).finished
     assert run(0.0, 1e-3).finished
 
@@ -254,7 +254,7 @@ def test_half_explicit_steps_have_limits_too(integrator: str, damping: float) ->
     limit = lw_limit(integrator, eigenvalue)
     with pytest.raises(lw.OptionError, match=rf"'{integrator}': force elements make body 'mass'"):
         lw.simulate(model, 1.0, 1.1 * limit, integrator, progress=False)
-    result = lw.simulate(model, 200 * limit, 0.97 * limit, integrator, progress=False)
+    result = lw.simulate(model, 200 * limit, 0.97 * limit, integrator, progress=False, on_inaccurate="pass")
     assert np.abs(result.position[:, 0, 2] - 1.0).max() < 1.1e-3 * GROWTH ** (200 / 0.97)
 
 

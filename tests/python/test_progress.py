@@ -94,7 +94,8 @@ def test_line_has_step_and_violation_once_they_are_known() -> None:
 def test_run_reports_its_step_and_its_violation() -> None:
     seen: list[ProgressInfo] = []
     model = lw.mechanisms.spatial_slider_crank()
-    result = lw.simulate(model, 40.0, 1e-3, stabilization="none", record_every=100, progress=seen.append)
+    result = lw.simulate(model, 40.0, 1e-3, stabilization="none", record_every=100, progress=seen.append,
+                         on_inaccurate="pass")  # fmt: skip
     assert seen[-1].violation == result.violation[-1, 0] > 0
     assert seen[-1].step == pytest.approx(1e-3)
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <utility>
 
 namespace linkwork {
 namespace {
@@ -124,6 +125,7 @@ double AdaptiveSimulation::initial_step() {
 void AdaptiveSimulation::attempt() {
   if (!evaluated_) evaluate(clock(), y_);
   if (leap()) return;
+  sampling_.before(dynamics_, y_);
   double h = proposed_ = std::min(step_, schedule_.largest_step);
   t_new_ = end_of_step(h);
   Phi_ = dynamics_.evaluation().Phi;
@@ -392,7 +394,8 @@ void AdaptiveSimulation::record_in_leap(double t) {
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
   if (!leapt_) dated(t_, h_, [&] { evaluated_ = !crossing_.look_back(t_, y_, t_new_, y_new_) && evaluated_; });
-  t_ = t_new_;
+  const double t_before = std::exchange(t_, t_new_);
+  y_before_.swap(y_);
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
@@ -404,11 +407,13 @@ void AdaptiveSimulation::finish_step() {
     dated(t_, h_, [&] { projection().stabilize(clock(), y_); });
     evaluated_ = false;
   }
+  sample(t_before, at_break);
   if (!evaluated_) evaluate(clock(), y_);
   settle_history();
   dated(t_, h_, [&] { keep_to_budget(clock()); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
+  if (finished_) sampling_.before(dynamics_, y_);
   if (stop_) finish_event();
   std::move(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_));
   of_step_.clear();
@@ -423,6 +428,15 @@ void AdaptiveSimulation::finish_step() {
   });
   crossing_.restart();
   controller_.restart();
+}
+
+/// The step as the method made it, on its own side of breaks.
+void AdaptiveSimulation::sample(double t_before, bool at_break) {
+  const bool struck = at_break && dynamics_.system().time_dependent_constraints();
+  if (stop_ || leapt_ || struck) return sampling_.pass_over();
+  const double t = breaks_.after(t_before), t_new = breaks_.before(t_);
+  sampling_.after(t, t_new - t, y_before_, y_);
+  if (at_break) sampling_.pass_over();
 }
 
 /// From what ends at the break t_ to what begins there.

@@ -88,6 +88,7 @@ class AdaptiveSimulation final : public Run {
   void record_inside();
   void record_in_leap(double t);
   void finish_step();
+  void sample(double t_before, bool at_break);
   void evaluate(double t, const VectorXd& y);
   void record_if_due();
 
@@ -109,6 +110,7 @@ class AdaptiveSimulation final : public Run {
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
   VectorXd y_new_;          ///< at t_new_
+  VectorXd y_before_;       ///< the start of the last finished step
   double step_ = 0.0;       ///< what the controller proposes
   double proposed_ = 0.0;   ///< what it proposed for this one
   VectorXd Phi_, Phi_dot_;  ///< where the step begins

@@ -9,6 +9,7 @@
 #include "linkwork/integration/drift_budget.hpp"
 #include "linkwork/integration/history_watch.hpp"
 #include "linkwork/integration/recorder.hpp"
+#include "linkwork/integration/step_sampling.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -27,6 +28,7 @@ class Run {
   explicit Run(Dynamics& dynamics)
       : dynamics_(dynamics),
         recorder_(dynamics),
+        sampling_(dynamics),
         y_(dynamics.initial_y()),
         turns_(dynamics),
         stops_(dynamics.options().on_singular == "stop"),
@@ -55,6 +57,7 @@ class Run {
   std::int64_t steps_done() const { return steps_done_; }
   const VectorXd& y() const { return y_; }
   const DriftBudget& budget() const { return budget_; }
+  const StepSampling& sampling() const { return sampling_; }
   const Contradiction& contradiction() const { return contradiction_; }
   std::int64_t projections() const { return projections_; }  ///< that the budget asked for
 
@@ -93,6 +96,7 @@ class Run {
 
   Dynamics& dynamics_;
   Recorder recorder_;
+  StepSampling sampling_;
   VectorXd y_;  ///< at t()
   TurnGuard turns_;
   std::int64_t steps_done_ = 0;

@@ -26,8 +26,13 @@ void add_combination(double h, const ConstVector& weights, const MatrixXd& k, Ve
 
 void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage) {
+  dynamics.hold_correction(deadbeat_gains(tableau.b.dot(tableau.c), step.h));
+  evaluate_free_stages(tableau, dynamics, step, y, k, stage);
+}
+
+void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
+                          MatrixXd& k, VectorXd& stage) {
   const double h = step.h;
-  dynamics.hold_correction(deadbeat_gains(tableau.b.dot(tableau.c), h));
   dynamics.rates(k.col(0));
   for (Eigen::Index i = 1; i < tableau.b.size(); ++i) {
     stage = y;

@@ -12,6 +12,10 @@ void check(const ButcherTableau& tableau);
 void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage);
 
+/// The same with the correction as it is held, or none.
+void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
+                          MatrixXd& k, VectorXd& stage);
+
 /// y += h sum_i weights_i k_i
 void add_combination(double h, const ConstVector& weights, const MatrixXd& k, VectorXd& y);
 

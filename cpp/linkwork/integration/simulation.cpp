@@ -27,6 +27,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   count_steps();
   y_dot_.resize(y_.size());
   kept_y_ = y_;
+  sampling_.expect(steps_total_);
   if (!integrator_) return;
   integrator_->check_run(dynamics);
   integrator_->start(static_cast<int>(y_.size()));
@@ -91,9 +92,13 @@ double Simulation::begin_step() {
     divergence_.blame(y_, t(), schedule_.step, [&] { dated(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
+    if (finished_) sampling_.before(dynamics_, y_);
     if (finished_) break;
     if (!leaping_) dated(t(), next_step(), [&] { begin_leap(); });
-    if (!leaping_) return next_step();
+    if (!leaping_) {
+      sampling_.before(dynamics_, y_);
+      return next_step();
+    }
     follow_leap();
   }
   return 0.0;
@@ -109,6 +114,7 @@ void Simulation::begin_leap() {
 }
 
 void Simulation::follow_leap() {
+  sampling_.pass_over();
   steps_done_ += 1;
   leaping_ = t() < crossing_.last().end() - same_time * schedule_.step;
   if (leaping_) crossing_.interpolate(dynamics_.system(), crossing_.theta(t()), y_);
@@ -156,6 +162,7 @@ void Simulation::finish_step() {
   divergence_.check(y_, t_new, next_step());
   system.normalize(y_.head(system.q_size()));
   if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
+  sampling_.after(t(), next_step(), kept_y_, y_);
   dated(t_new, next_step(), [&] { crossing_.look_back(t(), kept_y_, t_new, y_); });
   steps_done_ += 1;
   evaluated_ = false;

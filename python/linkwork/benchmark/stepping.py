@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from linkwork import _core
 from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.subject import Subject
 from linkwork.model import Model
@@ -50,6 +51,9 @@ class Steps:
     shares: dict[str, float]
     #: of the time of a step, spent on looking whether redundant equations still hold; part of the rest
     watch_share: float
+    #: of the time of these steps, beside it: to follow them, and to take some of them again for the verdict
+    watching: float
+    verdict: float
 
 
 @dataclass(frozen=True)
@@ -159,6 +163,8 @@ class _Stepped:
             evaluations_per_step=evaluations,
             shares={**shares, "rest": 1 - sum(shares.values())},
             watch_share=self._watch_seconds() / seconds,
+            watching=self._watching() / (seconds * self.steps),
+            verdict=self._median("verdict_seconds") / (seconds * self.steps),
         )
 
     def _watch_seconds(self) -> float:
@@ -167,10 +173,15 @@ class _Stepped:
         end = self.result.snapshot()
         return float(dynamics.redundancy_watch_time(end.t, end.y, WATCH_REPEATS)) / WATCH_REPEATS
 
+    def _watching(self) -> float:
+        dynamics = System(self.model).compiled()
+        return float(min(_core.time_sampling(dynamics, self.steps) for _ in range(ROUNDS)))
+
     def _median(self, name: str) -> float:
         return float(statistics.median(result[name] for result in self.results))
 
 
 def _simulate(subject: Subject, model: Model, t_end: float, step: float, **how: Any) -> Result:
-    settings = {**subject.record.settings, "integrator": "rk4", "t_end": t_end, "step": step}
+    settings = {**subject.record.settings, "integrator": "rk4", "t_end": t_end, "step": step,
+                "on_inaccurate": "pass"}  # fmt: skip
     return simulate(model, **settings, **how)

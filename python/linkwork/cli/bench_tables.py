@@ -15,6 +15,7 @@ FACTORS = ("solver", "analyze", "flops", "GFlop/s", "factors", "nonzeros", "fill
 SIZES = ("bodies", "ns per body", "build", "compile", "analyze", "bytes per body", "at the peak")
 STEPS = ("mechanism", "method", "bodies", "us per step", "ns per body, rhs")
 SHARES = ("evaluate", "factorize", "solve", "rest")
+VERDICT = ("steps", "watching", "verdict")
 RUNS = ("mechanism", "method", "bodies", "step [s]", "time [s]", "setup [s]", "compiled", "energy error [J]")
 
 
@@ -61,7 +62,8 @@ def show_steps(steps: Sequence[Steps], runs: Sequence[Run]) -> None:
         "One step of RK4, and what takes its time (factorize: with the first solution; watch: the look at "
         "redundant equations, part of the rest)"
     )
-    out.print_table((*STEPS, *SHARES, "watch"), [_step_cells(one) for one in steps], title=title, left=2)
+    columns = (*STEPS, *SHARES, "watch", *VERDICT)
+    out.print_table(columns, [_step_cells(one) for one in steps], title=title, left=2)
     if runs:
         title = f"Runs of {runs[0].t_end:g} s through simulate"
         out.print_table(RUNS, [_run_cells(run) for run in runs], title=title, left=2)
@@ -103,6 +105,9 @@ def _step_cells(one: Steps) -> tuple[str, ...]:
         f"{one.ns_per_body_and_evaluation:,.0f}",
         *(f"{one.shares[part]:.0%}" for part in SHARES),
         f"{one.watch_share:.2%}",
+        f"{one.steps:,}",
+        f"{one.watching:.1%}",
+        f"{one.verdict:.1%}",
     )
 
 

@@ -54,6 +54,8 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
         "Of positions, or by level: position=1e-8,velocity=1e-6,acceleration=1e-9.",
     ),
     ("on_violation", str, "Beyond --violation-limit: record, project or stop."),
+    ("on_inaccurate", str, "Estimated to be more than 1 % off: pass, warn or stop."),
+    ("verify", bool, "A second run at half the step or a tenth of the tolerances: error bands in the plots."),
     (
         "start",
         click.Path(),
@@ -70,7 +72,9 @@ def options(settings: Mapping[str, Any]) -> list[click.Option]:
     return [
         click.Option(
             ["--" + name.replace("_", "-"), name],
-            type=kind,
+            type=None if kind is bool else kind,
+            is_flag=kind is bool,
+            default=None,
             shell_complete=shells.names_of(name),
             help=text + (f"  [default: {settings[name]}]" if name in settings else ""),
         )

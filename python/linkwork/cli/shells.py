@@ -15,7 +15,8 @@ PROGRAM, VARIABLE = "linkwork", "_LINKWORK_COMPLETE"
 ZSH_BEGINS = "(( $+functions[compdef] )) || { autoload -Uz compinit && compinit }\n"
 
 #: Options of which linkwork.options knows the names.
-CHOICES = ("formulation", "stabilization", "linear_solver", "system", "on_singular", "on_violation")
+CHOICES = ("formulation", "stabilization", "linear_solver", "system", "on_singular", "on_violation",
+           "on_inaccurate")  # fmt: skip
 
 Completion = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
 

@@ -41,12 +41,13 @@ def plot(comparison: Comparison, kind: str, path: str | os.PathLike[str] | None 
 
 
 def _work_precision(ax: Axes, comparison: Comparison) -> None:
-    """State error over wall time: the best methods are at the lower left."""
+    """State error over work, the best at the lower left; no smaller than that of the reference."""
     for cells, style in _methods(comparison):
-        measured = [it for it in cells if it.state_error and it.seconds]
-        ax.loglog([it.seconds for it in measured], [it.state_error for it in measured], **style)
+        known = [(comparison.work(it), comparison.known_error(it, "state_error")) for it in cells]
+        points = sorted((work, error) for work, error in known if work and error)
+        ax.loglog([work for work, _ in points], [error for _, error in points], **style)
     _mark_reference(ax, comparison)
-    ax.set(xlabel="time of the run [s]", ylabel="state error, largest over time")
+    ax.set(xlabel="evaluations x the least time of one [s]", ylabel="state error, largest over time")
 
 
 def _order(ax: Axes, comparison: Comparison) -> None:

@@ -67,7 +67,13 @@ class Comparison:
         orders = self._orders()
         asymptotic = self.orders()
         return [
-            {**it.figures(), **orders[place], "asymptotic_order": asymptotic[it.label] if it.step else None}
+            {
+                **it.figures(),
+                **orders[place],
+                "asymptotic_order": asymptotic[it.label] if it.step else None,
+                "work": self.work(it),
+                "noise": [error for error in ERRORS if self.is_noise(it, error)],
+            }
             for place, it in enumerate(self.outcomes)
         ]
 
@@ -81,13 +87,35 @@ class Comparison:
         found: dict[str, float | None] = dict.fromkeys(it.label for it in self.outcomes)
         return found | {study.label: study.order(error) for study in self.studies}
 
+    def work(self, outcome: Outcome) -> float | None:
+        """Time that a cell takes [s]: its evaluations by the least time of one in any cell of its method.
+
+        The wall time of a short run says as much about the moment as about the method; evaluations are
+        counted, and the more steps of a method there are, the more of them.
+        """
+        cells = [it for it in self.methods[outcome.method] if it.evaluations and it.seconds is not None]
+        if not cells or not outcome.evaluations:
+            return outcome.seconds
+        return outcome.evaluations * min(float(it.seconds or 0.0) / (it.evaluations or 1) for it in cells)
+
+    def known_error(self, outcome: Outcome, error: str) -> float | None:
+        """No smaller than that of the reference, which cannot tell smaller ones apart."""
+        value = getattr(outcome, error)
+        own = (self.reference.error or {}).get(error, 0.0)
+        return None if value is None else max(float(value), 0.0 if math.isnan(own) else own)
+
+    def is_noise(self, outcome: Outcome, error: str) -> bool:
+        """Whether the error is within ABOVE_REFERENCE times the reference's own: no order follows from it."""
+        value = getattr(outcome, error)
+        return value is not None and self.reference.error is not None and value <= self._floor(error)
+
     def recommend(self, error: float = 1e-3, of: str = "state_error", by: str = "seconds") -> str:
         """One sentence: the cheapest of these cells whose error is no larger, from the measured table.
 
         of  "state_error", "pose_error", "velocity_error" or "reaction_error"
-        by  "seconds", "evaluations" or "factorizations"
+        by  "seconds" (see `work`), "evaluations" or "factorizations"
 
-        OptionError: a name that does not exist.
+        Errors below that of the reference count as equal to it. OptionError: a name that does not exist.
         """
         _check_name(of, ERRORS, "of")
         _check_name(by, COSTS, "by")
@@ -95,18 +123,37 @@ class Comparison:
         measured = [it for it in self.outcomes if it.status == "finished" and getattr(it, of) is not None]
         if not measured:
             return f"No cell has a {what}: {self._why_none(of)}."
-        meeting = [it for it in measured if getattr(it, of) <= error]
+        meeting = [it for it in measured if (self.known_error(it, of) or 0.0) <= error]
         if not meeting:
-            best = min(measured, key=lambda it: float(getattr(it, of)))
-            return (f"No cell meets a {what} of {error:.2g}: the smallest is {getattr(best, of):.2g}, by "
-                    f"{best.label} with {_with(best)}; try smaller steps.")  # fmt: skip
-        best = min(meeting, key=lambda it: (getattr(it, by), getattr(it, of)))
-        cost = f"{getattr(best, by):.3g} s" if by == "seconds" else f"{getattr(best, by):,} {COSTS[by]}"
+            return self._none_meets(measured, error, of, by)
+        best = min(meeting, key=lambda it: (self._cost(it, by), self.known_error(it, of)))
+        spent = self._cost(best, by)
+        cost = f"{spent:.3g} s" if by == "seconds" else f"{int(spent):,} {COSTS[by]}"
         doubt = "" if self.reference.error else ", if the reference is that good: its own error is not stated"
         if self.reference.error is not None and self.reference.error[of] > error / ABOVE_REFERENCE:
             doubt = f", though the reference itself is only known to {self.reference.error[of]:.1g}"
         return (f"The cheapest of {len(meeting)} cells that meet a {what} of {error:.2g} is {best.label} "
-                f"with {_with(best)}: {getattr(best, of):.2g} in {cost}{doubt}.")  # fmt: skip
+                f"with {_with(best)}: {self.known_error(best, of):.2g} in {cost}{doubt}.")  # fmt: skip
+
+    def _none_meets(self, measured: Sequence[Outcome], error: float, of: str, by: str) -> str:
+        """The best of all, or of those that the reference cannot tell apart the cheapest."""
+        noise = [it for it in measured if self.is_noise(it, of)]
+        best = min(noise, key=lambda it: self._cost(it, by)) if noise else min(
+            measured, key=lambda it: (self.known_error(it, of), self._cost(it, by))
+        )  # fmt: skip
+        what, own = of.replace("_", " "), (self.reference.error or {}).get(of, 0.0)
+        if own > error and self.is_noise(best, of):
+            return (
+                f"No cell can be shown to meet a {what} of {error:.2g}: the reference itself is only known "
+                f"to {own:.1g}, which {best.label} with {_with(best)} meets."
+            )
+        return (
+            f"No cell meets a {what} of {error:.2g}: the smallest is {self.known_error(best, of):.2g}, by "
+            f"{best.label} with {_with(best)}; try smaller steps."
+        )
+
+    def _cost(self, outcome: Outcome, by: str) -> float:
+        return float((self.work(outcome) if by == "seconds" else getattr(outcome, by)) or 0.0)
 
     # --- as text, table, files ---
 
@@ -202,7 +249,7 @@ class Comparison:
     def _order(self, coarse: Outcome, fine: Outcome, error: str) -> float | None:
         """log(e_coarse / e_fine) / log(h_coarse / h_fine); None where the reference hides it."""
         of_coarse, of_fine = getattr(coarse, error), getattr(fine, error)
-        floor = ABOVE_REFERENCE * (self.reference.error[error] if self.reference.error else 0.0)
+        floor = self._floor(error)
         if (
             not of_coarse
             or not of_fine
@@ -214,12 +261,17 @@ class Comparison:
             return None
         return math.log(of_coarse / of_fine) / math.log(coarse.step / fine.step)
 
+    def _floor(self, error: str) -> float:
+        """Below it an error is noise."""
+        return ABOVE_REFERENCE * (self.reference.error[error] if self.reference.error else 0.0)
+
     def _flat_rows(self) -> list[dict[str, Any]]:
         rows = []
         for row in self.rows():
             options = {f"{name}": value for name, value in row.pop("options").items()}
             remarks = "; ".join(row.pop("remarks"))
-            rows.append({**row, "remarks": remarks, "options": json.dumps(options)})
+            noise = "; ".join(row.pop("noise"))
+            rows.append({**row, "noise": noise, "remarks": remarks, "options": json.dumps(options)})
         return rows
 
     def _why_none(self, of: str) -> str:

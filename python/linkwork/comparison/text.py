@@ -28,14 +28,20 @@ def _figure(name: str, form: str) -> Callable[[Outcome, Mapping[str, Any]], str]
     return lambda outcome, row: "-" if row[name] is None else form.format(row[name])
 
 
+def _order(error: str) -> Callable[[Outcome, Mapping[str, Any]], str]:
+    """Noise where the error is too near to that of the reference."""
+    shown = _figure(error.replace("error", "order"), "{:.1f}")
+    return lambda outcome, row: "noise" if error in row["noise"] and outcome.step else shown(outcome, row)
+
+
 COLUMNS: tuple[Column, ...] = (
     Column("method", lambda outcome, row: outcome.label, text=True),
     Column("order,\nh -> 0", _figure("asymptotic_order", "{:.1f}"), 1),
     Column("step [s]\nor rtol", lambda outcome, row: _size(outcome)),
     Column("pose\nerror", _figure("pose_error", "{:.1e}")),
-    Column("\norder", _figure("pose_order", "{:.1f}"), 5),
+    Column("\norder", _order("pose_error"), 5),
     Column("velocity\nerror", _figure("velocity_error", "{:.1e}"), 3),
-    Column("\norder", _figure("velocity_order", "{:.1f}"), 9),
+    Column("\norder", _order("velocity_error"), 9),
     Column("reaction\nerror", _figure("reaction_error", "{:.1e}"), 2),
     Column("violation\nposition", _figure("position_violation", "{:.0e}"), 4),
     Column("of\nvelocity", _figure("velocity_violation", "{:.0e}"), 7),
@@ -82,12 +88,23 @@ def notes(comparison: Comparison) -> list[str]:
         f"Errors, violations, energies: largest over {_frames(comparison)} of each run.",
         f"Errors: of poses relative to {scales.length:.3g} m and 1 rad, "
         f"of velocities to {scales.speed:.3g} m/s, {reactions}.",
+        *_noise(comparison),
         "Order, h -> 0: of poses, early in the motion, with steps smaller than those of the table.",
         *_floors(comparison),
         *_reasons(comparison),
         *_remarks(comparison),
     ]
     return found if comparison.studies else [note for note in found if not note.startswith("Order,")]
+
+
+def _noise(comparison: Comparison) -> list[str]:
+    """Which errors say nothing about the order."""
+    count = sum(comparison.is_noise(it, "pose_error") and it.step is not None for it in comparison.outcomes)
+    if not count:
+        return []
+    own = (comparison.reference.error or {})["pose_error"]
+    return [f"Orders of {count} cells are noise: their pose errors are near the reference's own, {own:.1e}; "
+            "smaller ones are not ranked."]  # fmt: skip
 
 
 def _floors(comparison: Comparison) -> list[str]:

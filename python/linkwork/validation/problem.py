@@ -101,7 +101,7 @@ class Problem:
         rest = {name: value for name, value in settings.items() if name not in ("t_end", "step")}
         return simulate(
             mechanism.function(**self.parameters), t_end, step, record_every=round(solution.interval / step),
-            progress=False, **rest,
+            progress=False, on_inaccurate="pass", **rest,
         )  # fmt: skip
 
 

@@ -131,6 +131,9 @@ def _warnings(result: Result) -> str:
     found = []
     if not result.finished:
         found.append("The run did not finish: what is here ends where it stopped.")
+    verdict = result.verdict
+    if verdict is not None and verdict.level != "good":
+        found.append(f"The run is {verdict.level}: {escape(verdict.sentence)}.")
     if not result.unique_reactions.all():
         count = int(np.sum(~result.unique_reactions))
         found.append(

@@ -75,7 +75,7 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     return {
         "label": label,
         "model": manifest.get("model") or "model",
-        "method": ", ".join(method(manifest.get("options", {}), short=True)).replace("_", " "),
+        "method": _method(result),
         "finished": result.finished,
         "frames": {"recorded": len(result), "shown": pack.directory["t"]["shape"][0], "every": choice.every},
         "precision": precision,
@@ -97,6 +97,12 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
     }, pack.text()
+
+
+def _method(result: Result) -> str:
+    """The choices of the run, and how accurate it is."""
+    words = ", ".join(method(result.manifest.get("options", {}), short=True)).replace("_", " ")
+    return f"{words}; {result.verdict.sentence}" if result.verdict else words
 
 
 # --- frames ------------------------------------------------------------------------------------------------

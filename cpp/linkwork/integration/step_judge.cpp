@@ -1,0 +1,157 @@
+#include "linkwork/integration/step_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "linkwork/integration/runge_kutta.hpp"
+#include "linkwork/math/error.hpp"
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+namespace {
+
+/// One step of a one-step method in two halves, with the correction that a method with memory adds.
+class Starter final : public Integrator {
+ public:
+  explicit Starter(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
+
+  const std::string& name() const override { return tableau_.name; }
+  int order() const override { return tableau_.order; }
+  void start(int y_size) override {
+    k_.resize(y_size, tableau_.b.size());
+    for (VectorXd* state : {&stage_, &correction_}) state->resize(y_size);
+  }
+
+  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
+    correction_.setZero();
+    dynamics.add_correction(h, correction_);
+    for (int half = 0; half < 2; ++half) {
+      if (half > 0) dynamics.evaluate(t + 0.5 * h, y);
+      evaluate_free_stages(tableau_, dynamics, {t + 0.5 * half * h, 0.5 * h}, y, k_, stage_);
+      add_combination(0.5 * h, tableau_.b, k_, y);
+    }
+    y += correction_;
+  }
+
+ private:
+  ButcherTableau tableau_;
+  MatrixXd k_;
+  VectorXd stage_, correction_;
+};
+
+double largest_column(const Eigen::Matrix3Xd& vectors) {
+  return vectors.cols() > 0 ? vectors.colwise().norm().maxCoeff() : 0.0;
+}
+
+}  // namespace
+
+SecondTake in_halves(std::unique_ptr<Integrator> integrator) {
+  const double gain = std::pow(2.0, integrator->order());
+  return {std::move(integrator), 2, gain > 1.0 ? gain / (gain - 1.0) : 1.0};
+}
+
+SecondTake by_starter(const MultistepCoefficients& method) {
+  return {std::make_unique<Starter>(method.starter), 1, 1.0};
+}
+
+StepJudge::StepJudge(Dynamics& dynamics, SecondTake take)
+    : dynamics_(dynamics),
+      take_(std::move(take)),
+      projection_(dynamics),
+      projects_(projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization())),
+      violation_(dynamics.system()),
+      low_(Eigen::Array3d::Constant(INFINITY)),
+      high_(Eigen::Array3d::Constant(-INFINITY)),
+      v_dot_(dynamics.system().v_size()),
+      lambda_(VectorXd::Zero(dynamics.system().row_count())),
+      at_(dynamics.system().make_evaluation()) {
+  take_.integrator->start(dynamics.y_size());
+  for (Eigen::Matrix3Xd* vectors : {&force_, &torque_, &other_force_, &other_torque_})
+    vectors->setZero(3, dynamics.system().joint_count());
+}
+
+StepError StepJudge::judge(const KeptStep& step, bool reactions) {
+  StepError out;
+  out.t = step.t;
+  out.h = step.h;
+  out.change = step.change;
+  out.force = out.torque = out.largest_force = out.largest_torque = NAN;
+  try {
+    take_again(step);
+    compare(step, out);
+    out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
+    if (reactions && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
+    out.failed = !y_.allFinite();
+  } catch (const Error&) {
+    out.failed = true;
+  }
+  dynamics_.end_parts();
+  return out;
+}
+
+void StepJudge::take_again(const KeptStep& step) {
+  const double h = step.h / take_.parts;
+  y_ = step.y;
+  dynamics_.set_history(step.history);
+  dynamics_.begin_parts(take_.parts);
+  for (int part = 0; part < take_.parts; ++part) {
+    const double t = step.t + part * h;
+    dynamics_.evaluate(t, y_);
+    if (part == 0) leave_out(step.left_out);
+    else dynamics_.advance_history();
+    take_.integrator->step(dynamics_, t, h, y_);
+    finish(t + h);
+  }
+  dynamics_.end_parts();
+}
+
+/// The rows that the run left out in this step; others have become redundant since, or were before.
+void StepJudge::leave_out(const std::vector<int>& rows) {
+  if (dynamics_.dropped().rows() != rows) dynamics_.change_redundant_rows(rows, {});
+}
+
+void StepJudge::finish(double t) {
+  dynamics_.system().normalize(y_.head(dynamics_.system().q_size()));
+  if (projects_) projection_.stabilize(t, y_);
+}
+
+void StepJudge::compare(const KeptStep& step, StepError& out) {
+  const int nq = dynamics_.system().q_size();
+  const VectorXd& a = step.y_new;
+  const auto raise = [&](double& largest, double value) { largest = std::max(largest, value); };
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    const int r = position_size * body, p = r + 3, v = nq + velocity_size * body;
+    const Vec4<double> other = y_.segment<4>(p);
+    const Vec4<double> turn =
+        quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
+    raise(out.position, take_.factor * (a.segment<3>(r) - y_.segment<3>(r)).norm());
+    raise(out.rotation, take_.factor * 2.0 * turn.tail<3>().norm());
+    raise(out.velocity, take_.factor * (a.segment<3>(v) - y_.segment<3>(v)).norm());
+    raise(out.omega, take_.factor * (a.segment<3>(v + 3) - y_.segment<3>(v + 3)).norm());
+    low_ = low_.min(a.segment<3>(r).array());
+    high_ = high_.max(a.segment<3>(r).array());
+    raise(out.speed, a.segment<3>(v).norm());
+    raise(out.spin, a.segment<3>(v + 3).norm());
+  }
+}
+
+void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
+  find_reactions(step.t + step.h, y_, force_, torque_);
+  find_reactions(step.t + step.h, step.y_new, other_force_, other_torque_);
+  out.largest_force = largest_column(force_);
+  out.largest_torque = largest_column(torque_);
+  out.force = take_.factor * largest_column(force_ - other_force_);
+  out.torque = take_.factor * largest_column(torque_ - other_torque_);
+}
+
+void StepJudge::find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque) {
+  const System& system = dynamics_.system();
+  const auto q = y.head(system.q_size());
+  dynamics_.evaluate(t, y);
+  dynamics_.accelerations(v_dot_, lambda_);
+  system.evaluate_constraints(t, q, y.segment(system.q_size(), system.v_size()), at_);
+  system.reactions(at_, q, lambda_, force, torque);
+}
+
+}  // namespace linkwork

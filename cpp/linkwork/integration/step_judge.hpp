@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "linkwork/formulation/projection.hpp"
+#include "linkwork/integration/integrator.hpp"
+#include "linkwork/integration/relative_violation.hpp"
+#include "linkwork/integration/step_sampling.hpp"
+
+namespace linkwork {
+
+/// How the steps of a method are taken again: in so many parts by this integrator, and by which factor the difference
+/// is that of the step to the exact motion.
+struct SecondTake {
+  std::unique_ptr<Integrator> integrator;
+  int parts = 2;
+  double factor = 1.0;
+};
+
+/// Two halves by the same one-step method, Richardson (1911): with a local error c h^(p+1) the halves are off by 2^-p
+/// of it, so it is (y_h - y_h/2,h/2) 2^p / (2^p - 1). An order of 0 is one that nobody knows: the factor is then 1.
+SecondTake in_halves(std::unique_ptr<Integrator> integrator);
+/// A method with memory cannot take its step in parts: it is compared with its one-step starter in two halves, whose
+/// error is small beside its own, from the same state and with the same correction of the violation.
+SecondTake by_starter(const MultistepCoefficients& method);
+
+/// What a step was off by at its end, the largest of any body or joint, and how large the motion was there. All of it
+/// in the local error of that step alone.
+struct StepError {
+  double t = 0.0, h = 0.0, change = 0.0;
+  double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
+  double force = 0.0, torque = 0.0;                                    ///< of reactions [N, N m]; NaN: not looked at
+  double speed = 0.0, spin = 0.0;                                      ///< m/s, rad/s
+  double largest_force = 0.0, largest_torque = 0.0;                    ///< NaN likewise
+  double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
+  bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
+};
+
+/// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.
+class StepJudge {
+ public:
+  StepJudge(Dynamics& dynamics, SecondTake take);
+
+  /// `reactions`: those, too; it takes two more evaluations.
+  StepError judge(const KeptStep& step, bool reactions);
+  /// Diagonal of the box around the centers of mass at the steps that were judged [m].
+  double diagonal() const { return (high_ - low_).matrix().norm(); }
+
+ private:
+  void take_again(const KeptStep& step);
+  void leave_out(const std::vector<int>& rows);
+  void finish(double t);
+  void compare(const KeptStep& step, StepError& out);
+  void compare_reactions(const KeptStep& step, StepError& out);
+  void find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque);
+
+  Dynamics& dynamics_;
+  SecondTake take_;
+  Projection projection_;
+  bool projects_;
+  RelativeViolation violation_;
+  Eigen::Array3d low_, high_;
+  VectorXd y_, v_dot_, lambda_;
+  Evaluation at_;
+  Eigen::Matrix3Xd force_, torque_, other_force_, other_torque_;
+};
+
+}  // namespace linkwork

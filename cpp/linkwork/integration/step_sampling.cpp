@@ -1,0 +1,205 @@
+#include "linkwork/integration/step_sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "linkwork/math/stopwatch.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr std::size_t usual_parts = 50;                // with one or two steps each
+constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may take
+constexpr int small_model = 50, most_looked_at = 500;  // bodies
+constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
+constexpr std::size_t most_outliers = 4;
+constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
+constexpr double energy_noise = 1e-13;
+constexpr double golden = 0.6180339887498949;          // spreads places evenly and in step with no period of the motion
+
+/// Mean square of the distances of joints from centers of mass, in the metric that makes v and omega comparable.
+double squared_length_of(const System& system) {
+  double sum = 0.0, mass = 0.0;
+  for (int body = 0; body < system.body_count(); ++body) {
+    if (!(system.mass(body) > 0.0)) continue;
+    sum += system.inertia(body).trace();
+    mass += system.mass(body);
+  }
+  return mass > 0.0 && sum > 0.0 ? sum / mass : 1.0;
+}
+
+std::size_t bytes_of_part(const Dynamics& dynamics) {
+  return 2 * sizeof(double) * (2 * static_cast<std::size_t>(dynamics.y_size()) + static_cast<std::size_t>(dynamics.history().size()));
+}
+
+/// Two parts that follow each other as one. `left`: which of the steps that no acceleration chose stays one.
+RunPart joined(RunPart a, RunPart b, bool left) {
+  KeptStep* steepest = &a.steepest;
+  for (KeptStep* other : {&b.steepest, left ? &b.any : &a.any})
+    if (other->change > steepest->change) steepest = other;
+  RunPart out;
+  out.steps = a.steps + b.steps;
+  out.t = a.t;
+  out.seconds = a.seconds + b.seconds;
+  out.sum_of_changes = a.sum_of_changes + b.sum_of_changes;
+  out.steepest = std::move(*steepest);
+  out.any = std::move(left ? a.any : b.any);
+  return out;
+}
+
+/// All but the first, which has one step.
+std::vector<RunPart> join_pairs(std::vector<RunPart> parts) {
+  std::vector<RunPart> out;
+  out.push_back(std::move(parts.front()));
+  for (std::size_t k = 1; k + 1 < parts.size(); k += 2)
+    out.push_back(joined(std::move(parts[k]), std::move(parts[k + 1]), out.size() % 2 == 0));
+  if (parts.size() % 2 == 0) out.push_back(std::move(parts.back()));
+  return out;
+}
+
+}  // namespace
+
+StepSampling::StepSampling(const Dynamics& dynamics)
+    : q_size_(dynamics.system().q_size()),
+      body_count_(dynamics.system().body_count()),
+      every_body_(1 + body_count_ / most_looked_at),
+      squared_length_(squared_length_of(dynamics.system())),
+      most_parts_(std::clamp(most_bytes / bytes_of_part(dynamics) / 2, std::size_t{1}, usual_parts)),
+      rates_(VectorXd::Zero(dynamics.system().v_size())),
+      system_(dynamics.system()) {
+  parts_.reserve(2 * most_parts_ + 2);
+}
+
+// A step costs two when it is taken again: 2 % of 10 000 steps. Of shorter runs more than a hundredth is needed to say
+// something: all of a few, then 20, which takes no time in a small mechanism and up to 40 % in a large one of 100
+// steps.
+std::int64_t StepSampling::samples(std::int64_t steps, int bodies) {
+  const std::int64_t few = bodies <= small_model ? 20 : std::clamp<std::int64_t>(steps / 10, 5, 20);
+  if (steps <= few) return steps;
+  return std::clamp<std::int64_t>(steps / 20, few, 2 * static_cast<std::int64_t>(usual_parts));
+}
+
+void StepSampling::expect(std::int64_t steps) {
+  const std::int64_t wanted = samples(steps, body_count_), most = static_cast<std::int64_t>(most_parts_);
+  const std::int64_t count = std::clamp<std::int64_t>(wanted < steps ? wanted / 2 : wanted, 1, most);
+  width_ = std::max<std::int64_t>((steps + count - 1) / count, 1);
+}
+
+void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
+  balance(dynamics, y);
+  if (dynamics.history().size() > 0) history_ = dynamics.history();
+  if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
+}
+
+void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
+  const double work = y[y.size() - 1], potential = dynamics.evaluation().potential;
+  const double kinetic = system_.kinetic_energy(y.segment(q_size_, system_.v_size()));
+  const double balance = kinetic + potential - work;
+  energies_.kinetic = std::max(energies_.kinetic, kinetic);
+  energies_.work = std::max(energies_.work, std::abs(work));
+  energies_.least_potential = std::min(energies_.least_potential, potential);
+  energies_.largest_potential = std::max(energies_.largest_potential, potential);
+  const double noise = energy_noise * std::max({kinetic, std::abs(potential), std::abs(work)});
+  const double made = std::abs(balance - balance_);
+  if (last_.kept() && made > noise) keep_jump(std::sqrt(kinetic_ + made) - std::sqrt(kinetic_));
+  last_.h = 0.0;
+  kinetic_ = kinetic;
+  balance_ = balance;
+}
+
+void StepSampling::keep_jump(double jump) {
+  sum_of_jumps_ += jump;
+  if (worst_.size() < most_outliers) return worst_.push_back({jump, last_});
+  const auto least = std::min_element(worst_.begin(), worst_.end(),
+                                      [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; });
+  if (jump > least->jump) *least = {jump, last_};
+}
+
+void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+  if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
+  RunPart& part = parts_.back();
+  const double changed = change(h, y, y_new);
+  if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
+  if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
+  else if (changed > steeper * std::max(part.steepest.change, part.any.change))
+    keep(part.steepest, t, h, changed, y, y_new);
+  keep(last_, t, h, changed, y, y_new);
+  part.steps += 1;
+  part.seconds += h;
+  part.sum_of_changes += changed;
+  steps_ += 1;
+}
+
+/// |(v_new - v)/h - (the same of the step before)|
+double StepSampling::change(double h, const VectorXd& y, const VectorXd& y_new) {
+  double sum = 0.0;
+  for (int body = 0; body < body_count_; body += every_body_) {
+    const Eigen::Index v = q_size_ + velocity_size * body, own = velocity_size * body;
+    const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) / h;
+    const Eigen::Matrix<double, 6, 1> other = rate - rates_.segment<6>(own);
+    sum += other.head<3>().squaredNorm() + squared_length_ * other.tail<3>().squaredNorm();
+    rates_.segment<6>(own) = rate;
+  }
+  return std::exchange(compared_, true) ? std::sqrt(sum) : 0.0;
+}
+
+void StepSampling::begin_part(double t) {
+  if (parts_.size() == 2 * most_parts_ + 1) {
+    parts_ = join_pairs(std::move(parts_));
+    parts_.reserve(2 * most_parts_ + 2);
+    width_ *= 2;
+  }
+  const double place = golden * static_cast<double>(parts_.size() + 1);
+  chosen_ = static_cast<std::int64_t>(static_cast<double>(width_) * (place - std::floor(place)));
+  parts_.emplace_back();
+  parts_.back().t = t;
+}
+
+void StepSampling::keep(KeptStep& place, double t, double h, double change, const VectorXd& y,
+                        const VectorXd& y_new) const {
+  place.t = t;
+  place.h = h;
+  place.change = change;
+  place.y = y;
+  place.y_new = y_new;
+  place.history = history_;
+  place.left_out = left_out_;
+}
+
+std::vector<RunPart> StepSampling::parts() const {
+  std::vector<RunPart> out = parts_;
+  const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
+  while (out.size() > 2 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
+    out = join_pairs(std::move(out));
+  return out;
+}
+
+std::vector<KeptStep> StepSampling::outliers(const std::vector<RunPart>& parts) const {
+  std::vector<KeptStep> out;
+  for (const Balanced& one : worst_) {
+    if (!(one.jump * static_cast<double>(steps_) > far_more * sum_of_jumps_)) continue;
+    const bool there = std::any_of(parts.begin(), parts.end(), [&](const RunPart& part) {
+      return (part.any.kept() && part.any.t == one.step.t) || (part.steepest.kept() && part.steepest.t == one.step.t);
+    });
+    if (!there) out.push_back(one.step);
+  }
+  return out;
+}
+
+double time_sampling(const Dynamics& dynamics, std::int64_t steps) {
+  StepSampling sampling(dynamics);
+  const VectorXd y = dynamics.initial_y(), y_new = 1.001 * y;
+  double seconds = 0.0;
+  sampling.expect(steps);
+  {
+    const Stopwatch watch(seconds, 1);
+    for (std::int64_t step = 0; step < steps; ++step) {
+      sampling.before(dynamics, step % 2 == 0 ? y : y_new);
+      sampling.after(static_cast<double>(step), 1.0, step % 2 == 0 ? y : y_new, step % 2 == 0 ? y_new : y);
+    }
+  }
+  return seconds;
+}
+
+}  // namespace linkwork

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "linkwork/formulation/dynamics.hpp"
+
+namespace linkwork {
+
+/// A step as a run took it, from y at t to y_new at t + h; y = (q, v, work).
+struct KeptStep {
+  double t = 0.0, h = 0.0;
+  double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
+  VectorXd y, y_new;
+  VectorXd history;  ///< variables of the elements, at t
+  std::vector<int> left_out;   ///< redundant rows, at t
+
+  bool kept() const { return h > 0.0; }
+};
+
+/// What energies came to over a run, at the ends of its steps [J].
+struct EnergyRange {
+  double kinetic = 0.0, work = 0.0;  ///< largest, of the work in amount
+  double least_potential = std::numeric_limits<double>::infinity();
+  double largest_potential = -std::numeric_limits<double>::infinity();
+};
+
+/// Some steps of a run, one after the other, and the two of them that are kept: one that the accelerations did not
+/// choose, and the one in which they change most.
+struct RunPart {
+  std::int64_t steps = 0;
+  double t = 0.0, seconds = 0.0;
+  double sum_of_changes = 0.0;
+  KeptStep any, steepest;
+};
+
+/// Keeps some steps of a run, spread over it and more where accelerations change most, so that they can be taken again
+/// when it is over: the run itself is not touched, and knows nothing of what they give. The run is cut into parts of
+/// equally many steps, with two kept steps each, after the first step, where nobody knows what came before; where
+/// nobody knows how many steps will come, parts are joined in pairs when there are too many.
+///
+/// Accelerations count as differences of velocities over steps, of angular ones times a length of the mechanism; in
+/// large models only some bodies are looked at.
+///
+/// A single bad step, such as one beside a singular pose, shows in the balance of energy, which costs no evaluation: with
+/// T and B = T + V - W at the start of a step and B' at its end, speeds in the metric of the masses are off by at least
+/// (T + |B' - B|)^1/2 - T^1/2. The steps in which this is largest are kept, too.
+class StepSampling {
+ public:
+  explicit StepSampling(const Dynamics& dynamics);
+
+  /// The run will have so many steps.
+  void expect(std::int64_t steps);
+
+  // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or `pass_over` where the step is
+  // not one of the method's own (cut by an event, a leap over a singular pose).
+  void before(const Dynamics& dynamics, const VectorXd& y);
+  void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
+  void pass_over() {
+    compared_ = false;
+    last_.h = 0.0;
+  }
+
+  /// The parts with what is to be taken again of them: of short runs less than what was kept.
+  std::vector<RunPart> parts() const;
+  std::int64_t steps() const { return steps_; }  ///< that `after` was told of
+  const EnergyRange& energies() const { return energies_; }
+  /// The steps in which the balance of energy jumps far more than elsewhere, without those of `parts`.
+  std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
+
+  /// How many of so many steps are taken again.
+  static std::int64_t samples(std::int64_t steps, int bodies);
+
+ private:
+  /// A step whose balance is known.
+  struct Balanced {
+    double jump = 0.0;
+    KeptStep step;
+  };
+
+  void balance(const Dynamics& dynamics, const VectorXd& y);
+  void keep_jump(double jump);
+  double change(double h, const VectorXd& y, const VectorXd& y_new);
+  void begin_part(double t);
+  void keep(KeptStep& place, double t, double h, double change, const VectorXd& y, const VectorXd& y_new) const;
+
+  int q_size_, body_count_, every_body_;
+  double squared_length_;
+  std::size_t most_parts_;
+  std::int64_t width_ = 1, chosen_ = 0;  ///< steps of a part, and which of them is kept in any case
+  std::int64_t steps_ = 0;
+  bool compared_ = false;  ///< rates_ are those of the step before
+  VectorXd rates_;
+  VectorXd history_;
+  std::vector<int> left_out_;
+  std::vector<RunPart> parts_;
+  const System& system_;
+  double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
+  EnergyRange energies_;
+  double sum_of_jumps_ = 0.0;
+  KeptStep last_;  ///< whose end `before` will see; h = 0: none
+  std::vector<Balanced> worst_;
+};
+
+/// Time that a run of so many steps spends on following them, without what they take themselves [s].
+double time_sampling(const Dynamics& dynamics, std::int64_t steps);
+
+}  // namespace linkwork

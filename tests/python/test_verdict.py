@@ -1,0 +1,322 @@
+"""The verdict of a run: near the truth, told wherever the run is shown, without a trace in the run."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import warnings
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import _core, mechanisms, verdict
+from linkwork.comparison.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.integrators import METHODS
+from linkwork.options import compile_options
+from random_mechanisms import make
+
+Floats = np.ndarray[Any, np.dtype[np.float64]]
+
+
+def quick(model: lw.Model, t_end: float, **how: Any) -> lw.Result:
+    return lw.simulate(model, t_end, **{"progress": False, "on_inaccurate": "pass", **how})
+
+
+def exact(model: lw.Model, result: lw.Result) -> lw.Result:
+    return quick(model, result.t[-1], rtol=1e-11, integrator="dop853", stabilization="projection",
+                 times=result.t)  # fmt: skip
+
+
+def true_error(model: lw.Model, result: lw.Result) -> float:
+    """Of the state, as `compare` measures it."""
+    best = exact(model, result)
+    reference = Sampled.of(best)
+    differences = Differences.between(Sampled.of(result), reference)
+    return float(differences.state(Scales.of(reference, longest_arm(best))).max())
+
+
+# --- near the truth ---
+
+
+@pytest.mark.parametrize("integrator", METHODS)
+def test_the_error_of_a_step_is_that_of_the_exact_motion_from_its_start(integrator: str) -> None:
+    model, h = mechanisms.spatial_slider_crank(), 2e-3
+    result = quick(model, 0.1, step=h, integrator=integrator, record_every=1, stabilization="none")
+    assert result.verdict is not None and result.verdict.steps
+    reference = Sampled.of(result)
+    scales = Scales.of(reference, longest_arm(result))
+    for step in result.verdict.steps[2::6]:
+        k = round(step.t / h)
+        start = result.snapshot(k)
+        end = quick(model, float(result.t[k + 1]), rtol=1e-12, atol=1e-15, integrator="dop853", start=start,
+                    times=[float(result.t[k + 1])], stabilization="none")  # fmt: skip
+        apart = Differences.between(_frame(Sampled.of(result), k + 1), _frame(Sampled.of(end), -1))
+        true = float(apart.state(scales).max())
+        if true > 1e-13:
+            assert 1 / 5 < step.error / true < 5, (step, true)
+
+
+def _frame(of: Sampled, k: int) -> Sampled:
+    return Sampled(*(getattr(of, name)[k:][:1] for name in ("t", "q", "v", "force", "torque")))
+
+
+@pytest.mark.parametrize(
+    ("name", "t_end", "step", "integrator"),
+    [
+        ("andrews", 0.03, 1e-3, "rk4"),
+        ("andrews", 0.03, 1e-4, "rk4"),
+        ("four_bar", 2.0, 0.2, "rk4"),
+        ("four_bar", 0.6, 1e-2, "abm4"),
+        ("pendulum", 10.0, 0.05, "rk4"),
+        ("bricard", 1.0, 1e-2, "hem4"),
+        ("spatial_slider_crank", 1.0, 1e-2, "heun"),
+        ("heavy_top", 1.0, 1e-3, "ab3"),
+        ("chain", 0.5, 5e-3, "heun"),
+    ],
+)
+def test_the_estimate_is_near_the_true_error(name: str, t_end: float, step: float, integrator: str) -> None:
+    model = mechanisms.MECHANISMS[name].function()
+    result = quick(model, t_end, step=step, integrator=integrator)
+    assert result.verdict is not None and result.verdict.state is not None
+    assert 0.2 < result.verdict.state / true_error(model, result) < 30, result.verdict
+
+
+@pytest.mark.parametrize("seed", [101, 105, 112, 150, 199, 221])
+def test_no_motion_that_is_wrong_by_more_than_a_percent_is_silent(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    kinds = ("revolute", "spherical", "universal", "cylindrical", "translational")
+    mechanism = make(seed, list(rng.choice(kinds, 3)), forces=["spring_damper"], driven=False)
+    for step in (0.1, 0.03, 0.01):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            try:
+                result = lw.simulate(mechanism.model, 1.0, step, progress=False)
+            except lw.LinkworkError:
+                continue
+        silent = not any(issubclass(it.category, lw.LinkworkWarning) for it in caught)
+        assert not (silent and true_error(mechanism.model, result) > 0.01), (step, result.verdict)
+
+
+def test_too_long_steps_are_a_warning_that_says_what_would_help() -> None:
+    model = mechanisms.andrews()
+    with pytest.warns(lw.LinkworkWarning, match="is too long: about .* % off; 0.0001 s would give 1e-4"):
+        lw.simulate(model, 0.03, 1e-3, progress=False)
+    better = lw.simulate(model, 0.03, 1e-4, progress=False)
+    assert true_error(model, better) < 1e-4
+    loose = quick(mechanisms.spatial_slider_crank(), 2.0, rtol=3e-2, integrator="bs32")
+    assert loose.verdict is not None and "the tolerances are too large" in loose.verdict.sentence
+
+
+def test_a_violation_counts_relative_to_the_size_of_the_mechanism_in_any_unit() -> None:
+    found = []
+    for unit in (1e-3, 1.0, 1e3):
+        model = lw.Model(gravity=(0, 0, -9.81 * unit))
+        rod = model.body("rod", mass=1.0, inertia=np.eye(3) * 0.1 * unit**2, position=(0.5 * unit, 0, 0))
+        model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0))
+        result = quick(model, 1.0, step=0.05, stabilization="none")
+        assert result.verdict is not None
+        found.append(result.verdict)
+    for a, b in pairwise(found):
+        assert a.violation == pytest.approx(b.violation, rel=1e-6)
+        assert a.state == pytest.approx(b.state, rel=1e-6)
+        assert a.energy == pytest.approx(b.energy, rel=1e-6)
+
+
+def test_what_does_not_move_is_not_inaccurate() -> None:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    rod = model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, -0.5))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0))
+    result = quick(model, 1.0, step=0.01)
+    assert result.verdict is not None and result.verdict.error < 1e-9
+
+
+# --- without a trace ---
+
+
+def _frames(dynamics: _core.Dynamics, run: _core.Run) -> dict[str, Floats]:
+    pieces = []
+    while not run.finished:
+        pieces.append(run.advance(10**6, 1e6))
+    return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+
+
+@pytest.mark.parametrize("integrator", ["rk4", "ab4", "hem4", "semi_implicit_euler"])
+@pytest.mark.parametrize("policy", ["pass", "stop"])
+def test_the_run_is_that_of_the_driver_alone_to_the_last_bit(integrator: str, policy: str) -> None:
+    model = mechanisms.four_bar()
+    stabilization = {"stabilization": "projection"} if integrator == "hem4" else {}
+    dynamics = _core.Dynamics(model.compiled(), compile_options(stabilization))
+    run = _core.Simulation(dynamics, METHODS[integrator].compiled(), 0.5, 1e-3, 1)
+    alone = _frames(dynamics, run)
+    result = quick(model, 0.5, step=1e-3, integrator=integrator, record_every=1, on_inaccurate=policy)
+    for name in ("q", "v", "vdot", "lambda", "work"):
+        np.testing.assert_array_equal(np.ravel(result.recorded(name)), np.ravel(alone[name]))
+    for name in ("evaluations", "factorizations", "solves", "singular_poses"):
+        assert result.statistics[name] == run.statistics()[name]
+
+
+def test_adaptive_runs_with_events_have_a_verdict_and_keep_their_steps() -> None:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    ball = model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, 1.0))
+
+    def reflect(t: float, state: lw.State) -> None:
+        state.body(ball).velocity *= -0.9
+
+    bounce = lw.Event(
+        lambda t, state: state.body(ball).position[2] - 0.1, "bounce", direction=-1, change=reflect
+    )
+    result = quick(model, 2.0, rtol=1e-8, events=[bounce], record_every=1)
+    assert result.events and result.verdict is not None and result.verdict.error < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("steps", "least", "most"), [(5, 5, 5), (20, 20, 20), (300, 11, 22), (10**4, 45, 105)]
+)
+def test_about_a_hundred_steps_are_taken_again_and_all_of_five(steps: int, least: int, most: int) -> None:
+    result = quick(mechanisms.pendulum(), steps * 1e-4, step=1e-4)
+    assert result.verdict is not None and result.verdict.steps_total == steps
+    assert least <= len(result.verdict.steps) <= most
+    assert result.statistics["evaluations"] == 4 * steps + 1
+
+
+def test_a_long_run_takes_steps_again_where_accelerations_change_most() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    mass = model.body("mass", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    model.force(mass, force=(lambda t: 50 * np.exp(-(((t - 0.615) / 0.005) ** 2)), 0, 0))
+    result = quick(model, 2.0, step=1e-3, integrator="heun")
+    assert result.verdict is not None
+    worst = max(result.verdict.steps, key=lambda step: step.error)
+    assert 0.58 < worst.t < 0.65
+
+
+# --- functions of the user's ---
+
+
+def _swinging(force: Any) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    rod = model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    model.user_force(force, bodies=[rod], name="wind")
+    return model
+
+
+def test_functions_that_remember_are_left_alone_and_that_is_said() -> None:
+    calls: list[float] = []
+
+    def wind(t: float, q: Floats, v: Floats) -> Floats:
+        calls.append(t)
+        return np.zeros_like(v)
+
+    model = _swinging(wind)
+    calls.clear()
+    result = quick(model, 0.1, step=1e-3)
+    assert len(calls) >= result.statistics["evaluations"]
+    assert calls[-1] == pytest.approx(0.1)
+    assert result.verdict is not None and result.verdict.state is None and not result.verdict.steps
+    assert "'wind' may remember" in result.verdict.left_out and "'wind'" in result.summary()
+
+
+def test_functions_that_remember_nothing_are_no_obstacle() -> None:
+    gains, table = [1.0, 2.0], np.array([0.5, 0.25])
+
+    def wind(t: float, q: Floats, v: Floats) -> Floats:
+        out = -0.1 * gains[0] * v
+        out[0, 0] += table[1]
+        return out
+
+    result = quick(_swinging(wind), 0.1, step=1e-3)
+    assert result.verdict is not None and result.verdict.state is not None
+    assert result.verdict.steps and result.verdict.level == "good"
+
+
+class Heun:
+    """The user's own, with or without a memory."""
+
+    order = 2
+
+    def __init__(self, counts: bool) -> None:
+        self.counts, self.calls = counts, 0
+
+    def __call__(self, system: lw.System, t: float, y: Floats, h: float) -> Floats:
+        self.calls += self.counts
+        k = system.derivative(t, y)
+        return y + h / 2 * (k + system.derivative(t + h, y + h * k))
+
+
+def test_an_integrator_of_the_users_own_takes_its_steps_again_unless_it_remembers() -> None:
+    model = mechanisms.spatial_slider_crank()
+    own = quick(model, 0.2, step=1e-3, integrator=Heun(counts=False))
+    ours = quick(model, 0.2, step=1e-3, integrator="heun")
+    assert own.verdict is not None and own.verdict.state is not None and ours.verdict is not None
+    assert own.verdict.state == pytest.approx(ours.verdict.state, rel=0.2)
+    counting = quick(model, 0.2, step=1e-3, integrator=Heun(counts=True))
+    assert counting.verdict is not None and "'integrator' may remember" in counting.verdict.left_out
+
+
+# --- what it means to the run ---
+
+
+def test_stop_ends_an_inaccurate_run_early_with_its_result() -> None:
+    with pytest.raises(lw.AccuracyError, match="too long") as stopped:
+        lw.simulate(mechanisms.pendulum(), 2000.0, 0.2, progress=False, on_inaccurate="stop", record_every=1)
+    result, state = stopped.value.result, stopped.value.state
+    assert result is not None and 200 <= len(result) < 5000
+    assert state is not None and state.t == pytest.approx(result.t[-1], abs=0.3)
+    model = mechanisms.andrews()
+    with pytest.raises(lw.AccuracyError) as ended:
+        lw.simulate(model, 0.03, 1e-3, progress=False, on_inaccurate="stop")
+    assert ended.value.result is not None and ended.value.result.finished
+    with pytest.raises(lw.OptionError, match="on_inaccurate 'stopp'"):
+        lw.simulate(model, 0.03, 1e-3, on_inaccurate="stopp")
+
+
+def test_runs_that_go_on_from_others_count_their_errors() -> None:
+    model = mechanisms.spatial_slider_crank()
+    first = quick(model, 0.5, step=5e-3)
+    second = quick(model, 1.0, step=5e-3, start=first.snapshot())
+    alone = quick(model, 1.0, step=5e-3, start=first.snapshot()._replace(error=0.0))
+    assert first.verdict is not None and second.verdict is not None and alone.verdict is not None
+    assert first.verdict.state is not None and alone.verdict.state is not None
+    assert second.verdict.before == pytest.approx(first.verdict.state)
+    assert second.verdict.state == pytest.approx(first.verdict.state + alone.verdict.state)
+
+
+# --- where it is told ---
+
+
+def test_the_verdict_is_told_wherever_the_run_is(tmp_path: Path) -> None:
+    model = mechanisms.four_bar()
+    path = tmp_path / "run.h5"
+    result = quick(model, 2.0, step=0.2, output=path)
+    found = result.verdict
+    assert found is not None and found.level in ("coarse", "wrong")
+    assert lw.Result.load(path).verdict == found
+    quick(model, 2.0, step=0.2).save(tmp_path / "saved.h5")
+    assert lw.Result.load(tmp_path / "saved.h5").verdict == found
+    assert found.sentence in result.summary()
+    assert result.manifest["verdict"]["sentence"] == found.sentence
+    assert found.sentence in result.report().html
+    assert found.sentence in result.view().html
+    assert verdict.Verdict.of(found.numbers()) == found
+
+
+def command(*words: str) -> tuple[int, str, str]:
+    """Exit code, standard output and standard error."""
+    run = ["run", "four_bar", "--t-end", "2", "--step", "0.2", *words]
+    done = subprocess.run(
+        [sys.executable, "-c", "from linkwork.cli import main; main()", *run], capture_output=True, text=True
+    )
+    return done.returncode, done.stdout, done.stderr
+
+
+def test_the_command_tells_it_in_its_table_and_in_json() -> None:
+    code, out, error = command()
+    assert code == 0 and "the step is too long" in out and error.startswith("warning: four_bar: the")
+    code, out, error = command("--on-inaccurate", "pass", "--json")
+    assert code == 0 and json.loads(out)["result"]["verdict"]["level"] == "wrong" and not error
+    code, _, error = command("--on-inaccurate", "stop")
+    assert code == 1 and error.startswith("error: four_bar: the step is too long")

@@ -1,0 +1,108 @@
+"""A second, finer run: what it says of the error of everything that is recorded."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+from matplotlib.collections import PolyCollection
+
+
+def quick(model: lw.Model, t_end: float, **how: Any) -> lw.Result:
+    return lw.simulate(model, t_end, **{"progress": False, "on_inaccurate": "pass", **how})
+
+
+def exact(model: lw.Model, result: lw.Result) -> lw.Result:
+    return quick(model, result.t[-1], rtol=1e-12, atol=1e-14, integrator="dop853", stabilization="projection",
+                 times=result.t)  # fmt: skip
+
+
+HOW: list[dict[str, Any]] = [
+    {"step": 0.01},
+    {"step": 0.005, "integrator": "heun"},
+    {"step": 0.002, "integrator": "ab3"},
+    {"rtol": 1e-5},
+    {"rtol": 1e-7, "integrator": "dop853"},
+]
+
+
+@pytest.mark.parametrize("how", HOW)
+@pytest.mark.parametrize("name", ["spatial_slider_crank", "bricard", "four_bar"])
+def test_three_times_the_band_contains_the_true_error(name: str, how: dict[str, Any]) -> None:
+    model = mechanisms.MECHANISMS[name].function()
+    result = quick(model, 0.5, verify=True, **how)
+    best = exact(model, result)
+    for what in ("q", "v", "acceleration", "energy", "reactions"):
+        values, true, error = (_array(it) for it in (getattr(result, what), getattr(best, what),
+                                                     result.error_of(what)))  # fmt: skip
+        rounding = 1e-11 * np.abs(true).max()
+        assert np.mean(np.abs(values - true) <= 3 * error + rounding) > 0.95, what
+        assert error.max() <= 100 * np.abs(values - true).max() + rounding, what
+
+
+def _array(of: Any) -> Any:
+    of = of() if callable(of) else of
+    return np.stack(of) if isinstance(of, tuple) else of
+
+
+def test_errors_have_the_shape_and_the_names_of_what_they_are_of() -> None:
+    result = quick(mechanisms.four_bar(), 0.5, step=0.02, verify=True)
+    pin = result.error_of("reaction", "pin 0", frame="joint")
+    assert isinstance(pin, lw.Reaction) and pin.force.shape == (len(result), 3)
+    body = result.error_of("body", 1)
+    assert isinstance(body, lw.BodyResult) and body.name == result.body_names[1]
+    np.testing.assert_array_equal(body.position, result.error_of("position")[:, 1])
+    angle = result.error_of("coordinate", "pin 0").value
+    assert 0 < angle.max() < 1e-3
+    with pytest.raises(lw.OptionError, match="the nearest is 'reaction"):
+        result.error_of("reactoin")
+    with pytest.raises(lw.OptionError, match="verify=True"):
+        quick(mechanisms.four_bar(), 0.1, step=0.02).error_of("energy")
+
+
+def test_the_finer_run_is_kept_in_files(tmp_path: Path) -> None:
+    kept = quick(mechanisms.four_bar(), 0.5, step=0.02, verify=True)
+    written = quick(mechanisms.four_bar(), 0.5, step=0.02, verify=True, output=tmp_path / "written.h5")
+    kept.save(tmp_path / "kept.h5")
+    for result in (written, lw.Result.load(tmp_path / "written.h5"), lw.Result.load(tmp_path / "kept.h5")):
+        assert result.verified and result.verdict == kept.verdict
+        np.testing.assert_array_equal(result.error_of("q"), kept.error_of("q"))
+        np.testing.assert_array_equal(result.error_of("reactions").force, kept.error_of("reactions").force)
+
+
+def test_the_verdict_is_that_of_the_finer_run() -> None:
+    model = mechanisms.spatial_slider_crank()
+    result = quick(model, 1.0, step=1e-2, verify=True)
+    found = result.verdict
+    assert found is not None and found.verified is not None and "by a second run" in found.sentence
+    best = exact(model, result)
+    true = np.abs(result.q - best.q).max()
+    assert 0.1 < found.verified / true < 10
+
+
+def test_plots_show_the_bands() -> None:
+    verified = quick(mechanisms.four_bar(), 1.0, step=0.05, verify=True)
+    for result, there in ((verified, True), (quick(mechanisms.four_bar(), 1.0, step=0.05), False)):
+        for kind in ("overview", "coordinates", "reactions"):
+            axes = result.plot(kind=kind).axes
+            bands = [it for ax in axes for it in ax.collections if isinstance(it, PolyCollection)]
+            assert bool(bands) is there, kind
+
+
+def test_a_function_that_remembers_is_not_run_twice() -> None:
+    model, calls = lw.Model(gravity=(0, 0, -9.81)), [0]
+    rod = model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0))
+
+    def wind(t: float, q: Any, v: Any) -> Any:
+        calls[0] += 1
+        return np.zeros_like(v)
+
+    model.user_force(wind, bodies=[rod], name="wind")
+    with pytest.warns(lw.LinkworkWarning, match="no second run was made, as 'wind' may remember"):
+        result = quick(model, 0.1, step=1e-2, verify=True)
+    assert not result.verified and calls[0] < 1.2 * result.statistics["evaluations"]
