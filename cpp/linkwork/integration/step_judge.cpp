@@ -150,7 +150,7 @@ void StepJudge::find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& fo
   const auto q = y.head(system.q_size());
   dynamics_.evaluate(t, y);
   dynamics_.accelerations(v_dot_, lambda_);
-  system.evaluate_constraints(t, q, y.segment(system.q_size(), system.v_size()), at_);
+  system.evaluate_constraints(t, q, y.segment(system.q_size(), system.v_size()), dynamics_.history(), at_);
   system.reactions(at_, q, lambda_, force, torque);
 }
 
