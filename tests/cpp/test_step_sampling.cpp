@@ -96,6 +96,24 @@ TEST_CASE("the step in which accelerations change most is kept") {
     }
 }
 
+TEST_CASE("a single step that makes energy is kept, an even loss in all of them is not") {
+  Dynamics dynamics(pendulum(), Options());
+  for (const int bad : {-1, 1234}) {
+    StepSampling sampling(dynamics);
+    VectorXd y = dynamics.initial_y(), y_new = y;
+    dynamics.evaluate(0.0, y);
+    for (int n = 0; n < 5000; ++n) {
+      sampling.before(dynamics, y);
+      y_new[y.size() - 1] += n == bad ? 1e-3 : 1e-9;  // as if the work were more than it is
+      sampling.after(n, 1.0, y, y_new);
+      y = y_new;
+    }
+    const std::vector<KeptStep> found = sampling.outliers({});
+    CHECK(found.size() == (bad < 0 ? 0 : 1));
+    for (const KeptStep& step : found) CHECK(step.t == bad);
+  }
+}
+
 TEST_CASE("a step taken again in halves gives its error, which falls with the order plus one") {
   const Model model = pendulum();
   double last = 0.0;

@@ -16,7 +16,7 @@ constexpr double steeper = 1.1;                        // than the steepest so f
 constexpr std::size_t most_outliers = 4;
 constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
 constexpr double energy_noise = 1e-13;
-constexpr double golden = 0.6180339887498949;          // spreads places evenly and in step with no period of the motion
+constexpr double golden = 0.6180339887498949;  // spreads places evenly and in step with no period of the motion
 
 /// Mean square of the distances of joints from centers of mass, in the metric that makes v and omega comparable.
 double squared_length_of(const System& system) {
@@ -102,18 +102,20 @@ void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
   energies_.largest_potential = std::max(energies_.largest_potential, potential);
   const double noise = energy_noise * std::max({kinetic, std::abs(potential), std::abs(work)});
   const double made = std::abs(balance - balance_);
-  if (last_.kept() && made > noise) keep_jump(std::sqrt(kinetic_ + made) - std::sqrt(kinetic_));
+  if (last_.kept() && made > noise) keep_jump(std::sqrt(kinetic_ + made) - std::sqrt(kinetic_), y);
   last_.h = 0.0;
   kinetic_ = kinetic;
   balance_ = balance;
 }
 
-void StepSampling::keep_jump(double jump) {
+void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
   sum_of_jumps_ += jump;
-  if (worst_.size() < most_outliers) return worst_.push_back({jump, last_});
+  if (worst_.size() < most_outliers) worst_.emplace_back();
   const auto least = std::min_element(worst_.begin(), worst_.end(),
                                       [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; });
-  if (jump > least->jump) *least = {jump, last_};
+  if (jump <= least->jump) return;
+  least->jump = jump;
+  keep(least->step, last_.t, last_.h, last_.change, last_.y, y_new);
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
@@ -124,7 +126,10 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
   else if (changed > steeper * std::max(part.steepest.change, part.any.change))
     keep(part.steepest, t, h, changed, y, y_new);
-  keep(last_, t, h, changed, y, y_new);
+  last_.t = t;
+  last_.h = h;
+  last_.change = changed;
+  last_.y = y;
   part.steps += 1;
   part.seconds += h;
   part.sum_of_changes += changed;

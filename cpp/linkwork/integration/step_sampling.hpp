@@ -43,9 +43,9 @@ struct RunPart {
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the mechanism; in
 /// large models only some bodies are looked at.
 ///
-/// A single bad step, such as one beside a singular pose, shows in the balance of energy, which costs no evaluation: with
-/// T and B = T + V - W at the start of a step and B' at its end, speeds in the metric of the masses are off by at least
-/// (T + |B' - B|)^1/2 - T^1/2. The steps in which this is largest are kept, too.
+/// A single bad step, such as one beside a singular pose, shows in the balance of energy, which costs no evaluation:
+/// with T and B = T + V - W at the start of a step and B' at its end, speeds in the metric of the masses are off by at
+/// least (T + |B' - B|)^1/2 - T^1/2. The steps in which this is largest are kept, too.
 class StepSampling {
  public:
   explicit StepSampling(const Dynamics& dynamics);
@@ -53,8 +53,8 @@ class StepSampling {
   /// The run will have so many steps.
   void expect(std::int64_t steps);
 
-  // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or `pass_over` where the step is
-  // not one of the method's own (cut by an event, a leap over a singular pose).
+  // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or
+  // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
   void before(const Dynamics& dynamics, const VectorXd& y);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
   void pass_over() {
@@ -80,7 +80,7 @@ class StepSampling {
   };
 
   void balance(const Dynamics& dynamics, const VectorXd& y);
-  void keep_jump(double jump);
+  void keep_jump(double jump, const VectorXd& y_new);
   double change(double h, const VectorXd& y, const VectorXd& y_new);
   void begin_part(double t);
   void keep(KeptStep& place, double t, double h, double change, const VectorXd& y, const VectorXd& y_new) const;
@@ -99,7 +99,7 @@ class StepSampling {
   double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
   EnergyRange energies_;
   double sum_of_jumps_ = 0.0;
-  KeptStep last_;  ///< whose end `before` will see; h = 0: none
+  KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   std::vector<Balanced> worst_;
 };
 
