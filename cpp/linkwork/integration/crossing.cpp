@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "linkwork/constraints/loop_core.hpp"
 #include "linkwork/math/error.hpp"
@@ -11,16 +12,16 @@ namespace linkwork {
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
-constexpr double reach = 0.2;           // of a leap [rad]: what the fastest body of the loops turns
-constexpr double fastest = 0.8;         // the same for any body
-constexpr double least_part = 0.1;      // of that, for leaps over a motion that varies more
-constexpr double near = 0.3;            // of the usual root of the smallest pivot: farther, nothing is due
-constexpr double near_at_start = 0.1;   // the same before there is a usual one
-constexpr double in_pose = 1e-5;        // at the start: rows that near each other, and only a leap leads out of it
-constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
-constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
-constexpr double stepped_over = 0.9;    // of the usual root: a step passed a pose only if its least is below
-constexpr double straight = 0.1;        // part of the gap between nodes by which a curve may correct a line
+constexpr double reach = 0.2;          // of a leap [rad]: what the fastest body of the loops turns
+constexpr double fastest = 0.8;        // the same for any body
+constexpr double least_part = 0.1;     // of that, for leaps over a motion that varies more
+constexpr double near = 0.3;           // of the usual root of the smallest pivot: farther, nothing is due
+constexpr double near_at_start = 0.1;  // the same before there is a usual one
+constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
+constexpr double steps_before = 15.0;  // so many steps before the pose a usual step is no longer taken
+constexpr double margin = 0.06;        // least distance of nodes from the pose, relative to the leap
+constexpr double stepped_over = 0.9;   // of the usual root: a step passed a pose only if its least is below
+constexpr double straight = 0.1;       // part of the gap between nodes by which a curve may correct a line
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double at_pose = 0.1;          // root of the pivot in the pose, part of the least at the nodes around it
@@ -30,16 +31,23 @@ constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is fou
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
 
-/// While it is there the watch does not look at evaluations.
+/// While it is there the watch does not look at evaluations, and afterwards force elements know nothing of them: a
+/// contact that began in a trial has not begun.
 class Unwatched {
  public:
-  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.watch_evaluations(false); }
-  ~Unwatched() { dynamics_.watch_evaluations(true); }
+  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics), memory_(dynamics.evaluation().memory) {
+    dynamics_.watch_evaluations(false);
+  }
+  ~Unwatched() {
+    dynamics_.watch_evaluations(true);
+    dynamics_.remember(memory_);
+  }
   Unwatched(const Unwatched&) = delete;
   Unwatched& operator=(const Unwatched&) = delete;
 
  private:
   Dynamics& dynamics_;
+  std::vector<double> memory_;
 };
 
 }  // namespace
@@ -156,6 +164,8 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   if (!starting_ && dynamics_.improve_rows()) return false;
   declined_ = trend ? trend->last.root : 0.0;
   Leap best;
+  std::vector<double> memory = dynamics_.evaluation().memory;
+  const std::vector<double> memory_before = memory;
   double badness = INFINITY;
   bool any_converged = false;
   GaussCollocation::Weights root = GaussCollocation::Weights::Zero();
@@ -167,6 +177,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
     double pose = starting_ ? 0.0 : foreseen(t), least = std::max({usual, 2.0 * pose, h});
     for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
       leap_.h = best_length(pose, grid, least, most);
+      dynamics_.remember(memory_before);
       const Quality quality = attempt();
       double place = pose / leap_.h;
       any_converged = any_converged || quality.converged;
@@ -180,6 +191,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
       if ((quality.good() && clear) ||
           (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
         best = leap_;
+        memory = dynamics_.evaluation().memory;
         root = root_;
         badness = quality.badness();
         if (quality.good() && clear) break;
@@ -197,6 +209,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   root_ = root;
   dynamics_.forget_trend();
   report();
+  dynamics_.remember(memory);
   return true;
 }
 
