@@ -172,9 +172,9 @@ class System {
   BodyForces body_forces_;
   std::vector<MassBlock> mass_, inverse_mass_;
   std::vector<int> massless_;
-  std::vector<CompiledJoints> joints_;              ///< one per kind in use
-  std::vector<Batch> force_batches_;                ///< one per registered kind
-  std::vector<int> joint_force_history_;            ///< places, -1 where there is none
+  std::vector<CompiledJoints> joints_;    ///< one per kind in use
+  std::vector<Batch> force_batches_;      ///< one per registered kind
+  std::vector<int> joint_force_history_;  ///< places, -1 where there is none
   std::vector<CompiledSpecialJoint> special_joints_;
   std::size_t most_bodies_ = 0;  ///< of a special joint
   std::vector<ConstraintBlock> blocks_;

@@ -67,9 +67,8 @@ void Simulation::work() {
   const double h = begin_step();
   if (h == 0.0) return;
   try {
-    divergence_.blame(kept_y_, t(), h, [&] {
-      dated(t(), h, [&] { integrator_->step(dynamics_, time_of(steps_done_), h, y_); });
-    });
+    divergence_.blame(kept_y_, t(), h,
+                      [&] { dated(t(), h, [&] { integrator_->step(dynamics_, time_of(steps_done_), h, y_); }); });
     finish_step();
   } catch (const NotFiniteError& error) {
     if (error.code() != Divergence::code) trace_step(h);

@@ -30,7 +30,8 @@ double squared_length_of(const System& system) {
 }
 
 std::size_t bytes_of_part(const Dynamics& dynamics) {
-  return 2 * sizeof(double) * (2 * static_cast<std::size_t>(dynamics.y_size()) + static_cast<std::size_t>(dynamics.history().size()));
+  return 2 * sizeof(double) *
+         (2 * static_cast<std::size_t>(dynamics.y_size()) + static_cast<std::size_t>(dynamics.history().size()));
 }
 
 /// Two parts that follow each other as one. `left`: which of the steps that no acceleration chose stays one.

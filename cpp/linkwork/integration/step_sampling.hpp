@@ -13,8 +13,8 @@ struct KeptStep {
   double t = 0.0, h = 0.0;
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
   VectorXd y, y_new;
-  VectorXd history;  ///< variables of the elements, at t
-  std::vector<int> left_out;   ///< redundant rows, at t
+  VectorXd history;           ///< variables of the elements, at t
+  std::vector<int> left_out;  ///< redundant rows, at t
 
   bool kept() const { return h > 0.0; }
 };
