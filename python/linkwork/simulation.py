@@ -171,7 +171,7 @@ def _system(
 def _check_folder(output: str | os.PathLike[str] | None) -> None:
     """FileError: there is no folder for it, which is told before how long the run would take."""
     if output is not None and not path_of(output, "result").absolute().parent.is_dir():
-        raise unwritable("result", output, FileNotFoundError(errno.ENOENT, "no folder"))
+        raise unwritable("output", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 
 def _listed(chosen: Mapping[str, Any]) -> str:

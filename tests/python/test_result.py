@@ -101,7 +101,7 @@ def test_body_by_name_and_by_index_are_columns_of_the_whole() -> None:
         (lambda result: result.reaction("pni 2"), "no joint named 'pni 2'; the nearest is 'pin 2'"),
         (
             lambda result: result.reaction("pin 2", frame="body"),
-            "frame 'body' is neither 'inertial' nor 'joint'",
+            "frame 'body' does not exist; choose from 'inertial', 'joint'",
         ),
     ],
 )

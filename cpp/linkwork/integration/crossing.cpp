@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "linkwork/constraints/loop_core.hpp"
@@ -13,17 +11,17 @@ namespace linkwork {
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
-constexpr double reach = 0.2;           // of a leap [rad]: what the fastest body of the loops turns
-constexpr double fastest = 0.8;         // the same for any body
-constexpr double least_part = 0.1;      // of that, for leaps over a motion that varies more
-constexpr double near = 0.3;            // of the usual root of the smallest pivot: farther, nothing is due
-constexpr double near_at_start = 0.05;  // the same before there is a usual one
-constexpr double least_usual = 0.15;     // usual root of the smallest pivot, for runs that begin near a pose
-constexpr double in_pose = 1e-3;        // at the start: nearer, and only a leap leads out of it
-constexpr double steps_before = 15.0;   // so many steps before the pose a usual step is no longer taken
-constexpr double margin = 0.06;         // least distance of nodes from the pose, relative to the leap
-constexpr double stepped_over = 0.9;    // of the usual root: a step passed a pose only if its least is below
-constexpr double straight = 0.1;        // part of the gap between nodes by which a curve may correct a line
+constexpr double reach = 0.2;          // of a leap [rad]: what the fastest body of the loops turns
+constexpr double fastest = 0.8;        // the same for any body
+constexpr double least_part = 0.1;     // of that, for leaps over a motion that varies more
+constexpr double near = 0.3;           // of the usual root of the smallest pivot: farther, nothing is due
+constexpr double near_at_start = 0.1;  // the same before there is a usual one
+constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for runs that begin near a pose
+constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
+constexpr double steps_before = 15.0;  // so many steps before the pose a usual step is no longer taken
+constexpr double margin = 0.06;        // least distance of nodes from the pose, relative to the leap
+constexpr double stepped_over = 0.9;   // of the usual root: a step passed a pose only if its least is below
+constexpr double straight = 0.1;       // part of the gap between nodes by which a curve may correct a line
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double at_pose = 0.1;          // root of the pivot in the pose, part of the least at the nodes around it
@@ -171,20 +169,14 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
     for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
       leap_.h = best_length(pose, grid, least, most);
       const Quality quality = attempt();
-      if (std::getenv("LWDBG"))
-        std::fprintf(stderr,
-                     "t %.6f L %.4e pose %.4e conv %d corr %.1e res %.1e en %.1e roots %.2e %.2e %.2e %.2e %.2e %.2e "
-                     "place %.3f\n",
-                     t, leap_.h, pose, quality.converged, quality.correction, quality.resolution, quality.energy,
-                     root_[0], root_[1], root_[2], root_[3], root_[4], root_[5], place_of_pose());
       double place = pose / leap_.h;
+      any_converged = any_converged || quality.converged;
       if (quality.converged) {
         place = place_of_pose();
         if (!(place > -0.5 && place < 1.5)) break;
         pose = place * leap_.h;
       }
-      any_converged = any_converged || quality.converged;
-      if (starting_ && quality.converged && quality.jump > no_branch) throw_no_branch(t);
+      if (starting_ && quality.converged && quality.jump > no_branch && in_singular_pose(t, y)) throw_no_branch(t);
       const bool beyond = place > 1.0 && leap_.h < most, clear = nearest_node(place) >= margin && !beyond;
       if ((quality.good() && clear) ||
           (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
@@ -197,8 +189,8 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
       else if (!quality.good()) least = std::max(0.6 * least, least_part * usual);
     }
   }
-  if (badness == INFINITY && starting_ && !any_converged && start_root_ < in_pose &&
-      size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0)
+  if (badness == INFINITY && starting_ && !any_converged &&
+      size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0 && in_singular_pose(t, y))
     throw_no_branch(t);
   if (badness == INFINITY) return false;
   declined_ = 0.0;
@@ -223,6 +215,13 @@ void Crossing::allocate(double t, const VectorXd& y) {
   leap_ = {t, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
   v_dot_.resize(system.v_size());
   for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
+}
+
+/// A small pivot alone is no sign: that of a long chain, or beside bodies of little mass, is small in every pose.
+bool Crossing::in_singular_pose(double t, const VectorXd& y) const {
+  const System& system = dynamics_.system();
+  const VectorXd q = y.head(system.q_size());
+  return examine_pose(system, {t, q, dynamics_.history()}, dynamics_.dropped().rows(), in_pose).singular;
 }
 
 void Crossing::throw_no_branch(double t) const {
