@@ -218,8 +218,8 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
 
 def check_history(dynamics: _core.Dynamics, start: Snapshot) -> None:
     """OptionError: that of another model."""
-    given, known = np.asarray(start.history, dtype=float), len(dynamics.initial_history)
-    if len(given) and (given.shape != (known,) or not np.isfinite(given).all()):
+    given, known = array(start.history, "start: history"), len(dynamics.initial_history)
+    if given.size and (given.shape != (known,) or not np.isfinite(given).all()):
         raise OptionError(
             f"start: its history has {given.size} variables, or one that is not finite, but the springs, "
             f"stops, contacts and couplers of the model have {known}: start from a run of the same model, or "
@@ -231,8 +231,8 @@ def check_history(dynamics: _core.Dynamics, start: Snapshot) -> None:
 def _take_history(core: _core.Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
     """OptionError: that of another model. LinkworkWarning: there is none."""
     check_history(dynamics, start)
-    given = np.asarray(start.history, dtype=float)
-    if not len(given):
+    given = array(start.history, "start: history")
+    if not given.size:
         given = dynamics.beginning_history(start.t, np.ravel(start.q), np.ravel(start.v))
         if start.t > 0:
             _warn_of_beginnings(core)

@@ -137,8 +137,8 @@ def test_a_run_of_hours_is_told_and_runs(monkeypatch: pytest.MonkeyPatch) -> Non
     [
         {"t": np.nan}, {"t": "now"}, {"t": None}, {"t": np.inf}, {"q": "q"}, {"q": [[1], [2, 3]]},
         {"v": None}, {"q": np.zeros((7, 1))}, {"v": np.full((1, 6), np.inf)}, {"t": 5.0},
-        {"memory": "x"}, {"memory": 3},
-        {"memory": (np.nan,)},
+        {"history": "x"}, {"history": 3},
+        {"history": (np.nan,)},
     ],
     ids=str,
 )  # fmt: skip
