@@ -233,7 +233,7 @@ MISTAKES = [
     (
         ["run", "pendulum", "--output", "/nowhere/run.h5"],
         1,
-        "result '/nowhere/run.h5': cannot be written: no such",
+        "output '/nowhere/run.h5': cannot be written: no such",
     ),
     (
         ["run", "pendulum", "--plot", "/nowhere/run.png"],
