@@ -709,15 +709,17 @@ class Run:
         """
         Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. `method`: data, or step(t, y, h), of this order where it is known.
         """
-    @property
-    def energies(self) -> tuple:
-        """Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J]."""
     def relative_violation(self) -> float:
         """
         Largest violation of a position constraint now, relative to the size of the mechanism.
         """
     def statistics(self) -> dict: ...
     def take_frames(self) -> dict: ...
+    @property
+    def energies(self) -> tuple[float, float, float, float]:
+        """
+        Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].
+        """
     @property
     def finished(self) -> bool: ...
     @property

@@ -486,6 +486,7 @@ class ForceMethods:
         at: ArrayLike,
         damping: TimeFunctionLike = 0.0,
         rotational_damping: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
