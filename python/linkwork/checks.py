@@ -138,8 +138,8 @@ def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
         if not len(starts):
             return Residuals(level, np.zeros(0), np.zeros(0), 0.0)
         relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > 0)
-        each = (np.maximum.reduceat(x, starts) for x in (values, relative))
-        return Residuals(level, *each, RESIDUAL_TOLERANCE + roundoff)
+        value, part = (np.maximum.reduceat(x, starts) for x in (values, relative))
+        return Residuals(level, value, part, RESIDUAL_TOLERANCE + roundoff)
 
     return [of("poses", "Phi", lengths), of("velocities", "Phi_dot", lengths * rate)]
 
@@ -248,7 +248,7 @@ def _warn_of_beginnings(core: _core.Model) -> None:
         warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
     laws = [name for name, coordinate in core.joint_forces if coordinate != "displacement"]
     if laws:
-        turns = REMEMBERING["rotational_stop"]
+        turns = BEGINNING["rotational_stop"]
         warn(f"start: {_listed(len(laws), laws.__getitem__)}: {turns}")
 
 

@@ -336,9 +336,8 @@ class Expression(TimeFunction):
         from linkwork.expressions import Formula
 
         formula = Formula(self.text)
-        return _core.TimeFunction.callback(
-            *(partial(formula.derivative, order=k) for k in range(3)), what=f"expression '{self.text}'"
-        )
+        value, rate, acceleration = (partial(formula.derivative, order=k) for k in range(3))
+        return _core.TimeFunction.callback(value, rate, acceleration, what=f"expression '{self.text}'")
 
 
 def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
@@ -391,7 +390,7 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
             _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
         if len(x) == 3:
             _check_derivatives(*x, what)
-        return Callback(*x, what=what)
+        return Callback(*x, what=what)  # type: ignore[misc]
     return _finite(x, what)
 
 

@@ -428,7 +428,8 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         index, text = self._joint_named(joint, "joint_force")
         name = self._named(name, "joint force", len(self._user_forces))
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
-        law, compiled = function, function
+        law: Any = function
+        compiled: Any = function
         if not callable(function):
             law = _effort(function, name)
             compiled = law.compiled()
@@ -745,7 +746,7 @@ def _effort(law: object, name: str) -> TimeFunction:
     if isinstance(law, TimeFunction):
         return law
     if isinstance(law, int | float | np.number):
-        return functions.constant(as_time_function(law, f"joint force '{name}'"))
+        return functions.constant(as_time_function(law, f"joint force '{name}'"))  # type: ignore[arg-type]
     wanted = "not a function of (t, x, x_dot), a function of time, or a number"
     raise ModelError(f"joint force '{name}': {law!r:.80} is {wanted}", code="not_callable")
 

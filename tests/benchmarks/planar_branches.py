@@ -1,7 +1,7 @@
 """Mechanisms that pass singular poses, with their motion along one branch in minimal coordinates.
 
-A branch is a curve of poses: planar bodies whose positions and angles are functions of one coordinate s, written
-with `Jet`, which carries two derivatives. The equation of motion along it,
+A branch is a curve of poses: planar bodies whose positions and angles are functions of one coordinate s,
+written with `Jet`, which carries two derivatives. The equation of motion along it,
 
     m(s) s_ddot + m'(s) s_dot^2 / 2 + V'(s) = 0,
 
@@ -90,7 +90,8 @@ Pose = Callable[[Jet], Sequence[tuple[Jet, Jet, Jet]]]
 class Branch:
     """A mechanism on one branch of its motion.
 
-    pins      (a, distance of the pin from the base point of a along its axis, b or -1, the same of b, or x on ground)
+    pins      (a, distance of the pin from the base point of a along its axis, b or -1, the same of b, or x on
+              the ground)
     sliders   bodies that slide along x without turning
     pose      x, y of the base point and the angle of each link as functions of s
     singular  an s at which branches meet; period between such s
@@ -190,7 +191,8 @@ class Branch:
             c, n = np.cos(angle.f), np.sin(angle.f)
             omega = np.array([n * spin[1], c * spin[1], angle.d * state[1]])  # body axes
             bodies.append(
-                model.body(f"link {k}", mass=link.mass, inertia=link.inertia * np.array([0.2, 0.8, 1.0]), position=center,
+                model.body(f"link {k}", mass=link.mass, inertia=link.inertia * np.array([0.2, 0.8, 1.0]),
+                           position=center,
                            orientation=(np.cos(half), 0, 0, np.sin(half)), omega=omega,
                            velocity=np.array([x.d, y.d, 0.0]) * state[1] + np.cross(spin, center))
             )  # fmt: skip
@@ -270,7 +272,7 @@ def row_of_two(masses: Sequence[float], lengths: tuple[float, float, float], nam
 
 
 def folding_six_bar() -> Branch:
-    """A parallelogram whose second crank drives an antiparallelogram: all links fold onto one line at once."""
+    """A parallelogram whose second crank drives an antiparallelogram: all links fold at once."""
     a, b, c = 0.6, 1.3, 1.1
     links = (
         Link(1.0, a * a / 12, a / 2),

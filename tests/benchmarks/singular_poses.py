@@ -2,10 +2,10 @@
 
 python tests/benchmarks/singular_poses.py [--runs 200] [--few 20] [--only NAME ...] [--json FILE]
 
-Seven mechanisms (planar_branches.py) with random initial speeds, and with starts from which a pose falls within
-1e-12 .. 1e-6 s of the end or a stage of a step; steps of 1e-3 .. 1e-5 s, tolerances 1e-6 .. 1e-12. Errors are those of
-the total energy, relative to the largest kinetic energy, and of positions, relative to the size of the mechanism,
-against the motion along the same branch in minimal coordinates.
+Seven mechanisms (planar_branches.py) with random initial speeds, and with starts from which a pose falls
+within 1e-12 .. 1e-6 s of the end or a stage of a step; steps of 1e-3 .. 1e-5 s, tolerances 1e-6 .. 1e-12.
+Errors are those of the total energy, relative to the largest kinetic energy, and of positions, relative to
+the size of the mechanism, against the motion along the same branch in minimal coordinates.
 """
 
 from __future__ import annotations
@@ -151,7 +151,8 @@ def crossings(branch: Branch, start: np.ndarray, t_end: float) -> int:
 
 
 def table(found: list[Found]) -> str:
-    lines = [f"{'method':22}{'step/rtol':>10}{'mechanism':>20}{'runs':>6}{'median':>10}{'worst dE':>10}{'asked':>9}"
+    lines = [f"{'method':22}{'step/rtol':>10}{'mechanism':>20}{'runs':>6}{'median':>10}{'worst dE':>10}"
+             f"{'asked':>9}"
              f"{'worst x':>10}{'violation':>11}{'listed':>8}{'failed':>8}"]  # fmt: skip
     groups: dict[tuple[str, float, str], list[Found]] = {}
     for it in found:

@@ -1,4 +1,4 @@
-"""Singular poses are passed on the branch of the motion, at every step and tolerance: a seeded part of the benchmark."""
+"""Singular poses are passed on the branch of the motion, at every step: a part of the benchmark."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_a_smaller_step_is_not_worse(step: float) -> None:
 
 
 def test_frames_beside_a_pose_have_the_accelerations_of_the_branch() -> None:
-    """Of a parallelogram of four equal bars of 1 kg with rods of 1 m: theta_ddot = -(2 + 1) g cos(theta) / (2/3 + 1) / 1 m
+    """Of rods of 1 m and 1 kg: theta_ddot = -2 g cos(theta) / (2/3 + 1) m,
     from the horizontal; the frame at the pose is none of roundoff."""
     result = lw.simulate(mechanisms.four_bar(1), 0.72, 1e-4, progress=False)
     near = np.abs(result.t - 0.70845) < 2e-3
@@ -51,7 +51,7 @@ def test_frames_beside_a_pose_have_the_accelerations_of_the_branch() -> None:
 
 
 def flat_parallelogram(rocker: float) -> lw.Model:
-    """Crank and rocker of 1 m on one line, the crank at 3 rad/s: D v = 0 with any speed [rad/s] of the rocker."""
+    """Crank and rocker of 1 m on one line, the crank at 3 rad/s: D v = 0 with any rate of the rocker."""
     model = lw.Model(gravity=(0, -9.81, 0))
 
     def bar(name: str, x: float, omega: float, velocity: float) -> lw.Body:
@@ -95,7 +95,7 @@ def test_velocities_of_no_branch_are_refused_in_a_singular_pose(
 def test_a_run_leaves_a_singular_pose_on_the_branch_of_its_velocities(
     rocker: float, options: dict[str, object]
 ) -> None:
-    """As a parallelogram, or crossed: with bars of 1 m 2 m apart it turns by -3 times the crank's rate there."""
+    """As a parallelogram, or crossed: 2 m apart it turns by -3 times the crank's rate there."""
     result = lw.simulate(flat_parallelogram(rocker), 0.3, progress=False, **options)
     assert np.abs(result.energy_error).max() <= 1e-6
     turns = [2 * np.arctan2(result.orientation[-1, k, 3], result.orientation[-1, k, 0]) for k in (0, 2)]

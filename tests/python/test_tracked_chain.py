@@ -11,7 +11,13 @@ SHOES = 60
 
 
 def run(t_end: float, step: float = 2e-4, speed: float = 1.0) -> lw.Result:
-    return lw.simulate(lw.mechanisms.tracked_chain(SHOES, speed), t_end=t_end, step=step, on_inaccurate="pass", progress=False)
+    return lw.simulate(
+        lw.mechanisms.tracked_chain(SHOES, speed),
+        t_end=t_end,
+        step=step,
+        on_inaccurate="pass",
+        progress=False,
+    )
 
 
 def pins_of(result: lw.Result) -> np.ndarray:

@@ -129,7 +129,7 @@ def linearize(
     at = start if start is not None else Snapshot(0.0, *_initial(model))
     if len(at.history):
         checks.check_history(eq.dynamics, at)
-        eq.dynamics.history = at.history
+        eq.dynamics.history = np.asarray(at.history, dtype=float)
     elif start is not None:
         eq.dynamics.history = eq.dynamics.beginning_history(at.t, np.ravel(at.q), np.ravel(at.v))
     coefficients = _coefficients(eq, at)
