@@ -94,8 +94,8 @@ def simulate(
     Redundant constraint equations are found and left out of the solution; the reactions that they leave open
     are those of least norm, see `Result.unique_reactions`.
 
-    At singular poses, where equations of loops depend on each other for a moment and the motion could go on
-    in several ways, a rank-revealing factorization takes over; `Result.singular_poses` lists them.
+    Singular poses, where equations of loops depend on each other for a moment and the motion could go on in
+    several ways, are taken in one leap by collocation; `Result.singular_poses` lists them.
 
     OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
@@ -113,8 +113,9 @@ def simulate(
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
     check_name("on_inaccurate", on_inaccurate, POLICIES)
-    if not isinstance(assemble, bool):
-        raise OptionError(f"assemble {assemble!r:.80} is not True or False", code="assemble")
+    for name, choice in (("assemble", assemble), ("verify", verify)):
+        if not isinstance(choice, bool):
+            raise OptionError(f"{name} {choice!r:.80} is not True or False", code=name)
     checks.check_tables(model, t_end)
     known = break_points.of_run(model, breaks, t_start, t_end)
     break_points.check_drivers(model, t_start, t_end, adaptive=isinstance(plan, schedule.Adaptive))

@@ -106,3 +106,8 @@ def test_a_function_that_remembers_is_not_run_twice() -> None:
     with pytest.warns(lw.LinkworkWarning, match="no second run was made, as 'wind' may remember"):
         result = quick(model, 0.1, step=1e-2, verify=True)
     assert not result.verified and calls[0] < 1.2 * result.statistics["evaluations"]
+
+
+def test_verify_is_true_or_false() -> None:
+    with pytest.raises(lw.OptionError, match="verify 'yes' is not True or False"):
+        lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, verify="yes", progress=False)  # type: ignore[arg-type]
