@@ -205,10 +205,10 @@ void bind_information(py::module_& module) {
       .def_readonly("name", &LinearSolverInfo::name)
       .def_readonly("documentation", &LinearSolverInfo::documentation)
       .def_property_readonly("available", [](const LinearSolverInfo& info) { return info.available(); })
-      .def_property_readonly("systems", [](const LinearSolverInfo& info) {
+      .def_property_readonly("matrix_forms", [](const LinearSolverInfo& info) {
         std::vector<std::string> out;
-        for (const char* form : {"kkt", "schur", "normal"})
-          if (can_solve(form, info)) out.push_back(form);
+        for (const MatrixForm& form : matrix_forms())
+          if (can_solve(form.name, info)) out.emplace_back(form.name);
         return out;
       });
   module.def("linear_solvers", [] { return linear_solvers(); });
@@ -218,10 +218,10 @@ void bind_information(py::module_& module) {
   py::class_<FormulationInfo>(module, "FormulationInfo", "A registered formulation.")
       .def_readonly("name", &FormulationInfo::name)
       .def_readonly("documentation", &FormulationInfo::documentation)
-      .def_readonly("systems", &FormulationInfo::forms)
+      .def_readonly("matrix_forms", &FormulationInfo::forms)
+      .def_readonly("options", &FormulationInfo::options)
       .def_readonly("needs_full_rank", &FormulationInfo::needs_full_rank)
-      .def_readonly("has_penalty", &FormulationInfo::has_penalty)
-      .def_readonly("iterative", &FormulationInfo::iterative);
+      .def_readonly("compliant", &FormulationInfo::compliant);
   module.def("formulations", [] { return formulations(); });
   py::class_<StabilizationInfo>(module, "StabilizationInfo", "A registered stabilization.")
       .def_property_readonly("name", [](const StabilizationInfo& info) { return info.name; })
@@ -230,21 +230,26 @@ void bind_information(py::module_& module) {
 }
 
 void bind_options(py::module_& module) {
+  py::class_<OptionInfo>(module, "OptionInfo", "What an option of a run can be.")
+      .def_readonly("name", &OptionInfo::name)
+      .def_readonly("type", &OptionInfo::type, "\"name\", \"number\", \"whole\" or \"limits\".")
+      .def_readonly("choices", &OptionInfo::choices, "Of a name.")
+      .def_readonly("positive", &OptionInfo::positive, "A number: not zero.")
+      .def_readonly("usual", &OptionInfo::usual, "A number of some methods only: where it is not given, or None.")
+      .def_readonly("unit", &OptionInfo::unit)
+      .def_readonly("documentation", &OptionInfo::documentation)
+      .def_readonly("methods", &OptionInfo::methods,
+                    "Formulations or stabilizations that have it; empty: it is of all.");
+  module.def("options", &option_infos, "The table of options, formulation/options.def.");
   py::class_<Options>(module, "Options", "The choices of a run.")
       .def(py::init<>())
-      .def_readwrite("formulation", &Options::formulation)
-      .def_readwrite("system", &Options::system)
-      .def_readwrite("linear_solver", &Options::linear_solver)
-      .def_readwrite("stabilization", &Options::stabilization)
-      .def_readwrite("baumgarte_alpha", &Options::baumgarte_alpha)
-      .def_readwrite("baumgarte_beta", &Options::baumgarte_beta)
-      .def_readwrite("penalty", &Options::penalty)
-      .def_readwrite("penalty_scale", &Options::penalty_scale)
-      .def_readwrite("tolerance", &Options::tolerance)
-      .def_readwrite("max_iterations", &Options::max_iterations)
-      .def_readwrite("on_singular", &Options::on_singular)
-      .def_readwrite("violation_limit", &Options::violation_limit)
-      .def_readwrite("on_violation", &Options::on_violation);
+      .def("resolved", &resolve, "As a run has them; OptionError: what cannot be honored.")
+#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) .def_readwrite(#NAME, &Options::NAME)
+#define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) .def_readwrite(#NAME, &Options::NAME)
+#include "linkwork/formulation/options.def"
+#undef LINKWORK_OPTION
+#undef LINKWORK_METHOD_OPTION
+      ;
   py::class_<RankReport>(module, "RankReport",
                          "Rank of the constraint matrix D: what is redundant in every pose, and what only in the "
                          "assembled one.")
@@ -460,7 +465,7 @@ void bind_formulation(py::module_& module) {
       .def_property_readonly("body_count", [](const Dynamics& d) { return d.system().body_count(); })
       .def_property_readonly("joint_count", [](const Dynamics& d) { return d.system().joint_count(); })
       .def_property_readonly("row_count", [](const Dynamics& d) { return d.system().row_count(); })
-      .def_property_readonly("system", [](const Dynamics& d) { return d.options().system; })
+      .def_property_readonly("matrix_form", [](const Dynamics& d) { return d.options().matrix_form; })
       .def_property_readonly("linear_solver", [](const Dynamics& d) { return d.options().linear_solver; })
       .def_property_readonly("options", &Dynamics::options)
       .def_property_readonly("initial_history", &Dynamics::initial_history,

@@ -23,6 +23,7 @@ __all__ = [
     "KindInfo",
     "Model",
     "Multistep",
+    "OptionInfo",
     "Options",
     "RankReport",
     "Run",
@@ -37,6 +38,7 @@ __all__ = [
     "instruction_set",
     "joint_kinds",
     "linear_solvers",
+    "options",
     "special_joint_kinds",
     "stabilizations",
     "time_sampling",
@@ -297,11 +299,11 @@ class Dynamics:
     @property
     def linear_solver(self) -> str: ...
     @property
+    def matrix_form(self) -> str: ...
+    @property
     def options(self) -> Options: ...
     @property
     def row_count(self) -> int: ...
-    @property
-    def system(self) -> str: ...
 
 class EmbeddedPair:
     """
@@ -350,17 +352,17 @@ class FormulationInfo:
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @property
+    def compliant(self) -> bool: ...
+    @property
     def documentation(self) -> str: ...
     @property
-    def has_penalty(self) -> bool: ...
-    @property
-    def iterative(self) -> bool: ...
+    def matrix_forms(self) -> list[str]: ...
     @property
     def name(self) -> str: ...
     @property
     def needs_full_rank(self) -> bool: ...
     @property
-    def systems(self) -> list[str]: ...
+    def options(self) -> list[str]: ...
 
 class HalfExplicit:
     """
@@ -610,6 +612,44 @@ class Multistep:
         starter: Tableau,
     ) -> None: ...
 
+class OptionInfo:
+    """
+    What an option of a run can be.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def choices(self) -> list[str]:
+        """
+        Of a name.
+        """
+    @property
+    def documentation(self) -> str: ...
+    @property
+    def methods(self) -> list[str]:
+        """
+        Formulations or stabilizations that have it; empty: it is of all.
+        """
+    @property
+    def name(self) -> str: ...
+    @property
+    def positive(self) -> bool:
+        """
+        A number: not zero.
+        """
+    @property
+    def type(self) -> str:
+        """
+        "name", "number", "whole" or "limits".
+        """
+    @property
+    def unit(self) -> str: ...
+    @property
+    def usual(self) -> float | None:
+        """
+        A number of some methods only: where it is not given, or None.
+        """
+
 class Options:
     """
     The choices of a run.
@@ -617,13 +657,17 @@ class Options:
 
     formulation: str
     linear_solver: str
+    matrix_form: str
     on_singular: str
     on_violation: str
     stabilization: str
-    system: str
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     def __init__(self) -> None: ...
+    def resolved(self) -> Options:
+        """
+        As a run has them; OptionError: what cannot be honored.
+        """
     @property
     def baumgarte_alpha(self) -> float | None: ...
     @baumgarte_alpha.setter
@@ -633,9 +677,17 @@ class Options:
     @baumgarte_beta.setter
     def baumgarte_beta(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
     @property
-    def max_iterations(self) -> int: ...
+    def damping_ratio(self) -> float | None: ...
+    @damping_ratio.setter
+    def damping_ratio(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
+    @property
+    def frequency(self) -> float | None: ...
+    @frequency.setter
+    def frequency(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
+    @property
+    def max_iterations(self) -> int | None: ...
     @max_iterations.setter
-    def max_iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None: ...
+    def max_iterations(self, arg0: typing.SupportsInt | typing.SupportsIndex | None) -> None: ...
     @property
     def penalty(self) -> float | None: ...
     @penalty.setter
@@ -645,9 +697,9 @@ class Options:
     @penalty_scale.setter
     def penalty_scale(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
     @property
-    def tolerance(self) -> float: ...
+    def tolerance(self) -> float | None: ...
     @tolerance.setter
-    def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex) -> None: ...
+    def tolerance(self, arg0: typing.SupportsFloat | typing.SupportsIndex | None) -> None: ...
     @property
     def violation_limit(self) -> typing.Annotated[list[float], "FixedSize(3)"]: ...
     @violation_limit.setter
@@ -785,9 +837,9 @@ class SolverInfo:
     @property
     def documentation(self) -> str: ...
     @property
-    def name(self) -> str: ...
+    def matrix_forms(self) -> list[str]: ...
     @property
-    def systems(self) -> list[str]: ...
+    def name(self) -> str: ...
 
 class StabilizationInfo:
     """
@@ -904,6 +956,11 @@ def instruction_set() -> str:
 
 def joint_kinds() -> list[KindInfo]: ...
 def linear_solvers() -> list[SolverInfo]: ...
+def options() -> list[OptionInfo]:
+    """
+    The table of options, formulation/options.def.
+    """
+
 def special_joint_kinds() -> list[KindInfo]:
     """
     Of joints that a point and axes on two bodies do not describe; their numbers follow those of joint_kinds.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import logging
 import os
+import textwrap
 import time
 from collections.abc import Iterable, Mapping
 from typing import Any, Unpack
@@ -21,7 +22,8 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.interrupts import Interrupts
 from linkwork.manifest import manifest
 from linkwork.model import Model
-from linkwork.options import POLICIES, Options, check_name
+from linkwork.option_types import IntegratorName, described
+from linkwork.options import TABLE, Options, Policy, check_name, names
 from linkwork.progress import ProgressOption, check_progress, reporting
 from linkwork.recording import PythonStep
 from linkwork.result import Result, Snapshot
@@ -36,7 +38,7 @@ def simulate(
     model: Model,
     t_end: float,
     step: float | None = None,
-    integrator: str | Integrator | PythonStep | None = None,
+    integrator: IntegratorName | Integrator | PythonStep | None = None,
     *,
     rtol: float | None = None,
     atol: float | None = None,
@@ -48,22 +50,23 @@ def simulate(
     output: str | os.PathLike[str] | None = None,
     progress: ProgressOption = None,
     assemble: bool = True,
-    on_inaccurate: str = "warn",
+    on_inaccurate: Policy = "warn",
     verify: bool = False,
     **options: Unpack[Options],
 ) -> Result:
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
 
-    step          fixed, not longer than the run, or with rtol or atol the largest that is taken (None: no
-                  limit). What would take hours is told before the first step by a LinkworkWarning, what would
-                  take more than a month is refused
-    integrator    a name in linkwork.integrators.METHODS, a method as data, or step(system, t, y, h);
-                  None: "rk4", or "dopri5" with rtol or atol
-    rtol, atol    bounds of the error of each step, rtol * size + atol, for each body's position [m],
-                  rotation (size 1 rad), velocity [m/s] and angular velocity [rad/s]. One given makes the
-                  steps adaptive, which needs an integrator with an error estimate: "bs32", "dopri5", "tsit5"
-                  or "dop853". The other is then rtol = 1e-6 or atol = rtol / 1000
-    record_every  steps between frames; the last state is always recorded. With adaptive steps 1 keeps every
+    t_end         end of the simulated time [s]
+    step          [s] fixed, not longer than the run, or with rtol or atol the largest (None: no limit). What
+                  would take hours is told before the first step by a LinkworkWarning, what would take more
+                  than a month is refused
+    integrator    how steps are taken. A name in linkwork.integrators.METHODS, a method as data, or
+                  step(system, t, y, h); None: "rk4", or "dopri5" with rtol or atol
+    rtol          relative tolerance: steps that follow it (bs32, dopri5, tsit5, dop853). The error of each
+                  step is at most rtol * size + atol, for each body's position [m], rotation (size 1 rad),
+                  velocity [m/s] and angular velocity [rad/s]. Without it 1e-6 where atol is given
+    atol          absolute tolerance [m, rad, m/s, rad/s], without it rtol / 1000
+    record_every  steps between frames. The last state is always recorded. With adaptive steps 1 keeps every
                   step: numpy.diff(result.t) are their sizes
     times         frames at these times (adaptive steps only), interpolated where no step ends: output never
                   limits a step. Without record_every and times: at most about 1000 frames, evenly
@@ -79,17 +82,14 @@ def simulate(
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
                   of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
-    assemble      initial poses and velocities that violate the joints by up to 1/1000 of the size and speed
-                  of the mechanism are corrected as by linkwork.assemble, larger violations are refused.
+    assemble      correct initial poses and velocities that violate the joints a little. Up to 1/1000 of the
+                  size and speed of the mechanism as by linkwork.assemble, larger violations are refused;
                   False: the run starts from them as they are, with a warning
-    on_inaccurate "pass", "warn" or "stop": what an estimated error of more than 1 % means to the run, see
-                  `Result.verdict`. "stop" looks after it ever doubled the number of its steps, too
+    on_inaccurate what an estimated error of more than 1 % means to the run. "pass", "warn" or "stop", see
+                  `Result.verdict`; "stop" looks after it ever doubled the number of its steps, too
     verify        a second run at half the step, or a tenth of the tolerances: `Result.error_of` then tells
                   the error of whatever was recorded, and plots have error bands
-    options       formulation="standard", system="auto", stabilization="sampled_baumgarte",
-                  linear_solver="auto", baumgarte_alpha, baumgarte_beta, penalty, damping_ratio, frequency,
-                  tolerance, max_iterations, on_singular="pass",
-                  violation_limit, on_violation="record": see linkwork.options.Options
+    options       by name; what is left out, or None, has its default
 
     Redundant constraint equations are found and left out of the solution; the reactions that they leave open
     are those of least norm, see `Result.unique_reactions`.
@@ -112,7 +112,7 @@ def simulate(
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
-    check_name("on_inaccurate", on_inaccurate, POLICIES)
+    check_name("on_inaccurate", on_inaccurate, names()["on_inaccurate"])
     for name, choice in (("assemble", assemble), ("verify", verify)):
         if not isinstance(choice, bool):
             raise OptionError(f"{name} {choice!r:.80} is not True or False", code=name)
@@ -169,6 +169,22 @@ def simulate(
         ))  # fmt: skip
     judging.heed(result, on_inaccurate)
     return result
+
+
+_OPTIONS_LINE = "    options       by name; what is left out, or None, has its default\n"
+simulate.__doc__ = (
+    simulate.__doc__ or ""
+).replace(  # the table of the compiled module is the one text of options
+    _OPTIONS_LINE,
+    _OPTIONS_LINE
+    + "".join(
+        textwrap.fill(
+            f"{it.name:<17} {described(it)}", 110, initial_indent=" " * 8, subsequent_indent=" " * 26
+        )
+        + "\n"
+        for it in TABLE.values()
+    ),
+)
 
 
 def _system(

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from linkwork.errors import FileError, cause
 from linkwork.events import Occurrence
 from linkwork.header import MODEL_NAMES, Floats, Header
+from linkwork.options import renamed
 from linkwork.result_file import FORMAT, MODEL_ARRAYS, VERSION
 from linkwork.shapes_file import read_shapes
 
@@ -124,6 +125,7 @@ def _read_header(file: h5py.File) -> Header:
     if "history" in file["frames"]:  # not before version 3
         values["history_count"] = file["frames"]["history"].shape[1]
     manifest = json.loads(file.attrs["manifest"])
+    manifest |= {part: renamed(manifest[part]) for part in ("options", "options_given") if part in manifest}
     return Header(manifest=manifest, shapes=read_shapes(model), curves=curves, **values)
 
 

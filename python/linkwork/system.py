@@ -13,7 +13,7 @@ from linkwork import _core
 from linkwork.errors import OptionError
 from linkwork.given import array, number
 from linkwork.model import Model, check_model
-from linkwork.options import LEVELS, Options, compile_options
+from linkwork.options import LEVELS, TABLE, Options, compile_options
 
 __all__ = ["Evaluation", "System"]
 
@@ -76,9 +76,9 @@ class System:
         """The options as chosen: no "auto" left, gains that depend on the step None."""
         options = self._dynamics.options
         limits = zip(LEVELS, options.violation_limit, strict=True)
-        names = [name for name in Options.__annotations__ if name not in ("damping_ratio", "frequency")]
-        found = {name: getattr(options, name) for name in names}
-        return found | {"violation_limit": {level: x for level, x in limits if math.isfinite(x)} or None}
+        return {name: getattr(options, name) for name in TABLE} | {
+            "violation_limit": {level: x for level, x in limits if math.isfinite(x)} or None
+        }
 
     def initial_state(self) -> Floats:
         """y (13n,) at t = 0, as described in the model."""

@@ -27,7 +27,7 @@ from scipy.integrate import solve_ivp
 METHODS: dict[str, dict[str, Any]] = {
     "default": {},
     "penalty": {"formulation": "penalty"},
-    "schur": {"system": "schur"},
+    "schur": {"matrix_form": "schur"},
     "cholmod": {"linear_solver": "cholmod"},
     "augmented_lagrangian": {"formulation": "augmented_lagrangian"},
     "projection": {"stabilization": "projection"},

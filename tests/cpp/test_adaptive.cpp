@@ -229,7 +229,7 @@ TEST_CASE("events are known however a run is cut into pieces") {
 TEST_CASE("a trial step, its interpolation and a half-explicit step do not allocate after the first") {
   Options options;
   options.linear_solver = "dense";
-  options.system = "schur";
+  options.matrix_form = "schur";
   Dynamics dynamics(pendulum(), options);
   const ErrorMeasure measure(dynamics.system(), {});
   PairStepper stepper(bs32());

@@ -55,7 +55,7 @@ Model ring(const char* kind, int bodies, bool doubled) {
 long allocations_of(const Solver& solver, const Model& model) {
   Options options;
   options.formulation = solver.formulation;
-  options.system = solver.system;
+  options.matrix_form = solver.system;
   options.linear_solver = solver.linear_solver;
   Dynamics dynamics(model, options);
   const VectorXd y = dynamics.initial_y();

@@ -45,7 +45,7 @@ Options options_of(const std::string& formulation, const std::string& system = "
                    const std::string& solver = "auto") {
   Options options;
   options.formulation = formulation;
-  options.system = system;
+  options.matrix_form = system;
   options.linear_solver = solver;
   return options;
 }
@@ -106,7 +106,7 @@ TEST_CASE("M v_dot - D^T lambda = g and D v_dot = gamma") {
   for (const auto& [name, model] : mechanisms())
     for (const auto& options :
          {options_of("standard", "schur"), options_of("standard", "kkt"), options_of("augmented_lagrangian")}) {
-      INFO(name, " ", options.formulation, " ", options.system);
+      INFO(name, " ", options.formulation, " ", options.matrix_form);
       const Solution solution = solve(model, options);
       const System system(model);
       const Evaluation at = evaluate_initially(system);
@@ -395,8 +395,8 @@ TEST_CASE("an option that does not exist or cannot be honoured is refused with a
   };
   CHECK(code(options_of("standard")) == "none");
   CHECK(code(options_of("standart")) == "unknown_formulation");
-  CHECK(code(options_of("standard", "lkk")) == "system");
-  CHECK(code(options_of("penalty", "kkt")) == "system");
+  CHECK(code(options_of("standard", "lkk")) == "unknown_option");
+  CHECK(code(options_of("penalty", "kkt")) == "matrix_form");
   CHECK(code(options_of("standard", "auto", "cholmud")) == "unknown_linear_solver");
   CHECK(code(options_of("standard", "kkt", "cholmod")) == "linear_solver");
   Options options;

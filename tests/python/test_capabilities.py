@@ -45,9 +45,9 @@ def test_every_combination_runs_or_is_refused_with_a_way_out(formulation: str, s
         ran += runs(
             formulation=formulation, stabilization=stabilization, linear_solver=solver, integrator=integrator
         )
-    for solver, system in product(["auto", *SOLVERS], ["kkt", "schur"]):
+    for solver, form in product(["auto", *SOLVERS], ["kkt", "schur"]):
         ran += runs(
-            formulation=formulation, stabilization=stabilization, linear_solver=solver, system=system,
+            formulation=formulation, stabilization=stabilization, linear_solver=solver, matrix_form=form,
             integrator="rk4",
         )  # fmt: skip
     assert ran > len(SOLVERS) * len(METHODS) / 2

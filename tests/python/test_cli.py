@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,8 @@ import pytest
 from commands import running
 from linkwork import Result
 from linkwork.cli import run
+from linkwork.integrators import METHODS
+from linkwork.options import TABLE, names
 
 COMMAND = [sys.executable, "-c", "from linkwork.cli import main; main()"]
 QUICK = ["--t-end", "0.05", "--step", "1e-3"]
@@ -103,6 +106,13 @@ def test_every_mechanism_runs_and_is_checked_from_the_command_line(screen: Scree
         assert ran["result"]["t_end"] == pytest.approx(0.002), entry["name"]
         checked = document(screen, "check", entry["name"], "--json")
         assert checked["degrees_of_freedom"] == 6 * checked["bodies"] - checked["rank"], entry["name"]
+
+
+def test_help_of_a_run_lists_every_option_and_every_name(screen: Screen) -> None:
+    text = screen("run", "pendulum", "--help")[1]
+    words = {word.strip(".,:;()") for word in text.split()}
+    assert {"--" + name.replace("_", "-") for name in TABLE} <= words
+    assert {*METHODS, *chain.from_iterable(names().values())} <= words
 
 
 def test_options_reach_the_run_and_the_manifest(screen: Screen) -> None:
@@ -224,7 +234,12 @@ MISTAKES = [
         "'standrad' does not exist; the nearest is 'standard'",
     ),
     (["run", "pendulum", "--stabilization", "baum"], 1, "'baum' does not exist; the nearest is 'baumgarte'"),
-    (["run", "pendulum", "--system", "shur"], 1, "system 'shur' does not exist; the nearest is 'schur'"),
+    (["run", "pendulum", "--system", "kkt"], 2, "no option --system; it is called --matrix-form now"),
+    (
+        ["run", "pendulum", "--matrix-form", "shur"],
+        1,
+        "matrix_form 'shur' does not exist; the nearest is 'schur'",
+    ),
     (
         ["run", "pendulum", "--linear-solver", "clhomod"],
         1,
@@ -246,9 +261,9 @@ MISTAKES = [
     (["run", "chain", "--bodies", "many"], 2, "'--bodies': 'many' is not a whole number"),
     (["run", "chain", "--joint", "sferical"], 1, "'sferical' is not available; the nearest is 'spherical'"),
     (
-        ["run", "bricard", "--system", "kkt", "--linear-solver", "klu"],
+        ["run", "bricard", "--matrix-form", "kkt", "--linear-solver", "klu"],
         1,
-        "use system 'schur', or linear solver",
+        "use matrix_form 'schur', or linear solver",
     ),
     (["demo", "--output-dir", "/proc/nowhere"], 1, "'/proc/nowhere'"),
 ]

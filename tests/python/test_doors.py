@@ -70,7 +70,7 @@ def test_a_pose_by_bodies_and_one_in_a_row_are_the_same() -> None:
 @pytest.mark.parametrize(
     ("option", "value"),
     [
-        ("on_singular", "halt"), ("on_violation", ""), ("system", "kk"), ("formulation", "x"),
+        ("on_singular", "halt"), ("on_violation", ""), ("matrix_form", "kk"), ("formulation", "x"),
         ("stabilization", "x"), ("linear_solver", "x"), ("tolerance", 0.0), ("tolerance", np.nan),
         ("max_iterations", 0), ("penalty", -1.0), ("baumgarte_alpha", np.nan), ("baumgarte_beta", -1.0),
         ("penalty_scale", np.inf), ("violation_limit", [np.nan, 1.0, 1.0]),
@@ -86,7 +86,7 @@ def test_the_compiled_module_takes_no_option_that_it_does_not_know(option: str, 
 
 def test_kkt_without_a_solver_is_solved_by_blocks_with_redundant_equations_too() -> None:
     redundant = mechanisms.bricard()
-    kkt, usual = (lw.System(redundant, **options) for options in ({"system": "kkt"}, {}))
+    kkt, usual = (lw.System(redundant, **options) for options in ({"matrix_form": "kkt"}, {}))
     assert kkt.options["linear_solver"] == "block"
     y = usual.initial_state()
     assert np.abs(kkt.derivative(0.0, y) - usual.derivative(0.0, y)).max() < 1e-9

@@ -14,14 +14,17 @@ from random_mechanisms import Equations, Floats, Mechanism, examples, make, mech
 
 #: (matrix, linear solver): "normal" is M + D^T a D of the augmented Lagrangian.
 CHOICES = [
-    (form, solver.name) for solver in _core.linear_solvers() if solver.available for form in solver.systems
+    (form, solver.name)
+    for solver in _core.linear_solvers()
+    if solver.available
+    for form in solver.matrix_forms
 ]
 
 
 def options(form: str, solver: str) -> dict[str, str]:
     if form == "normal":
         return {"formulation": "augmented_lagrangian", "linear_solver": solver}
-    return {"formulation": "standard", "system": form, "linear_solver": solver}
+    return {"formulation": "standard", "matrix_form": form, "linear_solver": solver}
 
 
 def largest(x: Floats) -> float:

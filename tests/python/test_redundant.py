@@ -27,7 +27,7 @@ from random_mechanisms import (
 CHOICES = [("kkt", "block")] + [
     ("schur", solver.name)
     for solver in _core.linear_solvers()
-    if solver.available and "schur" in solver.systems
+    if solver.available and "schur" in solver.matrix_forms
 ]
 
 
@@ -83,7 +83,7 @@ def test_reactions_are_unique_where_no_vector_of_the_kernel_reaches(mechanism: M
 def test_the_standard_formulation_finds_the_accelerations_and_the_smallest_multipliers(
     mechanism: Mechanism, form: str, solver: str
 ) -> None:
-    check(mechanism, formulation="standard", system=form, linear_solver=solver)
+    check(mechanism, formulation="standard", matrix_form=form, linear_solver=solver)
 
 
 @examples(40)

@@ -17,7 +17,7 @@ WAYS = {
     "abm4": {"step": 1e-3, "integrator": "abm4"},
     "hem4": {"step": 1e-3, "integrator": "hem4"},
     "euler": {"step": 1e-3, "integrator": "euler", "on_inaccurate": "pass"},
-    "schur": {"step": 1e-3, "system": "schur"},
+    "schur": {"step": 1e-3, "matrix_form": "schur"},
     "penalty": {"step": 1e-3, "formulation": "penalty"},
     "augmented_lagrangian": {"step": 1e-3, "formulation": "augmented_lagrangian"},
     "projection": {"step": 1e-3, "stabilization": "projection"},

@@ -18,7 +18,7 @@ STANDARD = [
     (system, solver.name)
     for solver in _core.linear_solvers()
     if solver.available
-    for system in solver.systems
+    for system in solver.matrix_forms
     if system != "normal"
 ]
 
@@ -86,10 +86,10 @@ def test_every_linear_solver_finds_the_same_motion_or_refuses(name: str, system:
     state = model.compiled()
     if system == "kkt" and solver != "block":
         with pytest.raises(lw.OptionError, match="takes no redundant constraints.*'schur'"):
-            lw.System(model, system=system, linear_solver=solver)
+            lw.System(model, matrix_form=system, linear_solver=solver)
         return
     at = state.q0, state.v0
-    v_dot, multipliers = lw.System(model, system=system, linear_solver=solver).accelerations(0.0, *at)
+    v_dot, multipliers = lw.System(model, matrix_form=system, linear_solver=solver).accelerations(0.0, *at)
     expected = lw.System(model, formulation="augmented_lagrangian").accelerations(0.0, *at)
     assert np.abs(v_dot - expected[0]).max() <= 1e-9 * np.abs(expected[0]).max()
     assert np.abs(multipliers - expected[1]).max() <= 1e-8 * np.abs(expected[1]).max()
@@ -174,10 +174,10 @@ def test_accelerations_in_a_singular_pose_are_those_of_singular_values(
     model = make()
     if system == "kkt" and solver != "block" and make is not aligned:
         with pytest.raises(lw.OptionError, match="takes no redundant constraints"):
-            lw.System(model, system=system, linear_solver=solver)
+            lw.System(model, matrix_form=system, linear_solver=solver)
         return
     state = model.compiled()
-    dynamics = lw.System(model, system=system, linear_solver=solver)
+    dynamics = lw.System(model, matrix_form=system, linear_solver=solver)
     v_dot, multipliers = dynamics.accelerations(0.0, state.q0, state.v0)
     expected, force = least_norm_accelerations(model)
     scale = 1.0 + np.abs(expected).max()
@@ -375,7 +375,7 @@ def test_a_massless_motion_that_nothing_holds_is_refused_naming_the_body(held: s
 def test_a_massless_body_is_moved_by_every_solver_of_standard(system: str, solver: str) -> None:
     model = two_arms(massless_rod)
     state = model.compiled()
-    found = lw.System(model, system=system, linear_solver=solver).accelerations(0.0, state.q0, state.v0)
+    found = lw.System(model, matrix_form=system, linear_solver=solver).accelerations(0.0, state.q0, state.v0)
     expected = lw.System(model, formulation="augmented_lagrangian").accelerations(0.0, state.q0, state.v0)
     for x, exact in zip(found, expected, strict=True):
         assert np.abs(x - exact).max() <= 1e-11 * np.abs(exact).max()

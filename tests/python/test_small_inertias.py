@@ -109,8 +109,8 @@ RUNS = [
     {"integrator": "hem4", "stabilization": "projection"},
     {"integrator": "phem56", "stabilization": "none"},
     {"integrator": "abm4"},
-    {"system": "schur", "linear_solver": "cholmod"},
-    {"system": "schur", "linear_solver": "dense"},
+    {"matrix_form": "schur", "linear_solver": "cholmod"},
+    {"matrix_form": "schur", "linear_solver": "dense"},
 ]
 
 

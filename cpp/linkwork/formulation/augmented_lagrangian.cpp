@@ -43,7 +43,7 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
-    if (iterate(a, b, v_dot, lambda, options_.max_iterations)) return;
+    if (iterate(a, b, v_dot, lambda, *options_.max_iterations)) return;
     if (!raise_penalties(a, b, v_dot, lambda)) throw_not_converged();
   }
 
@@ -75,7 +75,7 @@ class AugmentedLagrangian final : public Formulation {
     for (double raised = raise_factor; !converged && raised <= most_raised; raised *= raise_factor) {
       compliance_ = usual / raised;
       saddle_->factorize(*at_, compliance_);
-      converged = iterate(a, b, v_dot, lambda, patience * options_.max_iterations);
+      converged = iterate(a, b, v_dot, lambda, patience * *options_.max_iterations);
     }
     compliance_ = usual;
     saddle_->factorize(*at_, compliance_);  // whatever is solved next begins as if nothing had been raised
@@ -93,8 +93,8 @@ class AugmentedLagrangian final : public Formulation {
       const double change = refinement_.dx().norm() / (1.0 + v_dot.norm());
       const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;
-      if (change > options_.tolerance && !stagnated) continue;
-      count(iteration, change > options_.tolerance);
+      if (change > *options_.tolerance && !stagnated) continue;
+      count(iteration, change > *options_.tolerance);
       return true;
     }
     return false;
@@ -122,7 +122,7 @@ class AugmentedLagrangian final : public Formulation {
     std::snprintf(number, sizeof number, "%.1e", iterations_.last_change);
     throw NotConvergedError("augmented_lagrangian",
                             "augmented Lagrangian: relative change " + std::string(number) + " after " +
-                                std::to_string(options_.max_iterations) + " iterations" + where +
+                                std::to_string(*options_.max_iterations) + " iterations" + where +
                                 "; raise penalty or max_iterations",
                             details);
   }
@@ -141,8 +141,7 @@ FormulationInfo augmented_lagrangian_formulation() {
   return {.name = "augmented_lagrangian",
           .documentation = "Augmented Lagrangian iteration, Flores (2015) eq. (12.16)-(12.18), in incremental form",
           .forms = {"normal"},
-          .has_penalty = true,
-          .iterative = true,
+          .options = {"penalty", "penalty_scale", "damping_ratio", "frequency", "tolerance", "max_iterations"},
           .make = [](std::unique_ptr<SaddleSolver> saddle, const Options& options) -> std::unique_ptr<Formulation> {
             return std::make_unique<AugmentedLagrangian>(std::move(saddle), options);
           }};

@@ -29,52 +29,54 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-bool available(const std::string& solver) {
-  const auto& all = linear_solvers();
-  return std::any_of(all.begin(), all.end(), [&](const auto& info) { return info.name == solver && info.available(); });
-}
-
-/// The matrix of the formulation: as asked for, or the first that the linear solver can factorize.
+/// The matrix of the formulation: as asked for, or one that suits the linear solver.
 std::string choose_form(const FormulationInfo& info, const Options& options, bool redundant) {
-  const bool given = options.system != "auto";
-  if (given && std::find(info.forms.begin(), info.forms.end(), options.system) == info.forms.end()) {
+  const bool given = options.matrix_form != "auto", one = info.forms.size() == 1;
+  if (given && std::find(info.forms.begin(), info.forms.end(), options.matrix_form) == info.forms.end()) {
     const std::string choices =
-        info.forms.size() > 1 ? "choose from: " + joined(info.forms) : "it has one form only; leave system at 'auto'";
-    throw OptionError("system",
-                      "system '" + options.system + "' is not one of formulation '" + info.name + "'; " + choices);
+        one ? "it has one form only; leave matrix_form at 'auto'" : "choose from: " + joined(info.forms);
+    throw OptionError("matrix_form", "matrix_form '" + options.matrix_form + "' is not one of formulation '" +
+                                         info.name + "'; " + choices);
   }
-  if (given) return options.system;
-  if (info.name != "standard") return info.forms.front();
-  if (options.linear_solver == "auto") return "kkt";
+  if (given) return options.matrix_form;
+  const auto of_kind = [&](bool definite) {
+    const auto is = [&](const std::string& form) { return matrix_form(form).definite == definite; };
+    const auto found = std::find_if(info.forms.begin(), info.forms.end(), is);
+    return found == info.forms.end() ? info.forms.front() : *found;
+  };
+  if (options.linear_solver == "auto") return of_kind(false);
   const LinearSolverInfo& solver = linear_solver_info(options.linear_solver);
-  if (solver.make_saddle) return "kkt";
-  return redundant || solver.positive_definite || solver.name == "dense" ? "schur" : "kkt";
+  return of_kind(!solver.make_saddle && (redundant || solver.positive_definite || solver.dense));
 }
 
-/// "block" needs a regular mass matrix, which `standard` provides, and takes redundant rows in every form that it has.
-std::string choose_solver(const std::string& form, const Options& options, const System& system) {
-  if (options.linear_solver != "auto") return linear_solver_info(options.linear_solver).name;
-  const bool regular = system.massless_bodies().empty() || options.formulation == "standard";
-  if (form != "schur" && regular) return "block";
-  const int size = form == "schur" ? system.row_count() : system.v_size() + (form == "kkt" ? system.row_count() : 0);
-  if (size <= dense_rows) return "dense";
-  if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
-  return "cholmod";
+/// Solvers of the blocks themselves need a regular mass matrix, and take redundant rows in every form that they have.
+/// Else a dense one where the matrix is small, or the first of the list that can.
+std::string choose_solver(const std::string& form, const FormulationInfo& info, const Options& options,
+                          const System& system) {
+  if (options.linear_solver != "auto") return options.linear_solver;
+  const bool regular = system.massless_bodies().empty() || info.fills_inertia;
+  const MatrixForm& unknowns = matrix_form(form);
+  const int size = unknowns.velocities * system.v_size() + unknowns.multipliers * system.row_count();
+  const auto suits = [&](const LinearSolverInfo& solver) {
+    const bool best = solver.make_saddle ? regular : solver.dense == (size <= dense_rows);
+    return best && solver.available() && can_solve(form, solver);
+  };
+  const auto& all = linear_solvers();
+  return std::find_if(all.begin(), all.end(), suits)->name;
 }
 
 }  // namespace
 
 Dynamics::Dynamics(const Model& model, const Options& options)
-    : options_(options),
+    : options_(resolve(options)),
       system_(model),
-      kind_(stabilization_kind(options.stabilization)),
+      kind_(stabilization_info(options_.stabilization).kind),
       at_(system_.make_evaluation()) {
-  const FormulationInfo& info = formulation_info(options.formulation);
-  check_options(options);
+  const FormulationInfo& info = formulation_info(options_.formulation);
   rank_ = examine_rank(system_);
   dropped_ = DroppedRows(system_, rank_.redundant_rows);
-  options_.system = choose_form(info, options, !dropped_.empty());
-  options_.linear_solver = choose_solver(options_.system, options, system_);
+  options_.matrix_form = choose_form(info, options_, !dropped_.empty());
+  options_.linear_solver = choose_solver(options_.matrix_form, info, options_, system_);
   for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
   y_ = initial_y();
@@ -83,7 +85,8 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   history_ = initial_history_ = at_.history;
   check_masses();
   check_kkt();
-  formulation_ = info.make(make_saddle_solver(options_.system, linear_solver_info(options_.linear_solver)), options_);
+  formulation_ =
+      info.make(make_saddle_solver(options_.matrix_form, linear_solver_info(options_.linear_solver)), options_);
   if (system_.row_count() == 0) return;
   inertia_ = std::make_unique<FilledInertia>(system_, at_);
   const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
@@ -116,12 +119,14 @@ void Dynamics::check_masses() const {
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
 void Dynamics::check_kkt() const {
-  if (dropped_.empty() || options_.system != "kkt" || linear_solver_info(options_.linear_solver).make_saddle) return;
-  throw OptionError("redundant_kkt", "system 'kkt' with linear solver '" + options_.linear_solver +
+  if (dropped_.empty() || matrix_form(options_.matrix_form).definite ||
+      linear_solver_info(options_.linear_solver).make_saddle)
+    return;
+  throw OptionError("redundant_kkt", "matrix_form 'kkt' with linear solver '" + options_.linear_solver +
                                          "' takes no redundant constraints, and " + std::to_string(dropped_.count()) +
                                          " of " + std::to_string(rank_.rows) +
-                                         " equations are (see linkwork check); use system 'schur', or linear solver "
-                                         "'block'");
+                                         " equations are (see linkwork check); use matrix_form 'schur', or linear "
+                                         "solver 'block'");
 }
 
 void Dynamics::set_history(const ConstVector& history) {

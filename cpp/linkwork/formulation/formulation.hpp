@@ -56,10 +56,11 @@ class Formulation : public ConstrainedSolver {
 struct FormulationInfo {
   std::string name;
   std::string documentation;
-  std::vector<std::string> forms;  ///< matrices it can use, see SaddleSolver; the first is the default
-  bool needs_full_rank = false;    ///< a singular pose is an error
-  bool has_penalty = false;
-  bool iterative = false;
+  std::vector<std::string> forms;         ///< matrices it can use, see SaddleSolver
+  std::vector<std::string> options = {};  ///< of some methods only that it has, see options.def
+  bool needs_full_rank = false;           ///< a singular pose is an error
+  bool fills_inertia = false;             ///< it takes massless bodies with any linear solver, see FilledInertia
+  bool compliant = false;                 ///< constraints yield to forces: accelerations meet them only nearly
   std::unique_ptr<Formulation> (*make)(std::unique_ptr<SaddleSolver>, const Options&) = nullptr;
 };
 

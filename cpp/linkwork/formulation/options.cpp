@@ -1,42 +1,185 @@
 #include "linkwork/formulation/options.hpp"
 
-#include <initializer_list>
+#include <algorithm>
 
+#include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/stabilization.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
 
-void check_choice(const char* what, const std::string& given, std::initializer_list<const char*> known) {
-  std::string names;
-  for (const char* name : known) {
-    if (given == name) return;
-    names += (names.empty() ? "'" : ", '") + std::string(name) + "'";
-  }
-  throw OptionError("unknown_option", std::string(what) + " '" + given + "' does not exist; choose from " + names);
+// Flores (2015), section 12.4
+constexpr double textbook_damping_ratio = 1.0, textbook_frequency = 10.0;
+
+/// The column `values` of the table.
+struct Values {
+  std::vector<std::string> names = {};
+  double least = 0.0;
+  bool above = false, finite = true;
+};
+
+template <class... Name>
+Values names(Name... name) {
+  return {.names = {name...}};
+}
+template <class Info>
+Values names_of(const std::vector<Info>& infos) {
+  Values out;
+  for (const Info& info : infos) out.names.emplace_back(info.name);
+  return out;
+}
+Values auto_or(Values others) {
+  others.names.insert(others.names.begin(), "auto");
+  return others;
+}
+Values all_matrix_forms() {
+  Values out;
+  for (const MatrixForm& form : matrix_forms()) out.names.emplace_back(form.name);
+  return out;
+}
+Values positive() { return {.above = true}; }
+Values not_negative() { return {}; }
+Values at_least_one() { return {.least = 1.0}; }
+Values limits() { return {.above = true, .finite = false}; }
+
+template <class Type>
+constexpr const char* type_name = "number";
+template <>
+constexpr const char* type_name<std::string> = "name";
+template <>
+constexpr const char* type_name<int> = "whole";
+template <>
+constexpr const char* type_name<Limits> = "limits";
+
+std::string quoted(const std::vector<std::string>& names, const char* between) {
+  std::string out;
+  for (const std::string& name : names) out += (out.empty() ? "'" : between + std::string("'")) + name + "'";
+  return out;
 }
 
-/// Infinite is a limit like others.
-void check_number(const char* what, double value, bool positive, bool finite = true) {
-  if (value >= 0.0 && !(positive && value == 0.0) && (!finite || std::isfinite(value))) return;
-  throw OptionError(what, std::string(what) + " " + std::to_string(value) + " must be " +
-                              (positive ? "positive" : "zero or positive") + (finite ? " and finite" : ""));
+[[noreturn]] void conflict(const std::string& message) { throw OptionError("conflict", message); }
+
+void check(const char* what, const std::string& given, const Values& values) {
+  if (std::find(values.names.begin(), values.names.end(), given) != values.names.end()) return;
+  throw OptionError("unknown_option",
+                    std::string(what) + " '" + given + "' does not exist; choose from " + quoted(values.names, ", "));
+}
+
+void check(const char* what, double given, const Values& values) {
+  if (given >= values.least && !(values.above && given == values.least) && (!values.finite || std::isfinite(given)))
+    return;
+  throw OptionError(what, std::string(what) + " " + std::to_string(given) + " must be " +
+                              (values.above         ? "positive"
+                               : values.least > 0.0 ? "at least 1"
+                                                    : "zero or positive") +
+                              (values.finite ? " and finite" : ""));
+}
+
+void check(const char* what, const Limits& given, const Values& values) {
+  for (const double limit : given) check(what, limit, values);
+}
+
+bool lists(const std::vector<std::string>& options, const std::string& name) {
+  return std::find(options.begin(), options.end(), name) != options.end();
+}
+
+bool honors(const Options& options, const std::string& name) {
+  return lists(formulation_info(options.formulation).options, name) ||
+         lists(stabilization_info(options.stabilization).options, name);
+}
+
+/// Those that list an option; OptionError where they are wanted and the chosen one is not among them.
+template <class Info>
+std::vector<std::string> methods_with(const std::vector<Info>& infos, const std::string& name) {
+  std::vector<std::string> out;
+  for (const Info& info : infos)
+    if (lists(info.options, name)) out.emplace_back(info.name);
+  return out;
+}
+
+std::vector<std::string> methods_with(const std::string& name) {
+  const auto found = methods_with(formulations(), name);
+  return found.empty() ? methods_with(stabilizations(), name) : found;
+}
+
+void check_honored(const Options& options, const std::string& name) {
+  if (honors(options, name)) return;
+  const bool of_formulations = !methods_with(formulations(), name).empty();
+  const std::string axis = of_formulations ? "formulation" : "stabilization";
+  conflict(name + " has no meaning for " + axis + " '" +
+           (of_formulations ? options.formulation : options.stabilization) + "'; use " + axis + " " +
+           quoted(methods_with(name), " or "));
+}
+
+/// Those of (12.14) are alpha = mu omega, beta = omega.
+void resolve_gains(Options& options) {
+  const bool alpha = options.baumgarte_alpha.has_value(), beta = options.baumgarte_beta.has_value();
+  if (options.damping_ratio || options.frequency) {
+    const std::string given = options.damping_ratio ? "damping_ratio" : "frequency";
+    if (alpha || beta) conflict(given + " and baumgarte_alpha are gains of the same term: give one pair");
+    if (options.stabilization != "baumgarte")
+      conflict(given + " is a gain of stabilization 'baumgarte', in conflict with '" + options.stabilization +
+               "'; use stabilization 'baumgarte', or leave it out");
+    const double omega = options.frequency.value_or(textbook_frequency);
+    options.baumgarte_alpha = options.damping_ratio.value_or(textbook_damping_ratio) * omega;
+    options.baumgarte_beta = omega;
+    options.damping_ratio = options.frequency = std::nullopt;
+  } else if (alpha != beta) {
+    conflict(std::string(alpha ? "baumgarte_alpha" : "baumgarte_beta") +
+             " is given alone: give baumgarte_alpha and baumgarte_beta");
+  }
+}
+
+void check_limits(const Options& options) {
+  const auto& [position, velocity, acceleration] = options.violation_limit;
+  if (options.on_violation != "record" && options.violation_limit == no_limits)
+    conflict("on_violation needs a violation_limit: give one, or leave on_violation at 'record'");
+  if (options.on_violation == "project" && std::isinf(position) && std::isinf(velocity))
+    conflict(
+        "on_violation 'project' has no meaning for accelerations alone: a projection changes positions and velocities; "
+        "give their limits, or on_violation 'record' or 'stop'");
 }
 
 }  // namespace
 
-void check_options(const Options& options) {
-  check_choice("on_singular", options.on_singular, {"pass", "warn", "stop"});
-  check_choice("on_violation", options.on_violation, {"record", "project", "stop"});
-  check_number("tolerance", options.tolerance, true);
-  if (options.baumgarte_alpha) check_number("baumgarte_alpha", *options.baumgarte_alpha, false);
-  if (options.baumgarte_beta) check_number("baumgarte_beta", *options.baumgarte_beta, false);
-  if (options.penalty) check_number("penalty", *options.penalty, true);
-  if (options.penalty_scale) check_number("penalty_scale", *options.penalty_scale, true);
-  for (const double limit : options.violation_limit) check_number("violation_limit", limit, true, false);
-  if (options.max_iterations < 1)
-    throw OptionError("max_iterations",
-                      "max_iterations " + std::to_string(options.max_iterations) + " must be at least 1");
+const std::vector<OptionInfo>& option_infos() {
+  static const std::vector<OptionInfo> infos = {
+#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP)               \
+  {                                                                            \
+    #NAME, type_name<TYPE>, (VALUES).names, (VALUES).above, {}, UNIT, HELP, {} \
+  }                                                                            \
+  ,
+#define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
+  {#NAME, type_name<TYPE>, (VALUES).names, (VALUES).above, DEFAULT, UNIT, HELP, methods_with(#NAME)},
+#include "linkwork/formulation/options.def"
+#undef LINKWORK_OPTION
+#undef LINKWORK_METHOD_OPTION
+  };
+  return infos;
+}
+
+Options resolve(Options options) {
+  formulation_info(options.formulation);
+  stabilization_info(options.stabilization);
+  if (options.linear_solver != "auto") linear_solver_info(options.linear_solver);
+#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) check(#NAME, options.NAME, VALUES);
+#define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
+  if (options.NAME) check(#NAME, *options.NAME, VALUES), check_honored(options, #NAME);
+#include "linkwork/formulation/options.def"
+#undef LINKWORK_OPTION
+#undef LINKWORK_METHOD_OPTION
+  if (options.penalty && options.penalty_scale)
+    conflict("penalty and penalty_scale both say how stiff the equations are: give one");
+  resolve_gains(options);
+  check_limits(options);
+#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP)
+#define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
+  if (!options.NAME && honors(options, #NAME)) options.NAME = DEFAULT;
+#include "linkwork/formulation/options.def"
+#undef LINKWORK_OPTION
+#undef LINKWORK_METHOD_OPTION
+  return options;
 }
 
 }  // namespace linkwork

@@ -4,28 +4,41 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace linkwork {
 
-/// The choices of a run, one per axis; see README for the table of methods.
+/// Of the largest |Phi|, |Phi_dot|, |D v_dot - gamma|.
+using Limits = std::array<double, 3>;
+constexpr Limits no_limits = {INFINITY, INFINITY, INFINITY};
+
+/// The choices of a run; options.def says what each is. An option of some methods only is empty where it is not given.
 struct Options {
-  std::string formulation = "standard";
-  std::string system = "auto";         ///< of `standard`: "kkt", "schur" or "auto"
-  std::string linear_solver = "auto";  ///< a name in solvers.def or "auto"
-  std::string stabilization = "sampled_baumgarte";
-  std::optional<double> baumgarte_alpha, baumgarte_beta;  ///< [1/s]
-  std::optional<double> penalty;        ///< the same for all rows; without it penalty_scale / (D M^-1 D^T)_ii
-  std::optional<double> penalty_scale;  ///< without it the formulation chooses
-  double tolerance = 1e-12;             ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
-  int max_iterations = 100;
-  std::string on_singular = "pass";  ///< at a singular pose: "pass", "warn" or "stop"
-  /// Of the largest |Phi|, |Phi_dot|, |D v_dot - gamma| at the ends of steps, and what to do beyond: "record",
-  /// "project" or "stop".
-  std::array<double, 3> violation_limit = {INFINITY, INFINITY, INFINITY};
-  std::string on_violation = "record";
+#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) TYPE NAME = DEFAULT;
+#define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) std::optional<TYPE> NAME;
+#include "linkwork/formulation/options.def"
+#undef LINKWORK_OPTION
+#undef LINKWORK_METHOD_OPTION
 };
 
-/// OptionError: a policy or a number that no run can have. Names of methods are looked at where they are looked up.
-void check_options(const Options& options);
+/// What an option can be.
+struct OptionInfo {
+  std::string name;
+  std::string type;                  ///< "name", "number", "whole" or "limits"
+  std::vector<std::string> choices;  ///< of a name
+  bool positive = false;             ///< a number: not zero
+  std::optional<double> usual;       ///< a number: where it is not given
+  std::string unit;
+  std::string documentation;
+  std::vector<std::string> methods;  ///< formulations or stabilizations that have it; empty: it is of all
+};
+
+/// All of options.def, in that order.
+const std::vector<OptionInfo>& option_infos();
+
+/// The options as a run has them: numbers that were not given filled in where the methods have them, damping_ratio and
+/// frequency as the gains that they are. OptionError: a name or number that no run can have, what the methods cannot
+/// honor, or a conflict.
+Options resolve(Options options);
 
 }  // namespace linkwork

@@ -40,7 +40,8 @@ FormulationInfo penalty_formulation() {
   return {.name = "penalty",
           .documentation = "Penalty method, Flores (2015) eq. (12.14)",
           .forms = {"normal"},
-          .has_penalty = true,
+          .options = {"penalty", "penalty_scale", "damping_ratio", "frequency"},
+          .compliant = true,
           .make = [](std::unique_ptr<SaddleSolver> saddle, const Options& options) -> std::unique_ptr<Formulation> {
             return std::make_unique<Penalty>(std::move(saddle), options);
           }};

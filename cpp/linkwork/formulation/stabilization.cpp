@@ -7,9 +7,14 @@ namespace linkwork {
 const std::vector<StabilizationInfo>& stabilizations() {
   static const std::vector<StabilizationInfo> all = {
       {"none", StabilizationKind::none, "D v_dot = gamma as it stands, (12.2)"},
-      {"baumgarte", StabilizationKind::baumgarte, "gamma - 2 alpha Phi_dot - beta^2 Phi in every evaluation, (12.8)"},
-      {"sampled_baumgarte", StabilizationKind::sampled_baumgarte,
-       "the same term computed once a step and held: keeps the order of the integrator"},
+      {"baumgarte",
+       StabilizationKind::baumgarte,
+       "gamma - 2 alpha Phi_dot - beta^2 Phi in every evaluation, (12.8)",
+       {"baumgarte_alpha", "baumgarte_beta"}},
+      {"sampled_baumgarte",
+       StabilizationKind::sampled_baumgarte,
+       "the same term computed once a step and held: keeps the order of the integrator",
+       {"baumgarte_alpha", "baumgarte_beta"}},
       {"projection", StabilizationKind::projection,
        "positions and velocities go back to the constraints after each step"},
       {"position_projection", StabilizationKind::position_projection, "projection of positions alone"},
@@ -18,10 +23,10 @@ const std::vector<StabilizationInfo>& stabilizations() {
   return all;
 }
 
-StabilizationKind stabilization_kind(const std::string& name) {
+const StabilizationInfo& stabilization_info(const std::string& name) {
   std::string known;
   for (const StabilizationInfo& info : stabilizations()) {
-    if (name == info.name) return info.kind;
+    if (name == info.name) return info;
     known += (known.empty() ? "" : ", ") + std::string(info.name);
   }
   throw OptionError("unknown_stabilization", "stabilization '" + name + "' does not exist; there are: " + known);

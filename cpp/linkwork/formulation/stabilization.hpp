@@ -30,10 +30,12 @@ struct StabilizationInfo {
   const char* name;
   StabilizationKind kind;
   const char* documentation;
+  std::vector<std::string> options = {};  ///< of some methods only that it has, see options.def
 };
 
 const std::vector<StabilizationInfo>& stabilizations();
-StabilizationKind stabilization_kind(const std::string& name);
+/// OptionError: there is none with this name.
+const StabilizationInfo& stabilization_info(const std::string& name);
 
 constexpr bool projects_positions(StabilizationKind kind) {
   return kind == StabilizationKind::projection || kind == StabilizationKind::position_projection;

@@ -79,6 +79,7 @@ FormulationInfo standard_formulation() {
           .documentation = "Lagrange multipliers, Flores (2015) eq. (12.3) or (12.5)-(12.6)",
           .forms = {"schur", "kkt"},
           .needs_full_rank = true,
+          .fills_inertia = true,
           .make = [](std::unique_ptr<SaddleSolver> saddle, const Options&) -> std::unique_ptr<Formulation> {
             return std::make_unique<Standard>(std::move(saddle));
           }};

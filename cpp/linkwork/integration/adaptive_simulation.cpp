@@ -65,8 +65,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       watch_(std::move(events)),
       switches_(dynamics, schedule.tolerances.absolute) {
   check(schedule);
-  const FormulationInfo& formulation = formulation_info(dynamics.options().formulation);
-  yields_ = formulation.has_penalty && !formulation.iterative;
+  yields_ = formulation_info(dynamics.options().formulation).compliant;
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = schedule.t_start;
   stepper_.start(dynamics.y_size());

@@ -105,7 +105,7 @@ class KktSolver final : public SaddleSolver {
 
 }  // namespace
 
-std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver) {
+std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver, Storage) {
   return std::make_unique<KktSolver>(std::move(solver));
 }
 

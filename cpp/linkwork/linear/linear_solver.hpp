@@ -53,6 +53,7 @@ struct LinearSolverInfo {
   /// True: needs a positive definite matrix and reads its upper triangle; false: any matrix, all entries.
   bool positive_definite = false;
   std::unique_ptr<LinearSolver> (*make)(Storage) = nullptr;
+  bool dense = false;  ///< the quickest for small systems; Cholesky of the upper triangle, or LU of all entries
   /// Instead of `make`: a solver that works on the blocks of the equations themselves, without a sparse matrix.
   std::unique_ptr<SaddleSolver> (*make_saddle)() = nullptr;
 

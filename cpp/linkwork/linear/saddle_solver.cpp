@@ -6,27 +6,41 @@
 
 namespace linkwork {
 
-bool can_solve(const std::string& form, const LinearSolverInfo& solver) {
-  if (solver.make_saddle) return form != "schur";
-  return form != "kkt" || !solver.positive_definite;
+const std::vector<MatrixForm>& matrix_forms() {
+  static const std::vector<MatrixForm> all = {{"kkt", false, true, true, &detail::make_kkt},
+                                              {"schur", true, false, true, &detail::make_schur},
+                                              {"normal", true, true, false, &detail::make_normal}};
+  return all;
 }
 
-std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver) {
-  if (!can_solve(form, solver) && solver.make_saddle)
+const MatrixForm& matrix_form(const std::string& name) {
+  std::string known;
+  for (const MatrixForm& form : matrix_forms()) {
+    if (form.name == name) return form;
+    known += (known.empty() ? "" : ", ") + std::string(form.name);
+  }
+  throw OptionError("unknown_matrix_form", "matrix_form '" + name + "' does not exist; there are: " + known);
+}
+
+bool can_solve(const std::string& name, const LinearSolverInfo& solver) {
+  const MatrixForm& form = matrix_form(name);
+  return solver.make_saddle ? form.velocities : form.definite || !solver.positive_definite;
+}
+
+std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const LinearSolverInfo& solver) {
+  const MatrixForm& form = matrix_form(name);
+  if (!can_solve(name, solver) && solver.make_saddle)
     throw OptionError("linear_solver", "linear solver '" + solver.name +
-                                           "' works on the blocks of the kkt matrix and forms no other; use system "
-                                           "'kkt' or 'auto', or linear solver 'cholmod'");
-  if (!can_solve(form, solver))
-    throw OptionError("linear_solver", "linear solver '" + solver.name +
-                                           "' needs a positive definite matrix and the kkt matrix is indefinite; use "
-                                           "system 'schur', or linear solver 'umfpack'");
+                                           "' works on the blocks of the kkt matrix and forms no other; use "
+                                           "matrix_form 'kkt' or 'auto', or linear solver 'cholmod'");
+  if (!can_solve(name, solver))
+    throw OptionError("linear_solver",
+                      "linear solver '" + solver.name + "' needs a positive definite matrix and the " + name +
+                          " matrix is indefinite; use matrix_form 'schur', or linear solver 'umfpack'");
   if (solver.make_saddle) return solver.make_saddle();
-  if (form == "kkt") return detail::make_kkt(solver.make(Storage::full));
-  const bool symmetric = solver.positive_definite || solver.name == "dense";
-  const Storage storage = symmetric ? Storage::upper : Storage::full;
-  if (form == "schur") return detail::make_schur(solver.make(storage), storage);
-  if (form == "normal") return detail::make_normal(solver.make(storage), storage);
-  throw OptionError("unknown_system", "system '" + form + "' does not exist; there are: kkt, schur");
+  const bool cholesky = form.definite && (solver.positive_definite || solver.dense);
+  const Storage storage = cholesky ? Storage::upper : Storage::full;
+  return form.make(solver.make(storage), storage);
 }
 
 void detail::throw_singular(const System& system, const char* form, const Pivot& pivot, int row) {

@@ -52,7 +52,18 @@ class SaddleSolver {
   double assemble_time_ = 0.0;
 };
 
-/// The forms by name: "kkt", "schur", "normal".
+/// One of the three matrices.
+struct MatrixForm {
+  const char* name;
+  bool definite;                 ///< positive definite: a Cholesky factorization does
+  bool velocities, multipliers;  ///< its unknowns: x, lambda
+  std::unique_ptr<SaddleSolver> (*make)(std::unique_ptr<LinearSolver>, Storage);
+};
+
+const std::vector<MatrixForm>& matrix_forms();
+/// OptionError: there is none with this name.
+const MatrixForm& matrix_form(const std::string& name);
+
 std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver);
 
 /// Which linear solvers can factorize a form.
@@ -68,7 +79,7 @@ inline ConstBlock block_of(const Evaluation& at, const ConstraintBlock& block) {
 /// The error for a vanishing pivot; `row` is the constraint row, or -1 where the factorization does not tell.
 [[noreturn]] void throw_singular(const System& system, const char* form, const Pivot& pivot, int row);
 
-std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver);
+std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver, Storage storage);
 std::unique_ptr<SaddleSolver> make_schur(std::unique_ptr<LinearSolver> solver, Storage storage);
 std::unique_ptr<SaddleSolver> make_normal(std::unique_ptr<LinearSolver> solver, Storage storage);
 

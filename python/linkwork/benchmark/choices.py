@@ -9,10 +9,12 @@ from linkwork.errors import OptionError
 from linkwork.options import compile_options
 
 
-def check_choices(solvers: Sequence[str], formulation: str, system: str, rounds: int, limit: float) -> None:
+def check_choices(
+    solvers: Sequence[str], formulation: str, matrix_form: str, rounds: int, limit: float
+) -> None:
     """OptionError: a name that does not exist, a number that cannot be."""
     for solver in solvers:
-        compile_options({"linear_solver": solver, "formulation": formulation, "system": system})
+        compile_options({"linear_solver": solver, "formulation": formulation, "matrix_form": matrix_form})
     if rounds < 1:
         raise OptionError(f"repeats {rounds} is too small: at least 1", code="repeats")
     if not (math.isfinite(limit) and limit > 0):

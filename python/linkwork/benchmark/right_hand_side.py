@@ -6,7 +6,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, cast
 
 from linkwork import _core
 from linkwork.benchmark.choices import check_choices
@@ -29,7 +29,7 @@ class Measured:
     """What one linear solver took; times are wall times, medians over the rounds."""
 
     solver: str
-    system: str  #: the matrix: kkt, schur or normal
+    matrix_form: str  #: the matrix: kkt, schur or normal
     #: evaluate, assemble (0: part of factorize), factorize, solve, reactions, whole
     ns_per_body: dict[str, float]
     whole_quartiles_ns_per_body: tuple[float, float]
@@ -76,7 +76,7 @@ def compare_solvers(
     subject: Subject,
     solvers: Sequence[str] | None = None,
     formulation: str = "standard",
-    system: str = "auto",
+    matrix_form: str = "auto",
     *,
     rounds: int = ROUNDS,
     limit: float = LIMIT_SECONDS,
@@ -92,9 +92,9 @@ def compare_solvers(
     fails there is Refused. OptionError: a name that does not exist, a mechanism or a number that cannot be.
     """
     names = list(dict.fromkeys(solvers or [info.name for info in _core.linear_solvers()]))
-    check_choices(names, formulation, system, rounds, limit)
+    check_choices(names, formulation, matrix_form, rounds, limit)
     model = subject.build()
-    options: Options = {"formulation": formulation, "system": system}
+    options = cast(Options, {"formulation": formulation, "matrix_form": matrix_form})
     with counting(progress, len(names) + rounds) as report:
         steps: dict[str, FirstStep] = {}
         refused: dict[str, Refused] = {}
@@ -113,7 +113,8 @@ def compare_solvers(
             report(len(names), f"{name}: symbolic analysis")
             state = next(iter(steps.values()))  # the same for all
             try:
-                candidates[name] = _Candidate(model, {**options, "linear_solver": name}, state, own, rounds)
+                own_options = cast(Options, {**options, "linear_solver": name})
+                candidates[name] = _Candidate(model, own_options, state, own, rounds)
             except (LinkworkError, MemoryError) as error:
                 code = error.code if isinstance(error, LinkworkError) else "memory"
                 refused[name] = Refused(name, str(error), code)
@@ -152,7 +153,7 @@ class _Candidate:
         first, third = self.timing.whole_quartiles
         return Measured(
             solver=name,
-            system=dynamics.system,
+            matrix_form=dynamics.matrix_form,
             ns_per_body={part: 1e9 * value / bodies for part, value in seconds.items()},
             whole_quartiles_ns_per_body=(1e9 * first / bodies, 1e9 * third / bodies),
             rounds=len(self.timing.samples),

@@ -6,6 +6,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -84,7 +85,7 @@ def growth(
     check_choices([linear_solver], formulation, "auto", rounds, limit)
     if not subjects:
         raise OptionError("no size to measure", code="bodies")
-    options: Options = {"formulation": formulation, "linear_solver": linear_solver}
+    options = cast(Options, {"formulation": formulation, "linear_solver": linear_solver})
     sizes: list[Size | Missing] = []
     with counting(progress, len(subjects)) as report:
         for place, subject in enumerate(subjects):

@@ -51,4 +51,12 @@ def with_nearest_option(
         return rest
     except click.NoSuchOption as error:
         known = [name for parameter in command.get_params(context) for name in parameter.opts]
-        raise click.UsageError(f"no option {error.option_name}{nearest(error.option_name, known)}") from error
+        raise click.UsageError(_no_option(error.option_name, known)) from error
+
+
+def _no_option(name: str, known: list[str]) -> str:
+    from linkwork.options import RENAMED
+
+    now = "--" + RENAMED.get(name.lstrip("-"), "").replace("_", "-")
+    hint = f"; it is called {now} now" if now in known else nearest(name, known)
+    return f"no option {name}{hint}"

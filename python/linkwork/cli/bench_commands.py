@@ -80,7 +80,11 @@ def _limit(seconds: float, text: str) -> Callable[[Any], Any]:
     ),
     FORMULATION,
     click.option(
-        "--system", default="auto", show_default=True, metavar="NAME", help="Matrix of the standard method."
+        "--matrix-form",
+        default="auto",
+        show_default=True,
+        metavar="NAME",
+        help="Matrix of the standard method.",
     ),
     _repeats(15),
     _limit(30.0, "Time for each solver's first step, in a process of its own."),

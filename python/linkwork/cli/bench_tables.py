@@ -27,7 +27,7 @@ def show_comparison(found: Comparison) -> None:
     if measured:
         out.print_table(
             ("solver", "matrix", *PARTS),
-            [(s.solver, s.system, *(f"{s.ns_per_body[part]:,.0f}" for part in PARTS)) for s in measured],
+            [(s.solver, s.matrix_form, *(f"{s.ns_per_body[part]:,.0f}" for part in PARTS)) for s in measured],
             title="One right-hand side, ns per body (assemble 0: part of factorize)",
             left=2,
         )

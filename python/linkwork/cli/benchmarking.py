@@ -24,7 +24,7 @@ def right_hand_side(
     parameters: Sequence[str],
     solvers: str,
     formulation: str,
-    system: str,
+    matrix_form: str,
     repeats: int,
     limit: float,
     as_json: bool,
@@ -35,7 +35,7 @@ def right_hand_side(
         bodies = CHAIN_BODIES
     subject = benchmark.Subject.of(mechanism, bodies, given)
     names = None if solvers == "all" else solvers.split(",")
-    found = benchmark.compare_solvers(subject, names, formulation, system, rounds=repeats, limit=limit)
+    found = benchmark.compare_solvers(subject, names, formulation, matrix_form, rounds=repeats, limit=limit)
     if as_json:
         _print_json("rhs", asdict(found))
     else:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+import inspect
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Literal, get_args, get_origin
 
 import click
 
 from linkwork.cli import shells
+from linkwork.option_types import described
+from linkwork.options import TABLE
+from linkwork.simulation import simulate
 
 
 class _Limits(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
@@ -25,61 +30,51 @@ class _Limits(click.ParamType):  # type: ignore[type-arg]  # generic in newer ve
             self.fail(f"'{value}' is no limit; write 1e-8, or position=1e-8,velocity=1e-6", param, context)
 
 
-#: name of the argument of `simulate`, type, help
-_OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
-    ("t_end", float, "End of the simulated time [s]."),
-    ("step", float, "Step of the integrator [s]; with --rtol or --atol the largest."),
-    ("rtol", float, "Relative tolerance: steps that follow it (bs32, dopri5, tsit5, dop853)."),
-    ("atol", float, "Absolute tolerance [m, rad, m/s, rad/s]; without it rtol / 1000."),
-    ("integrator", str, "rk4, dopri5, ab4, ...: any of `linkwork.integrators.METHODS`."),
-    ("formulation", str, "standard, penalty or augmented_lagrangian."),
-    ("system", str, "Linear system of the standard method: kkt, schur or auto."),
-    (
-        "stabilization",
-        str,
-        "none, baumgarte, sampled_baumgarte, projection, position_projection or velocity_projection.",
-    ),
-    ("linear_solver", str, "cholmod, umfpack, klu, spqr, eigen_ldlt, dense or auto."),
-    ("penalty", float, "Penalty factor; without it scaled to the mechanism."),
-    ("baumgarte_alpha", float, "Gain of the velocity violation [1/s]."),
-    ("baumgarte_beta", float, "Gain of the position violation [1/s]."),
-    ("damping_ratio", float, "Damping ratio mu of (12.14)."),
-    ("frequency", float, "Frequency omega of (12.14) [rad/s]."),
-    ("tolerance", float, "At which the augmented Lagrangian iteration stops."),
-    ("max_iterations", int, "Cap of the augmented Lagrangian iteration."),
-    ("on_singular", str, "At a singular pose: pass, warn or stop."),
-    (
-        "violation_limit",
-        _Limits(),
-        "Of positions, or by level: position=1e-8,velocity=1e-6,acceleration=1e-9.",
-    ),
-    ("on_violation", str, "Beyond --violation-limit: record, project or stop."),
-    ("on_inaccurate", str, "Estimated to be more than 1 % off: pass, warn or stop."),
-    ("verify", bool, "A second run at half the step or a tenth of the tolerances: error bands in the plots."),
-    (
-        "start",
-        click.Path(),
-        "Go on from the last frame of this result file, which is of the same mechanism, at its time.",
-    ),
-    ("record_every", int, "Steps between recorded frames; without it about 1000 frames."),
-)
+def _arguments() -> Iterator[click.Option]:
+    """Of `simulate`, those that are a number, a name or yes and no, with the first sentence about each."""
+    hints = {it.name: it.annotation for it in inspect.signature(simulate, eval_str=True).parameters.values()}
+    descriptions = re.findall(r"^(\w+) +((?:\S.*\n)(?: .*\n)*)", inspect.getdoc(simulate) or "", re.MULTILINE)
+    for name, text in descriptions:
+        hint = hints.get(name)
+        types = set(get_args(hint) or (hint,)) - {type(None)}
+        names = [word for it in (hint, *types) if get_origin(it) is Literal for word in get_args(it)]
+        kinds: tuple[type, ...] = (str,) if names else (bool, float, int)
+        kind = next((kind for kind in kinds if names or {kind} == types), None)
+        if kind is not None:
+            listed = f": {', '.join(names)}" if names else ""
+            yield _option(name, kind, " ".join(text.split()).partition(". ")[0] + listed, names)
 
-NAMES = tuple(name for name, _, _ in _OPTIONS)
+
+def _option(name: str, kind: Any, text: str, names: Sequence[str] = ()) -> click.Option:
+    flag = "--" + name.replace("_", "-")
+    return click.Option(
+        [f"{flag}/--no-{flag[2:]}" if kind is bool else flag, name],
+        type=None if kind is bool else kind,
+        default=None,
+        shell_complete=shells.words(lambda: names) if names else None,
+        help=f"{text[:1].upper()}{text[1:]}.",
+    )
+
+
+_TYPES = {"name": str, "number": float, "whole": int, "limits": _Limits()}
+
+
+def _all() -> list[click.Option]:
+    start = "Go on from the last frame of this result file, which is of the same mechanism, at its time"
+    chosen = [_option(it.name, _TYPES[it.type], described(it), it.choices) for it in TABLE.values()]
+    return [*_arguments(), *chosen, _option("start", click.Path(), start)]
 
 
 def options(settings: Mapping[str, Any]) -> list[click.Option]:
     """The options; the mechanism's recommended `settings` are shown as their defaults."""
-    return [
-        click.Option(
-            ["--" + name.replace("_", "-"), name],
-            type=None if kind is bool else kind,
-            is_flag=kind is bool,
-            default=None,
-            shell_complete=shells.names_of(name),
-            help=text + (f"  [default: {settings[name]}]" if name in settings else ""),
-        )
-        for name, kind, text in _OPTIONS
-    ]
+    found = _all()
+    for option in found:
+        if option.name in settings:
+            option.help = f"{option.help}  [default: {settings[option.name]}]"
+    return found
+
+
+NAMES = tuple(str(option.name) for option in _all())
 
 
 def outputs() -> list[click.Option]:

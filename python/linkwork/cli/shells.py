@@ -14,10 +14,6 @@ PROGRAM, VARIABLE = "linkwork", "_LINKWORK_COMPLETE"
 #: Where zsh has not begun its completion yet.
 ZSH_BEGINS = "(( $+functions[compdef] )) || { autoload -Uz compinit && compinit }\n"
 
-#: Options of which linkwork.options knows the names.
-CHOICES = ("formulation", "stabilization", "linear_solver", "system", "on_singular", "on_violation",
-           "on_inaccurate")  # fmt: skip
-
 Completion = Callable[[click.Context, click.Parameter, str], list[CompletionItem]]
 
 
@@ -37,8 +33,11 @@ def complete(command: click.Command) -> int:
 def names_of(option: str, *, files: bool = False) -> Completion | None:
     """Names that an option takes, or (`files`) a file; of a list the word after the last comma."""
     known = _KNOWN.get(option)
-    if known is None:
-        return None
+    return None if known is None else words(known, files=files)
+
+
+def words(known: Callable[[], Iterable[str]], *, files: bool = False) -> Completion:
+    """Those that are known."""
 
     def complete_name(context: click.Context, parameter: click.Parameter, word: str) -> list[CompletionItem]:
         before, comma, begun = word.rpartition(",")
@@ -77,7 +76,7 @@ def _choices(option: str) -> Callable[[], Iterable[str]]:
 
 _KNOWN: dict[str, Callable[[], Iterable[str]]] = {
     "integrator": _integrators,
-    **{option: _choices(option) for option in CHOICES},
+    **{axis: _choices(axis) for axis in ("formulation", "stabilization", "linear_solver")},
     "mechanism": _mechanisms,
     "problem": _problems,
 }

@@ -18,10 +18,10 @@ from linkwork.comparison.runs import Outcome, Runs, Sampling
 from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
 from linkwork.comparison.workers import Lost, in_processes, processor_count
-from linkwork.errors import LinkworkError, OptionError, nearest, warn
+from linkwork.errors import LinkworkError, OptionError, warn
 from linkwork.manifest import platform_facts
 from linkwork.model import Model
-from linkwork.options import Options, check_number
+from linkwork.options import TABLE, check_number, check_option
 from linkwork.progress import ShowOption, counting
 from linkwork.recording import frame_bytes
 from linkwork.result import Result
@@ -35,7 +35,7 @@ USUAL_ERROR = 1e-4
 
 #: What `compare` takes by name.
 _NAMES = ("formulations", "stabilizations", "integrators", "linear_solvers", "steps", "tolerances",
-          *Options.__annotations__)  # fmt: skip
+          *TABLE)  # fmt: skip
 
 
 def compare(
@@ -133,8 +133,7 @@ def _check(
             code="conflict",
         )
     for name in options:
-        if name not in Options.__annotations__:
-            raise OptionError(f"option '{name}' does not exist{nearest(name, _NAMES)}", code="option")
+        check_option(name, TABLE if name in TABLE else _NAMES)
 
 
 def _grid(methods: Sequence[Choice], steps: Sequence[float], rtols: Sequence[float]) -> list[Cell | Study]:

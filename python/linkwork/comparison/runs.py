@@ -26,6 +26,7 @@ from linkwork.errors import (
     ViolationError,
 )
 from linkwork.model import Model
+from linkwork.options import renamed
 from linkwork.result import Result
 from linkwork.simulation import simulate
 
@@ -118,7 +119,8 @@ class Outcome:
     def from_figures(cls, figures: Mapping[str, Any]) -> Outcome:
         """The inverse of `dataclasses.asdict`."""
         curves = figures.get("curves")
-        return cls(**{**figures, "curves": Curves(**curves) if curves else None})
+        options = renamed(figures["options"])
+        return cls(**{**figures, "options": options, "curves": Curves(**curves) if curves else None})
 
 
 @dataclass(frozen=True)
@@ -300,7 +302,7 @@ def lost(item: Cell | order.Study, reason: str) -> Outcome | order.OrderStudy:
 def _identity(cell: Cell, chosen: Mapping[str, Any]) -> dict[str, Any]:
     """`options`: as chosen, or as asked for where the run did not begin."""
     asked = {name: _said(value) for name, value in cell.choice.options.items()}
-    names = ("formulation", "system", "stabilization", "integrator", "linear_solver")
+    names = ("formulation", "matrix_form", "stabilization", "integrator", "linear_solver")
     found = {name: chosen[name] for name in names if chosen.get(name) is not None}
     return {
         "method": cell.choice.key,

@@ -109,7 +109,7 @@ def _noise(comparison: Comparison) -> list[str]:
 
 def _floors(comparison: Comparison) -> list[str]:
     """Of penalties, which leave reactions wrong at any step; where others stagnate, it is rounding."""
-    penalties = {info.name for info in _core.formulations() if info.has_penalty and not info.iterative}
+    penalties = {info.name for info in _core.formulations() if info.compliant}
     stagnant = {
         it.label: it.stagnation("reaction_error")
         for it in comparison.studies

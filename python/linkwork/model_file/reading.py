@@ -24,6 +24,7 @@ from linkwork.model_file.collection import collection_paused
 from linkwork.model_file.messages import faults_of_schema
 from linkwork.model_file.syntax import Syntax, Where, field, parse
 from linkwork.model_file.writing import normalized, normalized_from
+from linkwork.options import RENAMED, renamed
 from linkwork.shapes import Shape
 
 #: The most faults that are told.
@@ -58,7 +59,7 @@ def _read(path: str | os.PathLike[str]) -> ModelFile:
     _check_settings(document, checker)
     _check_names(document, checker)
     checker.finish()
-    return ModelFile(_build(document, checker), dict(document.simulation))
+    return ModelFile(_build(document, checker), renamed(document.simulation))
 
 
 def model_of(record: Mapping[str, Any]) -> Model:
@@ -100,7 +101,7 @@ class _Checker:
 def _check_settings(document: schema.Document, checker: _Checker) -> None:
     known = schema.setting_names()
     for name in document.simulation:
-        if name not in known:
+        if name not in known and name not in RENAMED:
             checker.add(("simulation", name), f"is no argument of simulate{nearest(name, known)}")
 
 

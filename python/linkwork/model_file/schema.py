@@ -23,6 +23,7 @@ from linkwork import _core, functions
 from linkwork.elements import KINDS, LENGTHS, Role
 from linkwork.expressions import LONGEST
 from linkwork.model import Model
+from linkwork.options import TABLE
 from linkwork.shapes import KINDS as SHAPES
 from linkwork.simulation import simulate
 
@@ -437,9 +438,7 @@ _NOT_SETTINGS = ("model", "output", "progress", "events", "start", "times", "opt
 
 def setting_names() -> list[str]:
     """The arguments of `simulate` that a file may recommend."""
-    from linkwork.options import Options
-
-    return [name for name in (*inspect.signature(simulate).parameters, *Options.__annotations__)
+    return [name for name in (*inspect.signature(simulate).parameters, *TABLE)
             if name not in _NOT_SETTINGS]  # fmt: skip
 
 

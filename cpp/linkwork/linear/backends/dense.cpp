@@ -93,7 +93,7 @@ std::unique_ptr<LinearSolver> make(Storage storage) {
 }  // namespace
 
 LinearSolverInfo dense_solver() {
-  return {"dense", "Eigen's dense Cholesky or LU, for small systems and as a reference", false, make};
+  return {"dense", "Eigen's dense Cholesky or LU, for small systems and as a reference", false, make, true};
 }
 
 }  // namespace linkwork
