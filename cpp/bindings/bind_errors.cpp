@@ -27,6 +27,7 @@ void raise(const Error& error) {
            py::arg("bodies") = error.details.bodies, py::arg("joints") = error.details.joints,
            py::arg("time") = number_or_none(error.details.time), py::arg("step") = number_or_none(error.details.step),
            py::arg("residuals") = residuals, py::arg("forces") = error.details.forces,
+           py::arg("subject") = error.details.subject, py::arg("field") = error.details.field,
            py::arg("stage") = error.details.stage > 0 ? py::object(py::int_(error.details.stage)) : py::none());
   PyErr_SetObject(type.ptr(), instance.ptr());
 }

@@ -94,7 +94,7 @@ def _shared_axes(core: _core.Model) -> NDArray[np.bool_]:
     """Which axes of a joint's two frames have to coincide (joints, 3): all, only z, or none."""
     of_kind = []
     for kind in KINDS["joint"].values():
-        locked = {equation[-1] for equation in kind.equations if equation.startswith("rotation about joint")}
-        of_kind.append([locked == set("xyz")] * 2 + [locked >= set("xy")])
+        locked = {it.axis for it in kind.equations.values() if it.quantity == "rotation"}
+        of_kind.append([locked >= {0, 1, 2}] * 2 + [locked >= {0, 1}])
     shared: NDArray[np.bool_] = np.array(of_kind)[core.joint_arrays()["kind"]].reshape(-1, 3)
     return shared

@@ -6,13 +6,14 @@ element_methods.pyi; `python -m linkwork.element_methods --stub` prints it anew.
 
 from __future__ import annotations
 
-import math
 import sys
+import textwrap
 from collections.abc import Callable, Iterator
 from inspect import Parameter, Signature
 from typing import Any
 
 from linkwork import _core
+from linkwork.elements import described
 
 #: The arguments of each placement, with what they mean; a question mark: it can be left out.
 _PLACES: dict[str, dict[str, str]] = {
@@ -84,43 +85,20 @@ class ForceMethods:
 
 def _default(kind: _core.KindInfo, name: str) -> float | None:
     """Of a parameter; None: there is none."""
-    if name not in kind.parameters or not kind.defaults:
-        return None
-    value = float(kind.defaults[kind.parameters.index(name)])
-    return None if math.isnan(value) else value
+    return kind.parameters[name].usual if name in kind.parameters else None
 
 
 def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
     """(name, required, meaning) of a kind's own arguments."""
     for name, meaning in _PLACES[kind.placement].items():
         yield name.rstrip("?"), not name.endswith("?"), meaning
-    for name in kind.parameters:
-        if name in ("length", "free_length"):
-            yield name, False, "a number or a function of time [m]; without it the initial distance"
-            continue
-        meaning = _meaning(kind, name)
-        default = _default(kind, name)
-        yield name, default is None, meaning if default is None else f"{meaning}; {default:g}"
+    for name, parameter in kind.parameters.items():
+        yield name, parameter.usual is None and not parameter.initial_distance, described(parameter)
 
 
 def _of_time(kind: _core.KindInfo) -> bool:
     """Whether it has parameters that can be functions of time."""
-    return any(name not in (*kind.constants, *kind.functions) for name in kind.parameters)
-
-
-def _meaning(kind: _core.KindInfo, name: str) -> str:
-    """What a parameter may be."""
-    if name in kind.functions:
-        return "a characteristic, or a number for a linear one"
-    bounds = [bound for bound in kind.bounds if bound.parameter == name]
-    if name in kind.whole_numbers:
-        meaning = "a whole number"
-    elif name in kind.constants:
-        meaning = "a number" if bounds else "a number, not zero"
-    else:
-        meaning = "a number or a function of time"
-    limits = (f", {'above' if bound.above else 'at least'} {bound.least:g}" for bound in bounds)
-    return meaning + "".join(limits)
+    return any(not (it.constant or it.takes == "characteristic") for it in kind.parameters.values())
 
 
 def _signature(kind: _core.KindInfo) -> Signature:
@@ -204,8 +182,8 @@ def _stub_method(kind: _core.KindInfo) -> str:
         "        *,",
     ]
     for name, required, _ in _arguments(kind):
-        of_time = name in kind.parameters and name not in kind.constants
-        type_ = "TimeFunctionLike" if of_time else "float" if name in kind.constants else "ArrayLike"
+        parameter = kind.parameters.get(name)
+        type_ = "ArrayLike" if parameter is None else "float" if parameter.constant else "TimeFunctionLike"
         default = _default(kind, name)
         optional = "" if required else " | None = None" if default is None else f" = {default!r}"
         lines.append(f"        {name}: {type_}{optional},")
@@ -213,7 +191,8 @@ def _stub_method(kind: _core.KindInfo) -> str:
         lines.append("        breaks: ArrayLike = (),")
     result = "Joint" if kind.rows else "Force"
     lines += ['        frames: Frames = "space",', "        name: str | None = None,", f"    ) -> {result}:"]
-    return "\n".join([*lines, f'        """{kind.documentation}"""', ""])
+    text = textwrap.indent(_documentation(kind), " " * 8).lstrip()
+    return "\n".join([*lines, f'        """{text}\n        """', ""])
 
 
 if __name__ == "__main__":

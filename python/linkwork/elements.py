@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -11,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, about
 from linkwork.functions import TimeFunction, as_time_function
 from linkwork.given import UNREADABLE, one_of
 from linkwork.placement import PLACEMENTS, Attachment, Place, Subject
@@ -27,9 +26,6 @@ KINDS: Mapping[Role, Mapping[str, _core.KindInfo]] = {
     "joint": {kind.name: kind for kind in (*_core.joint_kinds(), *_core.special_joint_kinds())},
     "force": {kind.name: kind for kind in _core.force_kinds()},
 }
-
-#: Parameters that are, when not given, the distance of the two points at the initial pose.
-LENGTHS = ("length", "free_length")
 
 
 @dataclass(frozen=True)
@@ -54,7 +50,7 @@ class Elements:
             parameter = self.parameters[what]
             if isinstance(parameter, TimeFunction):
                 function = parameter.compiled()
-                if what in self.info.functions:
+                if self.info.parameters[what].takes == "characteristic":
                     function = _core.TimeFunction.characteristic(function)
                 index = core.add_signal(function)
                 signals[:, column], functions[index] = index, parameter
@@ -77,13 +73,16 @@ class Elements:
         return [
             (f"{self.subject.who(0)}: {what}", parameter)
             for what, parameter in self.parameters.items()
-            if isinstance(parameter, TimeFunction) and what not in self.info.functions
+            if isinstance(parameter, TimeFunction)
+            and self.info.parameters[what].takes != "characteristic"
         ]
 
     def characteristics(self) -> list[TimeFunction]:
         """The functions of coordinates."""
-        functions = (self.parameters[what] for what in self.info.functions)
-        return [function for function in functions if isinstance(function, TimeFunction)]
+        found = ((it, self.parameters[it.name]) for it in self.info.parameters.values())
+        return [
+            value for it, value in found if it.takes == "characteristic" and isinstance(value, TimeFunction)
+        ]
 
 
 def kind_info(role: Role, name: str) -> _core.KindInfo:
@@ -105,37 +104,60 @@ def with_parameters(
     info: _core.KindInfo, subject: Subject, bodies: Indices, place: Attachment, given: Mapping[str, Any]
 ) -> Elements:
     """Elements at a place that is known."""
-    parameters = {what: _parameter(subject, info, what, given.get(what), place) for what in info.parameters}
+    parameters = {
+        what: _parameter(subject, it, given.get(what), place) for what, it in info.parameters.items()
+    }
     if "length" in parameters:
         _check_length(subject, place, parameters["length"])
     return Elements(info, subject, bodies, place, parameters)
 
 
-def _parameter(subject: Subject, info: _core.KindInfo, what: str, given: Any, place: Attachment) -> Parameter:
-    if given is None and what in LENGTHS:
+def described(parameter: _core.ParameterInfo) -> str:
+    """What it is, its unit, what it may be, and its default."""
+    unit = f" [{parameter.unit}]" if parameter.unit else ""
+    number = "a whole number" if parameter.takes == "whole_number" else "a number"
+    if parameter.takes == "characteristic":
+        number = "a characteristic, or a number for a linear one"
+    elif not parameter.constant:
+        number += " or a function of time"
+    elif parameter.least is None:
+        number += ", not zero"
+    words = [f"{parameter.meaning}{unit}", number]
+    if parameter.least is not None:
+        words.append(f"{'above' if parameter.above else 'at least'} {parameter.least:g}")
+    if parameter.not_above:
+        words.append(f"not above {parameter.not_above}")
+    if parameter.initial_distance:
+        words.append("by default the initial distance")
+    return ", ".join(words) + (f"; {parameter.usual:g}" if parameter.usual is not None else "")
+
+
+def _parameter(subject: Subject, info: _core.ParameterInfo, given: Any, place: Attachment) -> Parameter:
+    what = info.name
+    if given is None and info.initial_distance:
         return place.distance
-    if given is None and info.defaults:
-        default = info.defaults[info.parameters.index(what)]
-        given = None if math.isnan(default) else default
     if given is None:
-        subject.refuse(0, f"{what} is missing", "missing")
+        given = info.usual
+    if given is None:
+        subject.refuse(0, f"{what} is missing", "missing", what)
     if subject.group and not isinstance(given, TimeFunction) and not callable(given):
         try:
             if np.shape(given) == (subject.count,):
                 return np.asarray(given, dtype=float)
         except UNREADABLE:
-            subject.refuse(0, f"{what} {given!r:.80} is not made of numbers", "not_a_number")
-    parameter = as_time_function(given, f"{subject.who(0)}: {what}")
+            subject.refuse(0, f"{what} {given!r:.80} is not made of numbers", "not_a_number", what)
+    with about(what, subject.who(0)):
+        parameter = as_time_function(given, f"{subject.who(0)}: {what}")
     if not isinstance(parameter, TimeFunction):
         return np.full(subject.count, parameter)
-    if what in info.differentiated and not parameter.has_derivatives:
+    if info.takes == "differentiable" and not parameter.has_derivatives:
         remedy = "a tuple of functions (f, df, ddf), or one of linkwork.functions such as table(t, values)"
-        subject.refuse(0, f"{what} enters with its time derivatives: give {remedy}", "derivatives")
+        subject.refuse(0, f"{what} enters with its time derivatives: give {remedy}", "derivatives", what)
     return parameter
 
 
 def _check_length(subject: Subject, place: Attachment, length: Parameter) -> None:
     """A distance of zero has no direction, so the joint would lose its equation."""
     start = np.full(subject.count, length.evaluate(0.0)[0]) if isinstance(length, TimeFunction) else length
-    subject.check(start > 0, lambda k: f"length {start[k]:.6g} m must be positive", "length")
-    subject.check(place.distance > 0, lambda k: "its two points coincide at the initial pose", "length")
+    subject.check(start > 0, lambda k: f"length {start[k]:.6g} m must be positive", "length", "length")
+    subject.check(place.distance > 0, lambda k: "its two points coincide at the initial pose", "length", "at")

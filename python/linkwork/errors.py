@@ -10,7 +10,8 @@ import errno
 import os
 import sys
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -53,8 +54,12 @@ class LinkworkError(Exception):
         residuals: Mapping[str, float] | None = None,
         forces: Sequence[str] = (),
         stage: int | None = None,
+        subject: str = "",
+        field: str = "",
     ) -> None:
-        """`time` and `step` [s] where a run failed, and in which stage of the step, from 1 on.
+        """`subject` is what the message begins with, "body 'crank'", `field` which part of it is wrong.
+
+        `time` and `step` [s] where a run failed, and in which stage of the step, from 1 on.
 
         `residuals` by name, in the unit of what is measured. An error of a run has its `result` up to there,
         and `state`, the last from which it went on: simulate(..., start=error.state) goes on from it.
@@ -69,8 +74,14 @@ class LinkworkError(Exception):
         self.residuals = dict(residuals or {})
         self.forces = list(forces)
         self.stage = stage
+        self.subject, self.field = subject, field
         self.result: Result | None = None
         self.state: Snapshot | None = None
+
+    @property
+    def reason(self) -> str:
+        """The message without its subject."""
+        return self.message.removeprefix(f"{self.subject}: ") if self.subject else self.message
 
 
 class ModelError(LinkworkError):
@@ -167,6 +178,16 @@ def cause(error: Exception, beside: str = "") -> str:
         return (lines[0] if lines else type(error).__name__) + beside
     remedy = _REMEDIES.get(number)
     return os.strerror(number).lower() + beside + (f"; {remedy}" if remedy else "")
+
+
+@contextmanager
+def about(field: str, subject: str = "") -> Iterator[None]:
+    """Errors from here on are about this field, of this subject where they do not know theirs."""
+    try:
+        yield
+    except LinkworkError as error:
+        error.field, error.subject = field, error.subject or subject
+        raise
 
 
 def unwritable(what: str, path: str | os.PathLike[str], error: Exception) -> FileError:

@@ -253,9 +253,13 @@ def check_breaks(breaks: ArrayLike, who: str) -> tuple[float, ...]:
     try:
         times = np.unique(np.asarray(breaks, dtype=float))
     except (TypeError, ValueError) as error:
-        raise ModelError(f"{who}: breaks {breaks!r} are not times [s]", code="breaks") from error
+        raise ModelError(
+            f"{who}: breaks {breaks!r} are not times [s]", code="breaks", subject=who, field="breaks"
+        ) from error
     if not np.isfinite(times).all():
-        raise ModelError(f"{who}: breaks {times.tolist()} are not finite", code="breaks")
+        raise ModelError(
+            f"{who}: breaks {times.tolist()} are not finite", code="breaks", subject=who, field="breaks"
+        )
     return tuple(times.tolist())
 
 
@@ -266,7 +270,9 @@ def broken(arguments: Mapping[str, Any], breaks: ArrayLike, who: str) -> dict[st
         return dict(arguments)
     functions = {what: x for what, x in arguments.items() if _is_function(x)}
     if not functions:
-        raise ModelError(f"{who}: breaks, but no function of time", code="breaks")
+        raise ModelError(
+            f"{who}: breaks, but no function of time", code="breaks", subject=who, field="breaks"
+        )
     return {**arguments, **{what: with_breaks(x, times) for what, x in functions.items()}}
 
 

@@ -93,7 +93,7 @@ COORDINATES: Mapping[str, Callable[[Floats, Side, Side], JointCoordinate]] = {
 
 def known_coordinates(kind: str) -> Sequence[str]:
     """Of a kind of joint; none of an unknown kind, from a file of a later version."""
-    return KINDS["joint"][kind].coordinates if kind in KINDS["joint"] else ()
+    return tuple(KINDS["joint"][kind].coordinates) if kind in KINDS["joint"] else ()
 
 
 def coordinate_of(kind: str, name: str, which: str | None) -> str:

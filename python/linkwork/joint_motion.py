@@ -16,24 +16,13 @@ from linkwork.header import Floats, Header, Indices
 if TYPE_CHECKING:
     from linkwork.result import Result
 
-#: Axes of a and of b that an equation of this name holds perpendicular; "rotation about both shafts" compares
-#: two products.
-PERPENDICULAR: dict[str, tuple[tuple[int, int], ...]] = {
-    "rotation about joint x": ((2, 1),),
-    "rotation about joint y": ((2, 0),),
-    "rotation about joint z": ((0, 1),),
-    "rotation about both axes' normal": ((2, 2),),
-    "rotation about the slot": ((2, 0),),
-    "rotation about both shafts": ((0, 1), (1, 0)),
-}
-
 #: Placements of joints that hold directions only: they sit nowhere.
 UNPLACED = ("direction", "two_directions", "orientation")
 
 
 @dataclass(frozen=True)
 class Holds:
-    """What a kind of joint holds, read from the names of its equations."""
+    """What a kind of joint holds."""
 
     translations: tuple[bool, bool, bool]  #: of the points, along the joint's x, y, z, at zero
     distance: bool  #: between the two points
@@ -41,7 +30,7 @@ class Holds:
     placed: bool  #: it sits at points of its bodies
     turning: bool  #: about its z axis, and about no other
     sliding: bool  #: along its z axis, and along no other
-    angles: tuple[str, ...]  #: its equations in PERPENDICULAR, at zero
+    angles: tuple[Sequence[tuple[int, int]], ...]  #: of its rotations at zero, see EquationInfo.perpendicular
 
     @classmethod
     def of(cls, kind: str) -> Holds:
@@ -49,19 +38,17 @@ class Holds:
         info = KINDS["joint"].get(kind)
         if info is None:
             return cls((False, False, False), False, 0, True, False, False, ())
-        names = set(info.equations)
-
-        x, y, z = (f"translation {a}" in names or f"translation along joint {a}" in names for a in "xyz")
-        if "displacement" in info.parameters:  # it prescribes the translation along z
-            z = False
+        equations = info.equations.values()
+        held = {(it.quantity, it.axis) for it in equations}
+        x, y, z = (("translation", axis) in held for axis in range(3))
         return cls(
             (x, y, z),
-            "distance" in names,
-            sum(name.startswith("rotation") for name in names),
+            any(it.quantity == "distance" for it in equations),
+            sum(it.quantity == "rotation" for it in equations),
             info.placement not in UNPLACED,
-            [f"rotation about joint {a}" in names for a in "xyz"] == [True, True, False],
+            [("rotation", axis) in held for axis in range(3)] == [True, True, False],
             (x, y, z) == (True, True, False),
-            () if "angle" in info.parameters else tuple(sorted(names & PERPENDICULAR.keys())),
+            tuple(it.perpendicular for it in equations if it.perpendicular),
         )
 
     @property
@@ -121,11 +108,11 @@ def violations(result: Result, joints: NDArray[np.integer], every: int = 1) -> t
     return apart, askew
 
 
-def _askew(a: Floats, b: Floats, equations: Sequence[str]) -> Floats:
+def _askew(a: Floats, b: Floats, equations: Sequence[Sequence[tuple[int, int]]]) -> Floats:
     """Angle between the axes (k, 3, 3) of a joint on its two bodies that its equations do not allow (k,)."""
     squares = np.zeros(len(a))
-    for name in equations:
-        products = [np.einsum("kc,kc->k", a[..., u], b[..., w]) for u, w in PERPENDICULAR[name]]
+    for pairs in equations:
+        products = [np.einsum("kc,kc->k", a[..., u], b[..., w]) for u, w in pairs]
         error = products[0] if len(products) == 1 else (products[0] - products[1]) / 2
         squares += np.arcsin(np.clip(error, -1, 1)) ** 2
     root: Floats = np.sqrt(squares)

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core, functions, given
 from linkwork.bodies import Bodies
 from linkwork.element_methods import ForceMethods, JointMethods
-from linkwork.elements import Elements, Role, kind_info, placed, with_parameters
-from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.elements import KINDS, Elements, Role, kind_info, placed, with_parameters
+from linkwork.errors import ModelError, OptionError, about, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.joint_coordinates import JointCoordinate, coordinate_of, coordinates_of
@@ -231,12 +231,16 @@ class Model(JointMethods, SpecialJointMethods, ForceMethods):
         """
         index, text = self._joint_named(joint, "drive")
         which = coordinate_of(self._core.joint_kind(index), text, coordinate)
-        if which not in ("angle", "displacement"):
+        if f"{which}_driver" not in KINDS["joint"]:
             raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
         named = {"position": position, "velocity": velocity, "acceleration": acceleration}
         motions = [(what, motion) for what, motion in named.items() if motion is not None]
         if len(motions) != 1:
-            raise ModelError(f"drive '{text}': give one of position, velocity, acceleration", code="drive")
+            raise ModelError(
+                f"drive '{text}': give one of position, velocity, acceleration",
+                code="drive",
+                subject=f"drive '{text}'",
+            )
         arrays = self._core.joint_arrays()
         place = Attachment(arrays["origin"][[index]], arrays["frame"][[index]], np.zeros(1))
         bodies = arrays["bodies"][[index]]
@@ -731,7 +735,8 @@ def check_model(model: object) -> None:
 
 def _motion(what: str, motion: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
     """A coordinate over time from its position, velocity or acceleration."""
-    function = as_time_function(motion, f"{who}: {what}")
+    with about(what, who):
+        function = as_time_function(motion, f"{who}: {what}")
     function = function if isinstance(function, TimeFunction) else functions.constant(function)
     value, rate = float(start.value[0]), float(start.rate[0])
     if what == "position":
@@ -799,12 +804,15 @@ def _names(kind: str, number: int) -> tuple[str, str]:
 
 def _numbers(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:
     """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
-    array = given.array(value, f"{who}: {what}", ModelError)
+    with about(what, who):
+        array = given.array(value, f"{who}: {what}", ModelError)
     for shape in shapes:
         if len(shape) == array.ndim and all(n in (None, m) for n, m in zip(shape, array.shape, strict=True)):
             return array
     wanted = " or ".join(str(shape).replace("None", "k") for shape in shapes)
-    raise ModelError(f"{who}: {what} has shape {array.shape}, not {wanted}", code="shape")
+    raise ModelError(
+        f"{who}: {what} has shape {array.shape}, not {wanted}", code="shape", subject=who, field=what
+    )
 
 
 def _choose(what: str, value: str, known: Sequence[str]) -> None:

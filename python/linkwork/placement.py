@@ -52,48 +52,54 @@ class Subject:
     def who(self, k: int) -> str:
         return f"{self.kind} '{self.member(k)}'"
 
-    def refuse(self, k: int, why: str, code: str) -> NoReturn:
-        """Raise the ModelError about element k."""
-        raise ModelError(f"{self.who(k)}: {why}", code=code, joints=[self.member(k)])
+    def refuse(self, k: int, why: str, code: str, field: str = "") -> NoReturn:
+        """Raise the ModelError about element k, and the argument that is wrong."""
+        who, name = self.who(k), self.member(k)
+        raise ModelError(f"{who}: {why}", code=code, joints=[name], subject=who, field=field)
 
-    def check(self, good: NDArray[np.bool_], why: Callable[[int], str], code: str) -> None:
+    def check(self, good: NDArray[np.bool_], why: Callable[[int], str], code: str, field: str = "") -> None:
         """Refuse the first element for which `good` (k,) does not hold."""
         if not good.all():
             k = int(np.argmin(good))
-            self.refuse(k, why(k), code)
+            self.refuse(k, why(k), code, field)
 
     def array(self, value: Any, size: int, what: str) -> Floats:
         """`value` as (k, size): the same for all, or one for each element; finite."""
         try:
             given = np.asarray(value, dtype=float)
         except (TypeError, ValueError, OverflowError):
-            self.refuse(0, f"{what} {value!r:.80} is not made of numbers", "not_a_number")
+            self.refuse(0, f"{what} {value!r:.80} is not made of numbers", "not_a_number", what)
         if given.shape not in ((size,), (self.count, size)):
             each = f" or ({self.count}, {size})" if self.group else ""
-            self.refuse(0, f"{what} has shape {given.shape}, not ({size},){each}", "shape")
+            self.refuse(0, f"{what} has shape {given.shape}, not ({size},){each}", "shape", what)
         array = np.broadcast_to(given, (self.count, size))
         self.check(
-            np.isfinite(array).all(axis=1), lambda k: f"{what} {text(array[k])} is not finite", "not_finite"
+            np.isfinite(array).all(axis=1),
+            lambda k: f"{what} {text(array[k])} is not finite",
+            "not_finite",
+            what,
         )
         return array
 
     def pair(self, value: Any, what: str) -> tuple[Any, Any]:
         """Two things: one for a, one for b."""
         if isinstance(value, str) or not hasattr(value, "__len__") or len(value) != 2:
-            self.refuse(0, f"{what} must be a pair (for a, for b), not {value!r}", "not_a_pair")
+            self.refuse(0, f"{what} must be a pair (for a, for b), not {value!r}", "not_a_pair", what)
         return value[0], value[1]
 
     def components(self, value: Any, what: str) -> dict[str, Any]:
         """The three parts of a vector, of any kind: what_x, what_y, what_z."""
         if isinstance(value, str) or not hasattr(value, "__len__") or len(value) != 3:
-            self.refuse(0, f"{what} must have three components, not {value!r}", "shape")
+            self.refuse(0, f"{what} must have three components, not {value!r}", "shape", what)
         return {f"{what}_{axis}": component for axis, component in zip("xyz", value, strict=True)}
 
     def directions(self, value: Any, what: str) -> Floats:
         """Unit vectors (k, 3)."""
         given = self.array(value, 3, what)
         largest = np.abs(given).max(axis=1, keepdims=True)
-        self.check(largest[:, 0] > 0, lambda k: f"{what} {text(given[k])} has no direction", "zero_axis")
+        self.check(
+            largest[:, 0] > 0, lambda k: f"{what} {text(given[k])} has no direction", "zero_axis", what
+        )
         scaled = given / largest
         unit: Floats = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
         return unit
@@ -106,6 +112,7 @@ class Subject:
             np.abs(norm[:, 0] - 1) <= ROUNDING,
             lambda k: f"{what} {text(p[k])} has norm {norm[k, 0]:.6g} and must be unit Euler parameters",
             "orientation",
+            what,
         )
         return rotation.matrix(p / norm)
 
@@ -205,7 +212,7 @@ def _two_axes(place: Place, points: Pair, axes: Any) -> Attachment:
     z_a, z_b = place.directions(axes, "axes")
     cosine = np.sum(z_a * z_b, axis=1)
     right = np.abs(cosine) <= (1 - ROUNDING if place.in_bodies else ROUNDING)
-    place.subject.check(right, lambda k: _wrong_angle(z_a[k], z_b[k]), "axes")
+    place.subject.check(right, lambda k: _wrong_angle(z_a[k], z_b[k]), "axes", "axes")
     if not place.in_bodies:
         z_b = z_b - cosine[:, None] * z_a
     x = np.cross(z_a, z_b)
@@ -234,6 +241,7 @@ def shafts(place: Place, at: Any, axes: Any) -> Attachment:
         np.sum(z_a * z_b, axis=1) > -1 + ROUNDING,
         lambda k: f"axes {text(z_a[k])} and {text(z_b[k])} are opposite",
         "axes",
+        "axes",
     )
     first = _frame(place, z_a, rotation.perpendicular(z_a), "axes")
     second = rotation.between(z_a, z_b) @ first
@@ -254,6 +262,7 @@ def centers(place: Place, at: Any, axis: Any) -> Attachment:
     place.subject.check(
         np.linalg.norm(d, axis=1) > ROUNDING * np.linalg.norm(along, axis=1),
         lambda k: f"its points are not apart from each other across the axis {text(z_a[k])}",
+        "at",
         "at",
     )
     return place.attachment((s_a, s_b), (_frame(place, z_a, d, "at"), _frame(place, z_b, -d, "at")))
@@ -346,7 +355,7 @@ def _frame(place: Place, z: Floats, x: Floats, what: str) -> Floats:
     x = x - np.sum(x * z, axis=1, keepdims=True) * z
     length = np.linalg.norm(x, axis=1, keepdims=True)
     place.subject.check(
-        length[:, 0] > ROUNDING, lambda k: f"{what} is parallel to the axis {text(z[k])}", "zero_axis"
+        length[:, 0] > ROUNDING, lambda k: f"{what} is parallel to the axis {text(z[k])}", "zero_axis", what
     )
     x = x / length
     return np.stack([x, np.cross(z, x), z], axis=2)

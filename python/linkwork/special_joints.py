@@ -75,28 +75,34 @@ def _coupled(core: _core.Model, terms: Sequence[Any], who: str) -> tuple[Coupled
     """Checked terms of a coupler: (joint, factor) or (joint, coordinate, factor)."""
     wanted = "(joint, factor) or (joint, coordinate, factor)"
     if isinstance(terms, str) or not isinstance(terms, Sequence) or not terms:
-        raise ModelError(f"{who}: its coordinates are a list of {wanted}, not {terms!r}", code="terms")
+        raise ModelError(
+            f"{who}: its coordinates are a list of {wanted}, not {terms!r}", code="terms", subject=who
+        )
     out: list[CoupledCoordinate] = []
     for term in terms:
         if isinstance(term, str) or not isinstance(term, Sequence) or len(term) not in (2, 3):
-            raise ModelError(f"{who}: {term!r} is not {wanted}", code="terms")
+            raise ModelError(f"{who}: {term!r} is not {wanted}", code="terms", subject=who)
         name = term[0].name if isinstance(term[0], Joint) else term[0]
         index = core.find_joint(name) if isinstance(name, str) else -1
         if index < 0:
-            raise ModelError(f"{who}: no joint named {name!r:.80}", code="unknown_name")
+            raise ModelError(f"{who}: no joint named {name!r:.80}", code="unknown_name", subject=who)
         if isinstance(term[0], Joint) and (index, core.joint_kind(index)) != (term[0].index, term[0].kind):
-            raise ModelError(f"{who}: joint '{name}' belongs to another model", code="unknown_joint")
+            raise ModelError(
+                f"{who}: joint '{name}' belongs to another model", code="unknown_joint", subject=who
+            )
         coordinate = coordinate_of(core.joint_kind(index), str(name), term[1] if len(term) == 3 else None)
         try:
             factor = float(term[-1])
         except UNREADABLE as error:
             why = f"factor {term[-1]!r} of '{name}' is not a number"
-            raise ModelError(f"{who}: {why}", code="factor") from error
+            raise ModelError(f"{who}: {why}", code="factor", subject=who) from error
         if not np.isfinite(factor) or factor == 0.0:
             why = f"factor {factor:g} of '{name}' must be finite and not zero"
-            raise ModelError(f"{who}: {why}", code="factor")
+            raise ModelError(f"{who}: {why}", code="factor", subject=who)
         if any(one[:2] == (name, coordinate) for one in out):
-            raise ModelError(f"{who}: {coordinate} of '{name}' is there twice; add the factors", code="terms")
+            raise ModelError(
+                f"{who}: {coordinate} of '{name}' is there twice; add the factors", code="terms", subject=who
+            )
         out.append(CoupledCoordinate(str(name), coordinate, factor))
     return tuple(out)
 
@@ -144,7 +150,7 @@ class SpecialJointMethods:
         else:
             remedy = "a tuple of functions (f, df, ddf), or one of linkwork.functions such as table"
             why = f"offset enters with its time derivatives: give {remedy}"
-            raise ModelError(f"{who}: {why}", code="derivatives")
+            raise ModelError(f"{who}: {why}", code="derivatives", subject=who, field="offset")
         given = [_core.CoupledCoordinate(model._core.find_joint(j), which, c) for j, which, c in terms]
         index = model._core.add_coupler(name, given, constant, signal)
         return model._keep("coupler", index, CouplerData(terms))

@@ -85,11 +85,6 @@ inline Attachment<double> place(const Model& model, int i, int j, const Vec3<dou
           A_j.transpose() * F_j};
 }
 
-/// What parameters of a joint are in the tests, by name, where they are not a length or a motion.
-inline double constant_parameter(const std::string& name) {
-  return name == "teeth_a" ? 20.0 : name == "teeth_b" ? -37.0 : 0.3;  // else a pitch or a radius
-}
-
 /// Adds a joint of any kind that the initial pose satisfies.
 inline int add_joint(Model& model, Random& random, const std::string& kind, const std::string& name, int i, int j) {
   const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info;
@@ -109,28 +104,25 @@ inline int add_joint(Model& model, Random& random, const std::string& kind, cons
   if (named("disc")) {
     F_j = turned(0.9);
     const Vec3<double> down = F_i.col(2).dot(F_j.col(2)) * F_j.col(2) - F_i.col(2);
-    P_i += constant_parameter("radius") * down.normalized();
+    P_i += info.parameters.front().value.example * down.normalized();
   }
   std::vector<Parameter> parameters;
-  for (const std::string& name : info.parameters) {
-    const bool motion = name == "angle" || name == "displacement";
-    parameters.push_back({name == "length" ? apart.norm() : motion ? 0.0 : constant_parameter(name), -1});
-  }
+  for (const ParameterInfo& it : info.parameters)
+    parameters.push_back({it.value.initial_distance ? apart.norm() : it.value.example, -1});
   return model.add_joint(kind, name, i, j, place(model, i, j, P_i, P_j, F_i, F_j), parameters);
 }
 
 /// Parameters of a force element of any kind, which vary in time where they can.
 inline std::vector<Parameter> force_parameters(Model& model, Random& random, const KindInfo& info) {
   std::vector<Parameter> out;
-  for (const std::string& name : info.parameters) {
-    const auto among = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
+  for (const ParameterInfo& it : info.parameters) {
+    const std::string& name = it.name;
     const TimeFunctionPtr function = harmonic(random.number(), random.number(1, 3), random.number(), 1.0);
-    if (among(info.constants)) out.push_back({name.starts_with("radius") ? 1.5 : random.number(1.2, 2.0), -1});
+    if (it.constant()) out.push_back({name.starts_with("radius") ? 1.5 : random.number(1.2, 2.0), -1});
     else if (name == "lower" || name == "upper")
       out.push_back({0.0, model.add_signal(harmonic(0.1, 2.0, 0.0, name == "lower" ? -0.2 : 0.2))});
-    else out.push_back({0.0, model.add_signal(among(info.functions) ? characteristic(function) : function)});
+    else
+      out.push_back({0.0, model.add_signal(it.takes == Takes::characteristic ? characteristic(function) : function)});
   }
   return out;
 }

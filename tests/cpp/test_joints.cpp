@@ -22,9 +22,9 @@ struct Case {
       model.add_body("body" + std::to_string(body), random_body(random));
     const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info;
     std::vector<Parameter> parameters;
-    for (const std::string& name : info.parameters) {
-      if (std::find(info.constants.begin(), info.constants.end(), name) != info.constants.end()) {
-        parameters.push_back({constant_parameter(name), -1});
+    for (const ParameterInfo& it : info.parameters) {
+      if (it.constant()) {
+        parameters.push_back({it.value.example, -1});
         continue;
       }
       const int polynomial_signal = model.add_signal(polynomial({1.0, 0.5, -0.7, 0.3}));
@@ -33,7 +33,7 @@ struct Case {
     }
     model.add_joint(kind, "joint", i, j, random_attachment(random), parameters);
     v_dot = random.vector(6 * static_cast<Eigen::Index>(model.bodies().size()));
-    positions = info.rows - info.velocity_rows;
+    positions = info.rows - info.velocity_rows();
   }
   Model model;
   VectorXd v_dot;
@@ -186,7 +186,7 @@ TEST_CASE("every joint names each of its equations once") {
     CHECK(kind.info.equations.size() == static_cast<std::size_t>(kind.info.rows));
     CHECK_FALSE(kind.info.documentation.empty());
     for (std::size_t a = 0; a < kind.info.equations.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b) CHECK(kind.info.equations[a] != kind.info.equations[b]);
+      for (std::size_t b = 0; b < a; ++b) CHECK(kind.info.equations[a].name != kind.info.equations[b].name);
   }
 }
 

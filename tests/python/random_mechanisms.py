@@ -25,9 +25,6 @@ Floats = NDArray[np.float64]
 JOINTS = {kind.name: kind for kind in _core.joint_kinds()}
 FORCES = {kind.name: kind for kind in _core.force_kinds()}
 
-#: Parameters of joints that cannot vary.
-CONSTANTS = {"pitch": 0.3, "radius": 0.3, "teeth_a": 20.0, "teeth_b": -37.0}
-
 #: Joints whose points may differ along the axis, and whose x axes may differ about it, at no violation.
 SLIDING, TURNING = ("cylindrical", "translational"), ("cylindrical", "revolute")
 
@@ -229,7 +226,9 @@ def row_mobility(mechanism: Mechanism, at: Equations) -> Floats:
     for joint in mechanism.joints:
         names = JOINTS[joint.kind].equations
         for rotation in (False, True):
-            group = [row + k for k, name in enumerate(names) if name.startswith("rotation") == rotation]
+            group = [
+                row + k for k, it in enumerate(names.values()) if (it.quantity == "rotation") == rotation
+            ]
             if group:
                 out[group] = mobility[group].mean()
         row += len(names)
@@ -306,22 +305,22 @@ class Maker:
             C_b = lw.rotation.matrix(lw.rotation.about(C_a[:, 0], self.rng.uniform(0.5, 1.2))) @ C_a
         if kind.placement == "disc":
             down = (C_a[:, 2] @ C_b[:, 2]) * C_b[:, 2] - C_a[:, 2]
-            P_a = P_b + CONSTANTS["radius"] * down / np.linalg.norm(down)
+            P_a = P_b + kind.parameters["radius"].example * down / np.linalg.norm(down)
         if kind.name in FORCES and kind.placement in ("axis", "frame"):
             C_b = lw.rotation.matrix(self.orientation())
         if kind.name in JOINTS:
             distance = float(np.linalg.norm(P_b - P_a))
-            parameters = tuple(self.parameter(what, distance) for what in kind.parameters)
+            parameters = tuple(self.parameter(it, distance) for it in kind.parameters.values())
         s = A_a.T @ (P_a - r_a), A_b.T @ (P_b - r_b)
         return Element(kind.name, a, b, s, (A_a.T @ C_a, A_b.T @ C_b), parameters, name)
 
-    def parameter(self, what: str, distance: float) -> Any:
+    def parameter(self, info: _core.ParameterInfo, distance: float) -> Any:
         """Of a joint: a length, a motion from zero, or a constant."""
-        if what == "length":
+        if info.initial_distance:
             return self.length(distance)
-        if what in ("angle", "displacement"):
-            return lw.functions.polynomial(0.0, self.rng.uniform(-1, 1), self.rng.uniform(-1, 1))
-        return CONSTANTS[what]
+        if info.constant:
+            return info.example
+        return lw.functions.polynomial(0.0, self.rng.uniform(-1, 1), self.rng.uniform(-1, 1))
 
     def length(self, distance: float) -> Any:
         """Constant, or a harmonic or parabola through the initial distance."""
@@ -337,41 +336,19 @@ class Maker:
         )
 
     def force(self, kind: Any, a: int, b: int) -> Element:
-        parameters = tuple(self.quantity(size_of(what), what) for what in kind.parameters)
+        parameters = tuple(map(self.quantity, kind.parameters.values()))
         return self.element(kind, a, b, parameters)
 
-    def quantity(self, size: float, what: str) -> Any:
+    def quantity(self, info: _core.ParameterInfo) -> Any:
         """A number; for a third of the forces a function of time."""
-        value = size * self.rng.uniform(0.5 if what == "exponent" else 0.1, 1)
-        if what.startswith(("force", "torque")):
+        value = info.example * self.rng.uniform(max(0.1, (info.least or 0.0) / info.example), 1)
+        if info.name.startswith(("force", "torque")):
             value *= self.rng.choice([-1, 1])
             if self.rng.random() < 1 / 3:
                 return lw.functions.harmonic(
                     value, self.rng.uniform(0, 10), self.rng.uniform(-3, 3), value / 2
                 )
         return float(value)
-
-
-def size_of(parameter: str) -> float:
-    """The largest that a parameter of a force element is here."""
-    sizes = {
-        "damp": 10.0,
-        "viscous": 10.0,
-        "hysteresis": 0.5,
-        "friction": 0.3,
-        "radius": 2.0,
-        "exponent": 2.0,
-    }
-    sizes |= {
-        "free": 1.0,
-        "throttle": 1.0,
-        "transition": 0.1,
-        "lower": -0.1,
-        "upper": 0.1,
-        "coefficient": 5.0,
-    }
-    sizes |= {"stiff": 100.0, "rotational_stiff": 100.0, "rotational_damp": 10.0, "spring": 100.0}
-    return next((size for start, size in sizes.items() if parameter.startswith(start)), 20.0)
 
 
 def about_z(angle: float) -> Floats:

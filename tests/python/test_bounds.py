@@ -11,40 +11,23 @@ import pytest
 from linkwork import functions
 from linkwork.elements import KINDS, Role
 
-#: Of every kind that bounds a parameter: what it is called with, all of it possible.
-POSSIBLE: dict[str, dict[str, Any]] = {
-    "distance": {"at": ((0, 0, 0), (1, 0, 0)), "length": 1.0},
-    "revolute_revolute": {"at": ((0, 0, 0), (1, 0, 0)), "axis": (0, 1, 0), "length": 1.0},
-    "revolute_spherical": {"at": ((0, 0, 0), (1, 0, 0)), "axis": (0, 1, 0), "length": 1.0},
-    "universal_spherical": {"at": ((0, 0, 0), (1, 0, 0)), "length": 1.0},
-    "rolling_disc": {
-        "at": ((0, 0, 0), (0, 0, 0.5)), "axes": ((0, 0, 1), (0, 1, 0)), "radius": 0.5,
-    },
-    "rotational_friction": {
-        "at": (0, 0, 0), "axis": (0, 1, 0), "coulomb": 1.0, "viscous": 0.1, "transition": 0.01,
-    },
-    "translational_friction": {
-        "at": (0, 0, 0), "axis": (0, 1, 0), "coulomb": 1.0, "viscous": 0.1, "transition": 0.01,
-    },
-    "rotational_stop": {
-        "at": (0, 0, 0), "axis": (0, 1, 0), "lower": -1.0, "upper": 1.0, "stiffness": 10.0, "damping": 1.0,
-    },
-    "translational_stop": {
-        "at": (0, 0, 0), "axis": (0, 1, 0), "lower": -1.0, "upper": 1.0, "stiffness": 10.0, "damping": 1.0,
-    },
-    "drag": {"at": (0, 0, 0), "coefficient": 0.5},
-    "sphere_plane_contact": {
-        "at": ((0, 0, 0), (0, 0, 0.5)), "normal": (0, 0, 1), "radius": 0.5, "stiffness": 1e3, "exponent": 1.5,
-        "hysteresis": 0.1, "friction": 0.1, "transition": 1e-3,
-    },
-    "sphere_sphere_contact": {
-        "at": ((0, 0, 0), (0, 0, 0.5)), "radius_a": 0.5, "radius_b": 0.2, "stiffness": 1e3, "exponent": 1.5,
-        "hysteresis": 0.1, "friction": 0.1, "transition": 1e-3,
-    },
-}  # fmt: skip
+#: Arguments of each placement.
+PLACES: dict[str, dict[str, Any]] = {
+    "point": {"at": (0, 0, 0)},
+    "axis": {"at": (0, 0, 0), "axis": (0, 1, 0)},
+    "two_points": {"at": ((0, 0, 0), (1, 0, 0))},
+    "centers": {"at": ((0, 0, 0), (1, 0, 0)), "axis": (0, 1, 0)},
+    "disc": {"at": ((0, 0, 0), (0, 0, 0.5)), "axes": ((0, 0, 1), (0, 1, 0))},
+    "plane": {"at": ((0, 0, 0), (0, 0, 0.5)), "normal": (0, 0, 1)},
+    "direction": {"axis": (0, 1, 0)},
+}
 
 BOUNDED = [
-    (role, name, bound) for role in KINDS for name, kind in KINDS[role].items() for bound in kind.bounds
+    (role, name, parameter)
+    for role in KINDS
+    for name, kind in KINDS[role].items()
+    for parameter in kind.parameters.values()
+    if parameter.least is not None
 ]
 
 
@@ -56,28 +39,28 @@ def two_bodies() -> lw.Model:
 
 
 def add(model: lw.Model, kind: str, **other: Any) -> Any:
-    return getattr(model, kind)("a", "b", name="it", **POSSIBLE[kind] | other)
+    info = KINDS["joint"].get(kind) or KINDS["force"][kind]
+    given = {name: it.example for name, it in info.parameters.items()}
+    return getattr(model, kind)("a", "b", name="it", **PLACES[info.placement] | given | other)
 
 
-def test_every_bounded_kind_is_tried() -> None:
-    assert {name for _, name, _ in BOUNDED} == set(POSSIBLE)
-    for name in POSSIBLE:
-        add(two_bodies(), name)
+@pytest.mark.parametrize("kind", sorted({kind for _, kind, _ in BOUNDED}))
+def test_every_bounded_kind_can_be_added(kind: str) -> None:
+    add(two_bodies(), kind)
 
 
-@pytest.mark.parametrize("role, name, bound", BOUNDED, ids=lambda x: getattr(x, "parameter", str(x)))
+@pytest.mark.parametrize("role, name, bound", BOUNDED, ids=lambda x: getattr(x, "name", str(x)))
 def test_a_number_beyond_its_bound_is_refused_by_name_and_value(role: Role, name: str, bound: Any) -> None:
     for value in [bound.least - 1, *[bound.least] * bound.above]:
         model = two_bodies()
         with pytest.raises(lw.ModelError) as found:
-            add(model, name, **{bound.parameter: value})
+            add(model, name, **{bound.name: value})
         assert f"{name} 'it'" in str(found.value)
-        assert f"{bound.parameter} = {value:g} must" in str(found.value) or "must be positive" in str(
-            found.value
-        )
+        assert f"{bound.name} = {value:g} must" in str(found.value) or "must be positive" in str(found.value)
+        assert found.value.field == bound.name
         assert model.joint_count == model.force_count == 0  # the model is as it was
     if not bound.above:
-        add(two_bodies(), name, **{bound.parameter: bound.least})
+        add(two_bodies(), name, **{bound.name: bound.least})
 
 
 @pytest.mark.parametrize("kind", ["rotational_stop", "translational_stop"])

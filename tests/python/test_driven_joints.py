@@ -34,7 +34,11 @@ DRIVES: dict[str, TimeFunction] = {
     ),
 }  # fmt: skip
 
-DRIVEN = sorted(name for name, kind in JOINTS.items() if kind.differentiated)
+DRIVEN = sorted(
+    name
+    for name, kind in JOINTS.items()
+    if any(it.takes == "differentiable" for it in kind.parameters.values())
+)
 
 
 def moved_on(q: Floats, v: Floats, h: float) -> Floats:

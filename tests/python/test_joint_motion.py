@@ -47,7 +47,7 @@ PLACES = {
 
 @pytest.mark.parametrize("kind", [
     kind for kind, info in KINDS["joint"].items()
-    if any(name.startswith("rotation about") for name in info.equations) and "angle" not in info.parameters
+    if any(it.perpendicular for it in info.equations.values())
 ])  # fmt: skip
 def test_axes_askew_are_what_the_equations_of_rotations_measure(kind: str) -> None:
     """A body turned by 1e-3 rad about a random axis: the sines of the angles are the rows of Phi."""
@@ -55,7 +55,7 @@ def test_axes_askew_are_what_the_equations_of_rotations_measure(kind: str) -> No
     axis = np.random.default_rng(3).normal(size=3)
     model = lw.Model(gravity=(0, 0, 0))
     body = model.body("body", mass=1, inertia=(1, 1, 1))
-    numbers = {name: 0.3 for name in info.parameters if name != "length"}
+    numbers = {name: it.example for name, it in info.parameters.items() if not it.initial_distance}
     getattr(model, kind)("ground", body, **PLACES[info.placement], **numbers, frames="body")
     model = model.with_initial_state(
         np.concatenate([np.zeros(3), lw.rotation.about(axis, 1e-3)]), np.zeros(6)
@@ -64,7 +64,7 @@ def test_axes_askew_are_what_the_equations_of_rotations_measure(kind: str) -> No
         result = lw.simulate(model, t_end=1e-3, step=1e-3, stabilization="none", assemble=False)
     _, askew = violations(result, np.arange(1))
     core = model.compiled()
-    rows = [name.startswith("rotation") for name in info.equations]
+    rows = [it.quantity == "rotation" for it in info.equations.values()]
     phi = lw.System(model).compiled().evaluate(0.0, core.q0, core.v0)["Phi"][rows]
     assert askew[0, 0] > 1e-4
     assert askew[0, 0] == pytest.approx(np.linalg.norm(phi), rel=1e-3)

@@ -263,16 +263,13 @@ IN_SPACE = {
     "orientation": {"orientation": lw.rotation.about((1, 1, 0), 0.4)},
     "shafts": {"at": (1, 2, 3), "axes": ((0, 3, 4), (1, 0, 1))},
     "centers": {"at": ((1, 2, 3), (1, -1, 4)), "axis": (0, 3, 4)},
-    "disc": {"at": ((1, 2, 3 - 0.5 * np.sqrt(0.5)), (1, 2, 3)), "axes": ((0, 0, 1), (1, 0, 1))},
+    "disc": {"at": ((1, 2, 3 - 0.3 * np.sqrt(0.5)), (1, 2, 3)), "axes": ((0, 0, 1), (1, 0, 1))},
 }
-
-#: Parameters of joints that need a value.
-PARAMETERS = {"pitch": -0.2, "radius": 0.5, "teeth_a": 20, "teeth_b": 31, "angle": 0.0, "displacement": 0.0}
 
 
 def arguments(kind: _core.KindInfo) -> dict[str, object]:
     return IN_SPACE[kind.placement] | {
-        name: PARAMETERS[name] for name in kind.parameters if name in PARAMETERS
+        name: it.example for name, it in kind.parameters.items() if not it.initial_distance
     }
 
 

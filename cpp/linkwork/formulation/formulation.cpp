@@ -32,12 +32,11 @@ namespace {
 template <class Visit>
 void for_each_row_group(const Model& model, Visit visit) {
   for (std::size_t joint = 0; joint < model.joints().size(); ++joint) {
-    const auto& names = joint_info(model.joints()[joint].kind).equations;
-    const auto rotation = [](const std::string& name) { return name.starts_with("rotation"); };
-    const auto first = names.begin();
-    for (auto begin = first; begin != names.end();) {
-      const auto end =
-          std::find_if(begin, names.end(), [&](const auto& name) { return rotation(name) != rotation(*begin); });
+    const auto& equations = joint_info(model.joints()[joint].kind).equations;
+    const auto first = equations.begin();
+    for (auto begin = first; begin != equations.end();) {
+      const auto other = [&](const EquationInfo& it) { return it.rotates() != begin->rotates(); };
+      const auto end = std::find_if(begin, equations.end(), other);
       visit(model.joint_rows()[joint] + static_cast<int>(begin - first), static_cast<int>(end - begin));
       begin = end;
     }

@@ -12,36 +12,23 @@ namespace {
 // Flores (2015), section 12.4
 constexpr double textbook_damping_ratio = 1.0, textbook_frequency = 10.0;
 
-/// The column `values` of the table.
-struct Values {
-  std::vector<std::string> names = {};
-  double least = 0.0;
-  bool above = false, finite = true;
-};
+// What the column `values` of the table is made of: names, or bounds of a number.
+using Words = std::vector<std::string>;
 
 template <class... Name>
-Values names(Name... name) {
-  return {.names = {name...}};
+Words names(Name... name) {
+  return {name...};
 }
 template <class Info>
-Values names_of(const std::vector<Info>& infos) {
-  Values out;
-  for (const Info& info : infos) out.names.emplace_back(info.name);
+Words names_of(const std::vector<Info>& infos) {
+  Words out;
+  for (const Info& info : infos) out.emplace_back(info.name);
   return out;
 }
-Values auto_or(Values others) {
-  others.names.insert(others.names.begin(), "auto");
+Words auto_or(Words others) {
+  others.insert(others.begin(), "auto");
   return others;
 }
-Values all_matrix_forms() {
-  Values out;
-  for (const MatrixForm& form : matrix_forms()) out.names.emplace_back(form.name);
-  return out;
-}
-Values positive() { return {.above = true}; }
-Values not_negative() { return {}; }
-Values at_least_one() { return {.least = 1.0}; }
-Values limits() { return {.above = true, .finite = false}; }
 
 template <class Type>
 constexpr const char* type_name = "number";
@@ -52,7 +39,7 @@ constexpr const char* type_name<int> = "whole";
 template <>
 constexpr const char* type_name<Limits> = "limits";
 
-std::string quoted(const std::vector<std::string>& names, const char* between) {
+std::string quoted(const Words& names, const char* between) {
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "'" : between + std::string("'")) + name + "'";
   return out;
@@ -60,27 +47,30 @@ std::string quoted(const std::vector<std::string>& names, const char* between) {
 
 [[noreturn]] void conflict(const std::string& message) { throw OptionError("conflict", message); }
 
-void check(const char* what, const std::string& given, const Values& values) {
-  if (std::find(values.names.begin(), values.names.end(), given) != values.names.end()) return;
-  throw OptionError("unknown_option",
-                    std::string(what) + " '" + given + "' does not exist; choose from " + quoted(values.names, ", "));
+void check(const char* what, const std::string& given, const Words& names) {
+  if (std::find(names.begin(), names.end(), given) == names.end())
+    throw OptionError("unknown_option",
+                      std::string(what) + " '" + given + "' does not exist; choose from " + quoted(names, ", "));
 }
 
-void check(const char* what, double given, const Values& values) {
-  if (given >= values.least && !(values.above && given == values.least) && (!values.finite || std::isfinite(given)))
-    return;
-  throw OptionError(what, std::string(what) + " " + std::to_string(given) + " must be " +
-                              (values.above         ? "positive"
-                               : values.least > 0.0 ? "at least 1"
-                                                    : "zero or positive") +
-                              (values.finite ? " and finite" : ""));
+/// Infinite is a limit like others.
+void check(const char* what, double given, const Bounds& bounds, bool finite = true) {
+  if (bounds.hold(given) && (!finite || std::isfinite(given))) return;
+  const char* wanted = bounds.above ? "positive" : bounds.least > 0.0 ? "at least 1" : "zero or positive";
+  throw OptionError(
+      what, std::string(what) + " " + std::to_string(given) + " must be " + wanted + (finite ? " and finite" : ""));
 }
 
-void check(const char* what, const Limits& given, const Values& values) {
-  for (const double limit : given) check(what, limit, values);
+void check(const char* what, const Limits& given, const Bounds& bounds) {
+  for (const double limit : given) check(what, limit, bounds, false);
 }
 
-bool lists(const std::vector<std::string>& options, const std::string& name) {
+Words choices_of(const Words& names) { return names; }
+Words choices_of(const Bounds&) { return {}; }
+bool excludes_zero(const Words&) { return false; }
+bool excludes_zero(const Bounds& bounds) { return bounds.above; }
+
+bool lists(const Words& options, const std::string& name) {
   return std::find(options.begin(), options.end(), name) != options.end();
 }
 
@@ -89,17 +79,16 @@ bool honors(const Options& options, const std::string& name) {
          lists(stabilization_info(options.stabilization).options, name);
 }
 
-/// Those that list an option; OptionError where they are wanted and the chosen one is not among them.
 template <class Info>
-std::vector<std::string> methods_with(const std::vector<Info>& infos, const std::string& name) {
-  std::vector<std::string> out;
+Words methods_with(const std::vector<Info>& infos, const std::string& name) {
+  Words out;
   for (const Info& info : infos)
     if (lists(info.options, name)) out.emplace_back(info.name);
   return out;
 }
 
-std::vector<std::string> methods_with(const std::string& name) {
-  const auto found = methods_with(formulations(), name);
+Words methods_with(const std::string& name) {
+  const Words found = methods_with(formulations(), name);
   return found.empty() ? methods_with(stabilizations(), name) : found;
 }
 
@@ -145,13 +134,13 @@ void check_limits(const Options& options) {
 
 const std::vector<OptionInfo>& option_infos() {
   static const std::vector<OptionInfo> infos = {
-#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP)               \
-  {                                                                            \
-    #NAME, type_name<TYPE>, (VALUES).names, (VALUES).above, {}, UNIT, HELP, {} \
-  }                                                                            \
+#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP)                          \
+  {                                                                                       \
+    #NAME, type_name<TYPE>, choices_of(VALUES), excludes_zero(VALUES), {}, UNIT, HELP, {} \
+  }                                                                                       \
   ,
 #define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
-  {#NAME, type_name<TYPE>, (VALUES).names, (VALUES).above, DEFAULT, UNIT, HELP, methods_with(#NAME)},
+  {#NAME, type_name<TYPE>, choices_of(VALUES), excludes_zero(VALUES), DEFAULT, UNIT, HELP, methods_with(#NAME)},
 #include "linkwork/formulation/options.def"
 #undef LINKWORK_OPTION
 #undef LINKWORK_METHOD_OPTION

@@ -24,13 +24,13 @@ struct Options {
 /// What an option can be.
 struct OptionInfo {
   std::string name;
-  std::string type;                  ///< "name", "number", "whole" or "limits"
-  std::vector<std::string> choices;  ///< of a name
-  bool positive = false;             ///< a number: not zero
-  std::optional<double> usual;       ///< a number: where it is not given
-  std::string unit;
-  std::string documentation;
-  std::vector<std::string> methods;  ///< formulations or stabilizations that have it; empty: it is of all
+  std::string type;                       ///< "name", "number", "whole" or "limits"
+  std::vector<std::string> choices = {};  ///< of a name
+  bool positive = false;                  ///< a number: not zero
+  std::optional<double> usual = {};       ///< a number: where it is not given
+  std::string unit = "";
+  std::string documentation = "";
+  std::vector<std::string> methods = {};  ///< formulations or stabilizations that have it; empty: it is of all
 };
 
 /// All of options.def, in that order.

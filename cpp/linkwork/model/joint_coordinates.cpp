@@ -1,8 +1,6 @@
 #include "linkwork/model/joint_coordinates.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 namespace linkwork {
@@ -34,18 +32,17 @@ void turn_about_b(const Place& at, const State& i, const State& j, Equation<doub
   angle_of<double>(i, j, s, c, out.rows());
 }
 
-constexpr FreeCoordinate coordinates[] = {{"angle", true, turn_of_revolute},
-                                          {"displacement", false, shift},
-                                          {"angle_a", true, turn_about_a},
-                                          {"angle_b", true, turn_about_b}};
-
 }  // namespace
 
+constexpr FreeCoordinate turn_about_axis{"angle", "rad", turn_of_revolute};
+constexpr FreeCoordinate shift_along_axis{"displacement", "m", shift};
+constexpr FreeCoordinate turn_about_axis_a{"angle_a", "rad", turn_about_a};
+constexpr FreeCoordinate turn_about_axis_b{"angle_b", "rad", turn_about_b};
+
 const FreeCoordinate* find_coordinate(const KindInfo& kind, const std::string& name) {
-  if (std::find(kind.coordinates.begin(), kind.coordinates.end(), name) == kind.coordinates.end()) return nullptr;
-  const auto found =
-      std::find_if(std::begin(coordinates), std::end(coordinates), [&](const auto& it) { return it.name == name; });
-  return found == std::end(coordinates) ? nullptr : found;
+  for (const FreeCoordinate* it : kind.coordinates)
+    if (it->name == name) return it;
+  return nullptr;
 }
 
 double continued(double angle, double last) {

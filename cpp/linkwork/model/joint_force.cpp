@@ -23,7 +23,7 @@ void JointForce::evaluate(double t, const BodyState<double>& body_i, const BodyS
   Equation<double> row;
   coordinate->evaluate(at, body_i, body_j, row);
   const double rate = row.rate(body_i, body_j);
-  if (coordinate->angle) {
+  if (coordinate->angle()) {
     row.Phi = history.next = continued(row.Phi, history.last);
     history.rate = rate;
   }

@@ -29,7 +29,7 @@ struct JointForce {
   CoordinateLawPtr law;
 
   /// An angle goes on over full turns.
-  HistoryKind history_kind() const { return coordinate->angle ? HistoryKind::angle : HistoryKind::none; }
+  HistoryKind history_kind() const { return coordinate->angle() ? HistoryKind::angle : HistoryKind::none; }
   void evaluate(double t, const BodyState<double>& body_i, const BodyState<double>& body_j,
                 HistoryVariable<double>& history, Wrenches<double>& out) const;
 };

@@ -9,7 +9,7 @@
 
 /// A joint is a struct (one file in joints/, one line in joints.def) with
 ///   static constexpr int rows;                  number of equations
-///   static KindInfo info();                     name, placement, parameters, names of the equations, documentation
+///   static KindInfo info();                     what there is to know of it, see KindInfo
 ///   template <class Real>
 ///   static void evaluate(const Attachment<Real>&, const Signal<Real>* parameters,
 ///                        const BodyState<Real>& i, const BodyState<Real>& j, Rows<Real, rows>);
@@ -29,6 +29,11 @@ struct ConstraintArrays {
 using EvaluateJoints = void (*)(const JointArrays&, const double* q, const double* v, const Signal<double>* signals,
                                 const ConstraintArrays&);
 
+constexpr int max_joint_parameters = 8;
+
+/// std::logic_error: a kind with more parameters than an evaluation has room for, or with other equations than rows.
+void check_kind(const KindInfo& info);
+
 struct JointKind {
   KindInfo info;
   EvaluateJoints evaluate[max_instruction_sets];  ///< by level of the instruction set
@@ -38,6 +43,7 @@ template <class Joint>
 JointKind make_joint_kind(EvaluateJoints v2, EvaluateJoints v3, EvaluateJoints v4) {
   JointKind kind{Joint::info(), {v2, v3, v4}};
   kind.info.rows = Joint::rows;
+  check_kind(kind.info);
   return kind;
 }
 

@@ -1,30 +1,104 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace linkwork {
 
-constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
-
-/// What a parameter may be: numbers from `least` on, or, with `above`, only those beyond it. A function of time may
+/// Which numbers a parameter may be: from `least` on, or, with `above`, only those beyond it. A function of time may
 /// touch that, but not pass it.
-struct Bound {
-  std::string parameter;
-  double least = 0.0;
+struct Bounds {
+  double least = -std::numeric_limits<double>::infinity();
   bool above = false;
+
+  bool any() const { return least > -std::numeric_limits<double>::infinity(); }
+  bool hold(double value) const { return value >= least && !(above && value == least); }
+};
+constexpr Bounds positive{0.0, true}, not_negative{0.0, false};
+constexpr Bounds at_least(double least) { return {least, false}; }
+
+/// What a parameter of a kind takes.
+enum class Takes {
+  function,        ///< a number or a function of time
+  differentiable,  ///< the same; the time derivatives of the function enter
+  number,          ///< a number; without bounds any but zero
+  whole_number,    ///< without bounds any but zero
+  characteristic,  ///< a function of a coordinate or velocity, or a number for a linear one
 };
 
-inline Bound positive(std::string parameter) { return {std::move(parameter), 0.0, true}; }
-inline Bound not_negative(std::string parameter) { return {std::move(parameter), 0.0, false}; }
-inline Bound at_least(double least, std::string parameter) { return {std::move(parameter), least, false}; }
+/// A parameter of a kind of joint or force.
+struct ParameterInfo {
+  struct Values {
+    std::optional<double> usual = {};  ///< where it is not given; none: it must be
+    bool initial_distance = false;     ///< where it is not given: that of the two points at the initial pose
+    double example = 0.0;              ///< of the usual size
+    Bounds bounds = {};                ///< of numbers
+    std::string not_above = "";        ///< a parameter that this one is not above
+  };
 
-/// Of two parameters the first is not larger than the second.
-struct Ordered {
-  std::string smaller, larger;
+  std::string name;
+  std::string unit;     ///< such as "N s/m"; a power may be another parameter, "N/m^exponent"; "" for a mere number
+  std::string meaning;  ///< a few words
+  Takes takes = Takes::function;
+  Values value = {};
+
+  bool constant() const { return takes == Takes::number || takes == Takes::whole_number; }
 };
+
+/// Axes of a joint's frames.
+enum class Axis { x, y, z };
+
+/// One constraint equation of a kind of joint.
+struct EquationInfo {
+  enum class Quantity {
+    translation,
+    rotation,
+    distance,  ///< of the two points
+    velocity,  ///< non-holonomic: Phi = 0
+    relation,  ///< between translations, rotations, coordinates
+  };
+  struct Pair {
+    Axis of_a, of_b;
+  };
+
+  std::string name;
+  Quantity quantity = Quantity::relation;
+  /// Of a translation or rotation that is held at zero: the axis along or about which.
+  std::vector<Axis> axis = {};
+  /// Of such a rotation: axes of a and b that are perpendicular; of two pairs the products are equal.
+  std::vector<Pair> perpendicular = {};
+
+  bool rotates() const { return quantity == Quantity::rotation; }
+};
+
+inline std::string letter(Axis axis) { return std::string(1, "xyz"[static_cast<int>(axis)]); }
+
+/// A component of the distance between the points, in inertial axes or along an axis of the joint.
+inline EquationInfo translation(Axis axis) {
+  return {"translation " + letter(axis), EquationInfo::Quantity::translation, {axis}};
+}
+inline EquationInfo translation_along(Axis axis) {
+  return {"translation along joint " + letter(axis), EquationInfo::Quantity::translation, {axis}};
+}
+inline EquationInfo translation_named(std::string name) {
+  return {std::move(name), EquationInfo::Quantity::translation};
+}
+/// The axis `of_a` of a stays perpendicular to the axis `of_b` of b.
+inline EquationInfo rotation_about(Axis axis, Axis of_a, Axis of_b) {
+  return {"rotation about joint " + letter(axis), EquationInfo::Quantity::rotation, {axis}, {{of_a, of_b}}};
+}
+inline EquationInfo rotation_named(std::string name, std::vector<EquationInfo::Pair> perpendicular = {}) {
+  return {std::move(name), EquationInfo::Quantity::rotation, {}, std::move(perpendicular)};
+}
+inline EquationInfo distance_of_points() { return {"distance", EquationInfo::Quantity::distance}; }
+inline EquationInfo velocity_along(Axis axis) {
+  return {"velocity along joint " + letter(axis), EquationInfo::Quantity::velocity};
+}
+
+struct FreeCoordinate;  // joint_coordinates.hpp
 
 /// What a user says about where a joint or force element sits.
 ///   point       one point                       axis        a point and an axis
@@ -40,18 +114,18 @@ struct KindInfo {
   std::string name = "";
   int rows = 0;  ///< constraint equations (0 for forces)
   std::string placement = "";
-  std::vector<std::string> parameters = {};      ///< numbers or functions of time
-  std::vector<std::string> differentiated = {};  ///< those of the parameters whose time derivatives enter
-  std::vector<std::string> constants = {};       ///< those of the parameters that cannot vary in time, nor be zero
-  std::vector<std::string> whole_numbers = {};   ///< those of the constants that must be whole
-  std::vector<Bound> bounds = {};                ///< of the parameters, where not every number makes sense
-  std::vector<Ordered> ordered = {};             ///< pairs of parameters
-  std::vector<std::string> functions = {};  ///< those of the parameters that are functions of a coordinate, not of time
-  std::vector<double> defaults = {};        ///< of the parameters, where there are any: NaN: none
-  std::vector<std::string> equations = {};  ///< one name per row
-  int velocity_rows = 0;  ///< of the equations, the last so many are of velocities only (non-holonomic): Phi = 0
-  std::vector<std::string> coordinates = {};  ///< relative positions that are free: see Coupler
+  std::vector<ParameterInfo> parameters = {};
+  std::vector<EquationInfo> equations = {};             ///< one a row; those of velocities are the last
+  std::vector<const FreeCoordinate*> coordinates = {};  ///< relative positions that are free: see Coupler
+  bool symmetric = true;                                ///< the same joint where a and b change places
+  bool driver = false;  ///< it prescribes a motion, its parameter; the multiplier is the force or torque for that
   std::string documentation = "";
+
+  int velocity_rows() const {
+    return static_cast<int>(std::count_if(equations.begin(), equations.end(), [](const EquationInfo& it) {
+      return it.quantity == EquationInfo::Quantity::velocity;
+    }));
+  }
 };
 
 }  // namespace linkwork

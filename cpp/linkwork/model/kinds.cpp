@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <numeric>
+#include <stdexcept>
 
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/force_kind.hpp"
@@ -32,6 +32,14 @@ int find_kind(const std::vector<Kind>& kinds, const std::string& name, const cha
 }
 
 }  // namespace
+
+void check_kind(const KindInfo& info) {
+  if (info.parameters.size() > max_joint_parameters)
+    throw std::logic_error("joint kind " + info.name + ": raise max_joint_parameters to " +
+                           std::to_string(info.parameters.size()));
+  if (info.equations.size() != static_cast<std::size_t>(info.rows))
+    throw std::logic_error("joint kind " + info.name + ": describe each of its equations");
+}
 
 const std::vector<JointKind>& joint_kinds() {
   static const std::vector<JointKind> kinds = {

@@ -29,43 +29,44 @@ std::string text(const Eigen::MatrixBase<Derived>& values) {
   return out + ")";
 }
 
-[[noreturn]] void refuse(const char* code, const std::string& message, const std::string& body) {
+/// The body's field is wrong.
+[[noreturn]] void refuse(const char* code, const char* field, const std::string& why, const std::string& body) {
   ErrorDetails details;
   details.bodies = {body};
-  throw ModelError(code, message, details);
+  details.subject = "body '" + body + "'";
+  details.field = field;
+  throw ModelError(code, details.subject + ": " + why, details);
 }
 
 template <class Derived>
 void check_finite(const Eigen::MatrixBase<Derived>& values, const char* quantity, const std::string& name) {
   if (!values.allFinite())
-    refuse("not_finite", "body '" + name + "': " + quantity + " " + text(values) + " is not finite", name);
+    refuse("not_finite", quantity, std::string(quantity) + " " + text(values) + " is not finite", name);
 }
 
 /// Principal moments of a real body satisfy J_1 + J_2 >= J_3 for every order, and none is negative.
 void check_inertia(const Mat3<double>& J, const std::string& name) {
   const double scale = J.cwiseAbs().maxCoeff();
   if (const double gap = (J - J.transpose()).cwiseAbs().maxCoeff(); gap > tolerance * scale)
-    refuse("inertia_not_symmetric",
-           "body '" + name + "': the inertia is not symmetric: entries across the diagonal differ by " + text(gap) +
-               " kg m^2",
-           name);
+    refuse("inertia_not_symmetric", "inertia",
+           "the inertia is not symmetric: entries across the diagonal differ by " + text(gap) + " kg m^2", name);
   Vec3<double> moments = J.diagonal();
   if (!J.isDiagonal(0.0))
     moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(J, Eigen::EigenvaluesOnly).eigenvalues();
   std::sort(moments.data(), moments.data() + 3);
   if (moments[0] < -tolerance * scale)
-    refuse("inertia_negative",
-           "body '" + name + "': principal moment of inertia " + text(moments[0]) + " kg m^2 is negative", name);
+    refuse("inertia_negative", "inertia", "principal moment of inertia " + text(moments[0]) + " kg m^2 is negative",
+           name);
   if (moments[2] > (moments[0] + moments[1]) * (1.0 + tolerance) + tolerance * scale)
-    refuse("inertia_triangle",
-           "body '" + name + "': principal moments of inertia " + text(moments) +
+    refuse("inertia_triangle", "inertia",
+           "principal moments of inertia " + text(moments) +
                " violate the triangle inequality: the largest must not exceed the sum of the others",
            name);
 }
 
 void check_body(const Body& body, const std::string& name) {
   if (!std::isfinite(body.mass) || body.mass < 0)
-    refuse("mass", "body '" + name + "': mass " + text(body.mass) + " kg must be finite and not negative", name);
+    refuse("mass", "mass", "mass " + text(body.mass) + " kg must be finite and not negative", name);
   check_finite(body.inertia, "inertia", name);
   check_finite(body.position, "position", name);
   check_finite(body.orientation, "orientation", name);
@@ -74,8 +75,8 @@ void check_body(const Body& body, const std::string& name) {
   check_inertia(body.inertia, name);
   const double norm = body.orientation.norm();
   if (std::abs(norm - 1.0) > unit_tolerance)
-    refuse("orientation",
-           "body '" + name + "': orientation " + text(body.orientation) + " has norm " + text(norm) +
+    refuse("orientation", "orientation",
+           "orientation " + text(body.orientation) + " has norm " + text(norm) +
                " and must be unit Euler parameters (e0, e1, e2, e3)",
            name);
 }
@@ -84,31 +85,42 @@ bool orthonormal(const Mat3<double>& C) {
   return (C.transpose() * C - Mat3<double>::Identity()).cwiseAbs().maxCoeff() < tolerance && C.determinant() > 0;
 }
 
-std::size_t place_of(const KindInfo& info, const std::string& parameter) {
-  const auto found = std::find(info.parameters.begin(), info.parameters.end(), parameter);
-  return static_cast<std::size_t>(found - info.parameters.begin());
+std::string wanted(const Bounds& bounds) {
+  if (bounds.least == 0.0) return bounds.above ? "must be positive" : "must not be negative";
+  return std::string(bounds.above ? "must be above " : "must be at least ") + text(bounds.least);
 }
 
-std::string wanted(const Bound& bound) {
-  if (bound.least == 0.0) return bound.above ? "must be positive" : "must not be negative";
-  return std::string(bound.above ? "must be above " : "must be at least ") + text(bound.least);
+const Parameter& value_of(const KindInfo& info, const std::string& name, const Parameter* parameters) {
+  const auto same = [&](const ParameterInfo& parameter) { return parameter.name == name; };
+  return parameters[std::find_if(info.parameters.begin(), info.parameters.end(), same) - info.parameters.begin()];
 }
 
-/// Why the numbers among the parameters are none of this kind; "" where they are.
-std::string beyond_bounds(const KindInfo& info, const Parameter* parameters) {
-  for (const Bound& bound : info.bounds) {
-    const Parameter& given = parameters[place_of(info, bound.parameter)];
-    if (given.signal < 0 && (given.constant < bound.least || (bound.above && given.constant == bound.least)))
-      return bound.parameter + " = " + text(given.constant) + " " + wanted(bound);
-  }
-  for (const Ordered& pair : info.ordered) {
-    const Parameter &smaller = parameters[place_of(info, pair.smaller)],
-                    &larger = parameters[place_of(info, pair.larger)];
-    if (smaller.signal < 0 && larger.signal < 0 && smaller.constant > larger.constant)
-      return pair.smaller + " = " + text(smaller.constant) + " must not be above " + pair.larger + " = " +
-             text(larger.constant);
-  }
-  return "";
+/// A code, and why a parameter is not as it has to be; "" where it is.
+using Fault = std::pair<const char*, std::string>;
+
+Fault fault_of_number(const KindInfo& info, const ParameterInfo& it, double value, const Parameter* parameters) {
+  const Bounds& bounds = it.value.bounds;
+  const auto shown = [&] { return " = " + text(value); };
+  if (!std::isfinite(value)) return {"not_finite", shown() + " is not finite"};
+  if (it.constant() && value == 0.0 && !bounds.any()) return {"zero_parameter", " is zero, and must not be"};
+  if (it.takes == Takes::whole_number && value != std::round(value))
+    return {"not_whole", shown() + " must be a whole number"};
+  if (!bounds.hold(value)) return {"out_of_bounds", shown() + " " + wanted(bounds)};
+  if (it.value.not_above.empty()) return {};
+  const Parameter& most = value_of(info, it.value.not_above, parameters);
+  if (most.signal >= 0 || value <= most.constant) return {};
+  return {"out_of_bounds", shown() + " must not be above " + it.value.not_above + " = " + text(most.constant)};
+}
+
+Fault fault_of_function(const ParameterInfo& it, const TimeFunction& function) {
+  if (it.constant()) return {"not_constant", " is a function of time, and must be a number"};
+  const bool characteristic = it.takes == Takes::characteristic;
+  if (function.of_time() == characteristic)
+    return {"function", characteristic ? " takes a characteristic, not a function of time"
+                                       : " takes a function of time, not a characteristic"};
+  if (it.takes == Takes::differentiable && !function.has_derivatives())
+    return {"derivatives", " is a function of time without derivatives; give the first and second derivative too"};
+  return {};
 }
 
 }  // namespace
@@ -136,11 +148,11 @@ int Model::add_bodies(const Names& names, const std::vector<Body>& bodies) {
 
 void Model::check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
                           const Parameter* parameters) const {
-  const std::string who = info.name + " '" + name + "'";
   ErrorDetails details;
+  details.subject = info.name + " '" + name + "'";
   details.joints = {name};
   const auto refuse_element = [&](const char* code, const std::string& why) {
-    throw ModelError(code, who + ": " + why, details);
+    throw ModelError(code, details.subject + ": " + why, details);
   };
   const int count = static_cast<int>(bodies_->size());
   for (const int body : {element.i, element.j})
@@ -155,48 +167,29 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
   if (!orthonormal(at.C_i) || !orthonormal(at.C_j))
     refuse_element("frame", "its axes are not orthonormal and right-handed");
   for (std::size_t p = 0; p < info.parameters.size(); ++p) {
-    const std::string& parameter = info.parameters[p];
+    const ParameterInfo& parameter = info.parameters[p];
+    details.field = parameter.name;
     const int signal = parameters[p].signal;
-    if (signal < 0 && !std::isfinite(parameters[p].constant))
-      refuse_element("not_finite", parameter + " = " + text(parameters[p].constant) + " is not finite");
     if (signal >= static_cast<int>(signals_.size()))
-      refuse_element("unknown_signal", parameter + ": function of time " + std::to_string(signal) + " does not exist");
-    const auto among = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), parameter) != names.end();
-    };
-    const bool differentiated = among(info.differentiated);
-    if (signal >= 0 && signals_[static_cast<std::size_t>(signal)]->of_time() == among(info.functions))
-      refuse_element("function",
-                     parameter + (among(info.functions) ? " takes a characteristic, not a function of time"
-                                                        : " takes a function of time, not a characteristic"));
-    if (among(info.constants)) {
-      if (signal >= 0) refuse_element("not_constant", parameter + " is a function of time, and must be a number");
-      const double value = parameters[p].constant;
-      const bool bounded = std::any_of(info.bounds.begin(), info.bounds.end(),
-                                       [&](const Bound& bound) { return bound.parameter == parameter; });
-      if (value == 0.0 && !bounded) refuse_element("zero_parameter", parameter + " is zero, and must not be");
-      if (among(info.whole_numbers) && value != std::round(value))
-        refuse_element("not_whole", parameter + " = " + text(value) + " must be a whole number");
-    }
-    if (signal >= 0 && differentiated && !signals_[static_cast<std::size_t>(signal)]->has_derivatives())
-      refuse_element("derivatives", parameter +
-                                        " is a function of time without derivatives; give the first and second "
-                                        "derivative too");
+      refuse_element("unknown_signal",
+                     parameter.name + ": function of time " + std::to_string(signal) + " does not exist");
+    const auto [code, why] = signal < 0 ? fault_of_number(info, parameter, parameters[p].constant, parameters)
+                                        : fault_of_function(parameter, *signals_[static_cast<std::size_t>(signal)]);
+    if (!why.empty()) refuse_element(code, parameter.name + why);
   }
-  if (const std::string why = beyond_bounds(info, parameters); !why.empty()) refuse_element("out_of_bounds", why);
 }
 
 /// Notes functions of time that are not to pass a bound.
 void Model::limit(const KindInfo& info, const std::string& name, const Parameter* parameters) {
   const auto what = [&](const std::string& parameter) { return info.name + " '" + name + "': " + parameter; };
-  for (const Bound& bound : info.bounds)
-    if (const Parameter& given = parameters[place_of(info, bound.parameter)]; given.signal >= 0)
-      limited_.own().push_back({given, {bound.least, -1}, what(bound.parameter), ""});
-  for (const Ordered& pair : info.ordered) {
-    const Parameter &smaller = parameters[place_of(info, pair.smaller)],
-                    &larger = parameters[place_of(info, pair.larger)];
-    if (smaller.signal >= 0 || larger.signal >= 0)
-      limited_.own().push_back({larger, smaller, what(pair.larger), pair.smaller});
+  for (std::size_t p = 0; p < info.parameters.size(); ++p) {
+    const ParameterInfo& parameter = info.parameters[p];
+    if (parameter.value.bounds.any() && parameters[p].signal >= 0)
+      limited_.own().push_back({parameters[p], {parameter.value.bounds.least, -1}, what(parameter.name), ""});
+    if (parameter.value.not_above.empty()) continue;
+    const Parameter& most = value_of(info, parameter.value.not_above, parameters);
+    if (most.signal >= 0 || parameters[p].signal >= 0)
+      limited_.own().push_back({most, parameters[p], what(parameter.value.not_above), parameter.name});
   }
 }
 
@@ -220,11 +213,14 @@ int Model::add_elements(Role role, int index, const KindInfo& info, const Names&
   std::vector<Parameter>& all_parameters = joint ? joint_parameters_.own() : force_parameters_.own();
   std::vector<int>& rows = joint_rows_.own();
   const int first = static_cast<int>(list.size());
+  const bool bounded = std::any_of(info.parameters.begin(), info.parameters.end(), [](const ParameterInfo& it) {
+    return it.value.bounds.any() || !it.value.not_above.empty();
+  });
   for (std::size_t k = 0; k < elements.size(); ++k) {
     list.push_back(elements[k]);
     list.back().kind = index;
     list.back().first_parameter = all_parameters.size() + k * count;
-    if (!info.bounds.empty()) limit(info, names[k], parameters.data() + k * count);
+    if (bounded) limit(info, names[k], parameters.data() + k * count);
     if (joint) rows.push_back(rows.back() + info.rows);
   }
   all_parameters.insert(all_parameters.end(), parameters.begin(), parameters.end());
@@ -309,7 +305,7 @@ std::string Model::describe_row(int row) const {
   const int joint = joint_of_row(row);
   const KindInfo& info = joint_info(joints()[static_cast<std::size_t>(joint)].kind);
   const int equation = row - joint_rows()[static_cast<std::size_t>(joint)];
-  return info.name + " '" + joint_name(joint) + "', " + info.equations[static_cast<std::size_t>(equation)];
+  return info.name + " '" + joint_name(joint) + "', " + info.equations[static_cast<std::size_t>(equation)].name;
 }
 
 VectorXd Model::initial_q() const {

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core, checks
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
+from linkwork.elements import KINDS
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.model import Model
 from linkwork.result import Result
@@ -20,8 +21,8 @@ __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
 
 Floats = NDArray[np.float64]
 
-#: Of the effort of drivers, by kind.
-UNITS = {"angle_driver": "N m", "displacement_driver": "N", "distance": "N"}
+#: Of a multiplier, by the quantity of its equation.
+UNITS = {"rotation": "N m", "translation": "N", "distance": "N"}
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,8 @@ class InverseDynamics:
 
     def _line(self, drive: Drive) -> str:
         k = int(np.abs(drive.effort).argmax())
-        unit = UNITS.get(drive.kind, "N or N m")
+        (equation,) = KINDS["joint"][drive.kind].equations.values()
+        unit = UNITS.get(equation.quantity, "N or N m")
         shared = "" if drive.unique else ", a share of what several could do"
         return (
             f"{drive.joint}: {drive.effort[k]:.6g} {unit} at t = {self.t[k]:.6g} s, power from "
@@ -85,7 +87,7 @@ def inverse_dynamics(
     exerts. As a function of time, `lw.functions.table(needed.t, needed.effort("motor"))`, given to a torque
     or actuator in the driver's place, it makes forward dynamics return the motion.
 
-    drivers  names of one-equation joints; without them all whose kind ends in "_driver", and others of one
+    drivers  names of one-equation joints; without them all that are drivers, and others of one
              equation with a function of time, such as a distance joint of variable length
 
     Errors as for `kinematics`. ModelError: a driver that does not exist, or with more than one equation.
@@ -135,7 +137,7 @@ def _drivers(model: Model) -> list[int]:
     found = [
         joint
         for joint in np.flatnonzero(rows == 1)
-        if core.joint_kind(int(joint)).endswith("_driver")
+        if KINDS["joint"][core.joint_kind(int(joint))].driver
         or (arrays["signals"][ends[joint] : ends[joint + 1]] >= 0).any()
     ]
     if not found:

@@ -186,16 +186,18 @@ linkwork.add_command(report)
 
 
 @linkwork.command("list")
+@click.argument("what", default="mechanisms", type=click.Choice(["mechanisms", "joints", "forces"]))
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-def list_mechanisms(as_json: bool) -> None:
-    """List the mechanisms and their parameters.
+def list_known(what: str, as_json: bool) -> None:
+    """List the mechanisms and their parameters, or the kinds of joints or forces with units and bounds.
 
     \b
     linkwork list --json
+    linkwork list joints
     """
-    from linkwork.cli.listing import show_mechanisms
+    from linkwork.cli import listing
 
-    show_mechanisms(as_json)
+    listing.show_mechanisms(as_json) if what == "mechanisms" else listing.show_kinds(what[:-1], as_json)
 
 
 @linkwork.command()

@@ -1,10 +1,12 @@
-"""`linkwork list`: the mechanisms and their parameters."""
+"""`linkwork list`: the mechanisms, joints and forces, and their parameters."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from linkwork import _core
 from linkwork.cli import output as out
+from linkwork.elements import KINDS, Role, described
 
 if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism
@@ -37,3 +39,28 @@ def _record(name: str, mechanism: Mechanism) -> dict[str, Any]:
 
 def _option(parameter: Any) -> str:
     return "--" + str(parameter.name).replace("_", "-")
+
+
+def show_kinds(role: Role, as_json: bool) -> None:
+    """Kinds of joints or forces: what they are, their parameters and equations."""
+    if as_json:
+        out.print_json([_kind_record(kind) for kind in KINDS[role].values()])
+        return
+    rows = []
+    for name, kind in KINDS[role].items():
+        lines = [f"{parameter.name}: {described(parameter)}" for parameter in kind.parameters.values()]
+        rows.append((name, kind.documentation, "\n".join([*lines, *kind.equations])))
+    what = "parameters and equations" if role == "joint" else "parameters"
+    out.print_table((role, "what it is", what), rows, left=3)
+
+
+def _kind_record(kind: _core.KindInfo) -> dict[str, Any]:
+    facts = ("name", "unit", "meaning", "takes", "usual", "least", "above", "not_above")
+    return {
+        "name": kind.name,
+        "description": kind.documentation,
+        "placement": kind.placement,
+        "parameters": [{fact: getattr(it, fact) for fact in facts} for it in kind.parameters.values()],
+        "equations": [{"name": it.name, "quantity": it.quantity} for it in kind.equations.values()],
+        "coordinates": [{"name": it.name, "unit": it.unit} for it in kind.coordinates.values()],
+    }

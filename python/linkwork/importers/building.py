@@ -103,13 +103,13 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     model = Model(description.gravity if gravity is None else gravity, description.name)
     builder = _Builder(description, model, states, groups, options.get("repair_inertia", False))
     for group in builder.moving:
-        _collect(faults, lines or {}, f"link '{group.main}'", partial(builder.add_body, group))
+        _collect(faults, lines or {}, "link", group.main, partial(builder.add_body, group))
     for joint in description.joints if not faults else ():
-        _collect(faults, lines or {}, f"joint '{joint.name}'", partial(builder.add_joint, joint))
+        _collect(faults, lines or {}, "joint", joint.name, partial(builder.add_joint, joint))
     for coupling in description.couplings if not faults else ():
         if options.get("couple", True):
             add = partial(builder.add_coupling, coupling)
-            _collect(faults, lines or {}, f"joint '{coupling.follower}'", add)
+            _collect(faults, lines or {}, "joint", coupling.follower, add)
         else:
             builder.note_coupling(coupling, "it moves freely")
     if faults:
@@ -117,16 +117,17 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     return Imported(description.path, model, tuple(description.notes))
 
 
-def _collect(faults: list[Fault], lines: Mapping[str, int], who: str, add: Callable[[], None]) -> None:
+def _collect(
+    faults: list[Fault], lines: Mapping[str, int], kind: str, name: str, add: Callable[[], None]
+) -> None:
     """Call, and take a refusal for a fault of the file."""
     try:
         add()
     except LinkworkError as error:
-        kind, _, name = who.partition(" ")
-        reason = error.message.partition(f"{name}: ")[2] or error.message
+        reason = error.reason
         if error.code in ("inertia_triangle", "inertia_negative"):
             reason += "; repair_inertia takes the nearest that is possible"
-        faults.append(Fault(lines.get(f"{kind} {name[1:-1]}", 1), who, reason))
+        faults.append(Fault(lines.get(f"{kind} {name}", 1), f"{kind} '{name}'", reason))
 
 
 # --- rigid groups -------------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ import numpy as np
 
 from linkwork import _core
 from linkwork.elements import KINDS, Role, placed, with_parameters
+from linkwork.errors import about
 from linkwork.functions import TimeFunction
 from linkwork.model import Model
 from linkwork.model_file import schema
@@ -34,13 +35,16 @@ class Placed:
     def info(self) -> _core.KindInfo:
         return KINDS[self.role][self.record.kind]
 
-    def quantity(self, value: Any) -> Any:
+    def quantity(self, value: Any, field: str) -> Any:
         """A number, or the function of time that a field says."""
         if isinstance(value, str):
             return self._functions[value]
         if isinstance(value, list):
-            return [self.quantity(part) for part in value]
-        return self._make(value) if isinstance(value, schema.Record) else value
+            return [self.quantity(part, field) for part in value]
+        if not isinstance(value, schema.Record):
+            return value
+        with about(field):
+            return self._make(value)
 
     def arguments(self) -> dict[str, Any]:
         """Of the kind's method, by name; the functions made."""
@@ -51,7 +55,7 @@ class Placed:
             if name == "coordinates":
                 values[name] = [_term(record) for record in value]
         own = schema.quantities_of(type(self.record))
-        return {name: self.quantity(value) if name in own else value for name, value in values.items()}
+        return {name: self.quantity(value, name) if name in own else value for name, value in values.items()}
 
 
 def _term(record: schema.CoupledRecord) -> tuple[Any, ...]:
@@ -138,7 +142,7 @@ def _column(elements: Sequence[Placed], name: str) -> Any:
     values = [getattr(element.record, name) for element in elements]
     if isinstance(values[0], float | int):
         return np.array(values, dtype=float)
-    return elements[0].quantity(values[0])
+    return elements[0].quantity(values[0], name)
 
 
 def _attached(records: Sequence[Any], place: Place) -> Attachment:

@@ -15,7 +15,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from linkwork.elements import KINDS
-from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, nearest
+from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, about, nearest
 from linkwork.functions import Sum, TimeFunction, constant
 from linkwork.model import Model
 from linkwork.model_file import schema
@@ -303,30 +303,19 @@ def function_of(record: Any) -> TimeFunction:
     """The function of time that a record describes. ModelError: what its constructor refuses."""
     (name,) = type(record).model_fields
     arguments = getattr(record, name)
-    if name == "sum":
-        return Sum(tuple(map(function_of, arguments)))
-    constructor = schema.constructors()[name]
-    if isinstance(arguments, schema.Record):
-        return constructor(**{what: getattr(arguments, what) for what in type(arguments).model_fields})
-    return constructor(*arguments) if isinstance(arguments, list) else constructor(arguments)
+    with about(name):
+        if name == "sum":
+            return Sum(tuple(map(function_of, arguments)))
+        constructor = schema.constructors()[name]
+        if isinstance(arguments, schema.Record):
+            return constructor(**{what: getattr(arguments, what) for what in type(arguments).model_fields})
+        return constructor(*arguments) if isinstance(arguments, list) else constructor(arguments)
 
 
 def _place(document: schema.Document, where: Where, error: LinkworkError) -> tuple[Where, str]:
-    """The field that a refusal is about, by the first word behind the object's name, and the reason."""
-    reason = error.message
+    """The field that a refusal is about, and the reason."""
     section, key, *inner = where
-    if inner:  # a shape
-        return where, reason
     record = getattr(document, str(section))[key]
-    for start in (f"body '{getattr(record, 'name', None)}': ", f"{getattr(record, 'kind', None)} '"):
-        if reason.startswith(start):
-            reason = reason.partition("': ")[2]
-    known = type(record).model_fields if hasattr(type(record), "model_fields") else {}
-    word = reason.split(" ", 1)[0].rstrip(":")
-    if word in known and getattr(record, word) is not None:
-        return (*where, word), reason.removeprefix(word).lstrip(": ")
-    for name, value in ((name, getattr(record, name)) for name in known):
-        if isinstance(value, schema.Record) and word in type(value).model_fields:  # a function of time
-            return (*where, name), reason
-    subject = error.code.split("_", 1)[0]  # such as inertia_triangle
-    return ((*where, subject) if getattr(record, subject, None) is not None else where), reason
+    if inner or not error.field or getattr(record, error.field, None) is None:  # inner: a shape
+        return where, error.reason
+    return (*where, error.field), error.reason.removeprefix(error.field).lstrip(": ")

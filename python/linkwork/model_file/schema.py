@@ -20,7 +20,7 @@ from annotated_types import Len
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_model
 
 from linkwork import _core, functions
-from linkwork.elements import KINDS, LENGTHS, Role
+from linkwork.elements import KINDS, Role, described
 from linkwork.expressions import LONGEST
 from linkwork.model import Model
 from linkwork.options import TABLE
@@ -293,10 +293,8 @@ def _placed_fields(kind: Any) -> Iterator[tuple[str, Any]]:
 def _field_type(kind: Any, name: str, hint: Any) -> Any:
     if name == "frames":
         return Literal["space", "body"]
-    if name in kind.constants:
-        return Number
     if name in kind.parameters:
-        return _quantity_type()
+        return _parameter_type(kind.parameters[name])
     if f"{name}_x" in kind.parameters:
         return _list(_quantity_type(), 3, 3)
     if name in _PLACES:
@@ -312,14 +310,23 @@ def _plain(default: Any) -> Any:
 
 def _parameter_fields(kind: Any) -> Iterator[tuple[str, Any]]:
     """(name, (type, default)) of the parameters, which an attached element has by their own names."""
-    for place, name in enumerate(kind.parameters):
-        type_ = Number if name in kind.constants else _quantity_type()
-        defaults = getattr(kind, "defaults", None)
-        default = defaults[place] if defaults else float("nan")
-        if name in LENGTHS:
+    for name, parameter in kind.parameters.items():
+        type_ = _parameter_type(parameter)
+        if parameter.initial_distance:
             yield name, (type_ | None, None)
         else:
-            yield name, (type_, ... if default != default else default)
+            yield name, (type_, ... if parameter.usual is None else parameter.usual)
+
+
+def _parameter_type(parameter: _core.ParameterInfo) -> Any:
+    """Bounds are told; numbers beyond them are refused by the model."""
+    text = described(parameter)
+    if not parameter.constant:
+        return Annotated[_quantity_type(), Field(description=text)]
+    bound = {"exclusiveMinimum" if parameter.above else "minimum": parameter.least}
+    return Annotated[
+        Number, Field(description=text, json_schema_extra=bound if parameter.least is not None else None)
+    ]
 
 
 #: A driver of a joint that stands before, by Model.drive; it is saved as the angle_driver or such that it is.

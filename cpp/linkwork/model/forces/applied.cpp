@@ -10,7 +10,12 @@ struct Applied {
   static KindInfo info() {
     return {.name = "applied",
             .placement = "frame",
-            .parameters = {"force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z"},
+            .parameters = {{"force_x", "N", "along the frame's x axis", Takes::function, {.example = 20.0}},
+                           {"force_y", "N", "along the frame's y axis", Takes::function, {.example = 20.0}},
+                           {"force_z", "N", "along the frame's z axis", Takes::function, {.example = 20.0}},
+                           {"torque_x", "N m", "about the frame's x axis", Takes::function, {.example = 20.0}},
+                           {"torque_y", "N m", "about the frame's y axis", Takes::function, {.example = 20.0}},
+                           {"torque_z", "N m", "about the frame's z axis", Takes::function, {.example = 20.0}}},
             .documentation =
                 "Force [N] and torque [N m] on body b at a point of b, constant or functions of time, with "
                 "components in the frame of body a (ground: inertial; b itself: body-fixed)."};

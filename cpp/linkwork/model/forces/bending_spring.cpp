@@ -9,9 +9,16 @@ struct BendingSpring {
   static KindInfo info() {
     return {.name = "bending_spring",
             .placement = "direction",
-            .parameters = {"stiffness", "damping"},
-            .differentiated = {"stiffness"},
-            .defaults = {0.0, 0.0},
+            .parameters = {{"stiffness",
+                            "N m/rad",
+                            "against the angle between the axes",
+                            Takes::differentiable,
+                            {.usual = 0.0, .example = 100.0}},
+                           {"damping",
+                            "N m s/rad",
+                            "against rotation across the axis",
+                            Takes::function,
+                            {.usual = 0.0, .example = 10.0}}},
             .documentation =
                 "Bending spring [N m/rad] and damper [N m s/rad] that hold an axis of b parallel to an axis "
                 "of a, in all directions alike: the torque k beta against the angle beta between the axes, "

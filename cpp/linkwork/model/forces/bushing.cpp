@@ -8,18 +8,26 @@ struct Bushing {
   static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
-    return {.name = "bushing",
-            .placement = "frame",
-            .parameters = {"stiffness_x", "stiffness_y", "stiffness_z", "rotational_stiffness_x",
-                           "rotational_stiffness_y", "rotational_stiffness_z", "damping_x", "damping_y", "damping_z",
-                           "rotational_damping_x", "rotational_damping_y", "rotational_damping_z"},
-            .differentiated = {"stiffness_x", "stiffness_y", "stiffness_z", "rotational_stiffness_x",
-                               "rotational_stiffness_y", "rotational_stiffness_z"},
-            .defaults = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-            .documentation =
-                "Elastic bearing between frames of a and b: along the axes of a's frame -k u - c u_dot [N] "
-                "acts on the point of b, u its shift [m]; about them -K phi - C phi_dot [N m], phi the "
-                "rotation vector of b's frame against a's [rad], exact for large rotations below half a turn."};
+    return {
+        .name = "bushing",
+        .placement = "frame",
+        .parameters =
+            {{"stiffness_x", "N/m", "along x", Takes::differentiable, {.usual = 0.0, .example = 100.0}},
+             {"stiffness_y", "N/m", "along y", Takes::differentiable, {.usual = 0.0, .example = 100.0}},
+             {"stiffness_z", "N/m", "along z", Takes::differentiable, {.usual = 0.0, .example = 100.0}},
+             {"rotational_stiffness_x", "N m/rad", "about x", Takes::differentiable, {.usual = 0.0, .example = 100.0}},
+             {"rotational_stiffness_y", "N m/rad", "about y", Takes::differentiable, {.usual = 0.0, .example = 100.0}},
+             {"rotational_stiffness_z", "N m/rad", "about z", Takes::differentiable, {.usual = 0.0, .example = 100.0}},
+             {"damping_x", "N s/m", "along x", Takes::function, {.usual = 0.0, .example = 10.0}},
+             {"damping_y", "N s/m", "along y", Takes::function, {.usual = 0.0, .example = 10.0}},
+             {"damping_z", "N s/m", "along z", Takes::function, {.usual = 0.0, .example = 10.0}},
+             {"rotational_damping_x", "N m s/rad", "about x", Takes::function, {.usual = 0.0, .example = 10.0}},
+             {"rotational_damping_y", "N m s/rad", "about y", Takes::function, {.usual = 0.0, .example = 10.0}},
+             {"rotational_damping_z", "N m s/rad", "about z", Takes::function, {.usual = 0.0, .example = 10.0}}},
+        .documentation =
+            "Elastic bearing between frames of a and b: along the axes of a's frame -k u - c u_dot [N] "
+            "acts on the point of b, u its shift [m]; about them -K phi - C phi_dot [N m], phi the "
+            "rotation vector of b's frame against a's [rad], exact for large rotations below half a turn."};
   }
 
   template <class Real>

@@ -10,18 +10,28 @@
 /// Nikravesh (1990), 8 (1 - e) / (5 e) of Flores et al. (2011). Coulomb friction, regularized below a speed.
 namespace linkwork {
 
-/// Numbers that a contact has in common with others, from the `first` parameter on.
-inline std::vector<std::string> contact_parameters(std::vector<std::string> own) {
-  for (const char* name : {"stiffness", "exponent", "hysteresis", "friction", "transition"}) own.push_back(name);
-  return own;
-}
-
-/// What they may be. Below an exponent of 1 the stiffness K n d^(n-1) is infinite where contact begins: no step is
-/// small enough there, and there is no material that does so.
-inline std::vector<Bound> contact_bounds(std::vector<Bound> own) {
-  for (Bound bound : {positive("stiffness"), at_least(1.0, "exponent"), not_negative("hysteresis"),
-                      not_negative("friction"), positive("transition")})
-    own.push_back(std::move(bound));
+/// Those that a contact has in common with others, behind its own. Below an exponent of 1 the stiffness K n d^(n-1) is
+/// infinite where contact begins: no step is small enough there, and there is no material that does so.
+inline std::vector<ParameterInfo> contact_parameters(std::vector<ParameterInfo> own) {
+  const std::vector<ParameterInfo> common = {
+      {"stiffness", "N/m^exponent", "K", Takes::number, {.example = 100.0, .bounds = positive}},
+      {"exponent", "", "n", Takes::number, {.usual = 1.5, .example = 2.0, .bounds = at_least(1.0)}},
+      {"hysteresis",
+       "",
+       "factor c of the rate",
+       Takes::function,
+       {.usual = 0.0, .example = 0.5, .bounds = not_negative}},
+      {"friction",
+       "",
+       "coefficient of friction",
+       Takes::function,
+       {.usual = 0.0, .example = 0.3, .bounds = not_negative}},
+      {"transition",
+       "m/s",
+       "speed of regularization",
+       Takes::number,
+       {.usual = 1e-3, .example = 0.1, .bounds = positive}}};
+  own.insert(own.end(), common.begin(), common.end());
   return own;
 }
 

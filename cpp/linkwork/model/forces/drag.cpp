@@ -7,14 +7,15 @@ struct Drag {
   static constexpr HistoryKind history = HistoryKind::none;
 
   static KindInfo info() {
-    return {.name = "drag",
-            .placement = "point",
-            .parameters = {"coefficient"},
-            .bounds = {not_negative("coefficient")},
-            .documentation =
-                "Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u "
-                "[N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / "
-                "2 [N s^2/m^2]. Nothing acts on a."};
+    return {
+        .name = "drag",
+        .placement = "point",
+        .parameters =
+            {{"coefficient", "N s^2/m^2", "rho c_d A / 2", Takes::function, {.example = 5.0, .bounds = not_negative}}},
+        .documentation =
+            "Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u "
+            "[N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / "
+            "2 [N s^2/m^2]. Nothing acts on a."};
   }
 
   template <class Real>

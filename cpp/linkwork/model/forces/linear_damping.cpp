@@ -9,8 +9,16 @@ struct LinearDamping {
   static KindInfo info() {
     return {.name = "linear_damping",
             .placement = "point",
-            .parameters = {"damping", "rotational_damping"},
-            .defaults = {0.0, 0.0},
+            .parameters = {{"damping",
+                            "N s/m",
+                            "against the velocity of the point",
+                            Takes::function,
+                            {.usual = 0.0, .example = 10.0}},
+                           {"rotational_damping",
+                            "N m s/rad",
+                            "against the angular velocity",
+                            Takes::function,
+                            {.usual = 0.0, .example = 10.0}}},
             .documentation =
                 "Linear damping of all relative motion: the force on the point of b is -c u [N], u the velocity "
                 "of that point as seen from a [m/s] and `damping` c [N s/m]; the torque on b is -C w "

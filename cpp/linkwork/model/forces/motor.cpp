@@ -9,9 +9,8 @@ struct Motor {
   static KindInfo info() {
     return {.name = "motor",
             .placement = Angle::placement,
-            .parameters = {"curve", "throttle"},
-            .functions = {"curve"},
-            .defaults = {no_default, 1.0},
+            .parameters = {{"curve", "N m", "torque over the speed [rad/s]", Takes::characteristic, {.example = 20.0}},
+                           {"throttle", "", "factor of the curve", Takes::function, {.usual = 1.0, .example = 1.0}}},
             .documentation =
                 "Motor about a joint axis: the torque on b about the axis is throttle(t) curve(theta_dot) [N "
                 "m], the curve a function of the speed [rad/s], such as linkwork.functions.table(speeds, "

@@ -10,10 +10,8 @@ struct SpherePlaneContact {
   static KindInfo info() {
     return {.name = "sphere_plane_contact",
             .placement = "plane",
-            .parameters = contact_parameters({"radius"}),
-            .constants = {"radius", "stiffness", "exponent", "transition"},
-            .bounds = contact_bounds({positive("radius")}),
-            .defaults = {no_default, no_default, 1.5, 0.0, 0.0, 1e-3},
+            .parameters = contact_parameters(
+                {{"radius", "m", "of the sphere", Takes::number, {.example = 2.0, .bounds = positive}}}),
             .documentation =
                 "Contact of a sphere of b, by its center and `radius` [m], with a plane of a, by a point and "
                 "the normal toward b; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of "

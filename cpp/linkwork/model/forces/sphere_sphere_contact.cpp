@@ -10,10 +10,9 @@ struct SphereSphereContact {
   static KindInfo info() {
     return {.name = "sphere_sphere_contact",
             .placement = "two_points",
-            .parameters = contact_parameters({"radius_a", "radius_b"}),
-            .constants = {"radius_a", "radius_b", "stiffness", "exponent", "transition"},
-            .bounds = contact_bounds({positive("radius_a"), positive("radius_b")}),
-            .defaults = {no_default, no_default, no_default, 1.5, 0.0, 0.0, 1e-3},
+            .parameters = contact_parameters(
+                {{"radius_a", "m", "of the sphere of a", Takes::number, {.example = 2.0, .bounds = positive}},
+                 {"radius_b", "m", "of the sphere of b", Takes::number, {.example = 2.0, .bounds = positive}}}),
             .documentation =
                 "Contact of a sphere of a with a sphere of b, by their centers and radii [m]; stiffness K "
                 "[N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed "

@@ -10,8 +10,14 @@ struct SpringDamper {
   static KindInfo info() {
     return {.name = "spring_damper",
             .placement = "two_points",
-            .parameters = {"stiffness", "damping", "free_length", "force"},
-            .differentiated = {"stiffness", "free_length"},
+            .parameters = {{"stiffness", "N/m", "of the spring", Takes::differentiable, {.example = 100.0}},
+                           {"damping", "N s/m", "of the damper", Takes::function, {.example = 10.0}},
+                           {"free_length",
+                            "m",
+                            "where the spring is free",
+                            Takes::differentiable,
+                            {.initial_distance = true, .example = 1.0}},
+                           {"force", "N", "of the actuator, pull positive", Takes::function, {.example = 20.0}}},
             .documentation =
                 "Spring [N/m], damper [N s/m] and actuator [N] between a point of a and a point of b: the "
                 "pull is f = k (l - l_0) + c l_dot + f_a, positive in tension."};

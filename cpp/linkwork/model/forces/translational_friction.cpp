@@ -9,10 +9,21 @@ struct TranslationalFriction {
   static KindInfo info() {
     return {.name = "translational_friction",
             .placement = Displacement::placement,
-            .parameters = {"coulomb", "viscous", "transition"},
-            .constants = {"transition"},
-            .bounds = {not_negative("coulomb"), not_negative("viscous"), positive("transition")},
-            .defaults = {0.0, 0.0, 1e-3},
+            .parameters = {{"coulomb",
+                            "N",
+                            "Coulomb friction",
+                            Takes::function,
+                            {.usual = 0.0, .example = 20.0, .bounds = not_negative}},
+                           {"viscous",
+                            "N s/m",
+                            "viscous friction",
+                            Takes::function,
+                            {.usual = 0.0, .example = 10.0, .bounds = not_negative}},
+                           {"transition",
+                            "m/s",
+                            "speed of regularization",
+                            Takes::number,
+                            {.usual = 1e-3, .example = 0.1, .bounds = positive}}},
             .documentation =
                 "Friction along a joint axis: the force on b is -f_c tanh(v / v_t) - c v [N], v the relative "
                 "speed [m/s]: Coulomb friction `coulomb` [N], regularized below the speed `transition` [m/s], "

@@ -12,9 +12,10 @@ struct AngleDriver {
   static KindInfo info() {
     return {.name = "angle_driver",
             .placement = "axis",
-            .parameters = {"angle"},
-            .differentiated = {"angle"},
-            .equations = {"rotation about joint z"},
+            .parameters = {{"angle", "rad", "of b against a, zero at the initial pose", Takes::differentiable}},
+            .equations = {rotation_named("rotation about joint z")},
+            .symmetric = false,
+            .driver = true,
             .documentation =
                 "Driver of a rotation: the angle of b against a about the axis, right-handed and zero at the "
                 "initial pose, is `angle` [rad], constant or a function of time. Other joints keep the axis. "

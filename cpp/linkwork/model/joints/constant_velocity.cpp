@@ -11,7 +11,8 @@ struct ConstantVelocity {
   static KindInfo info() {
     return {.name = "constant_velocity",
             .placement = "shafts",
-            .equations = {"translation x", "translation y", "translation z", "rotation about both shafts"},
+            .equations = {translation(Axis::x), translation(Axis::y), translation(Axis::z),
+                          rotation_named("rotation about both shafts", {{Axis::x, Axis::y}, {Axis::y, Axis::x}})},
             .documentation =
                 "Homokinetic joint: bodies a and b share a point, and the shaft of b turns about its axis "
                 "exactly as the shaft of a does, at any angle between them below 180 degrees."};

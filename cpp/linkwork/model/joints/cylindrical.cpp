@@ -1,3 +1,4 @@
+#include "linkwork/model/joint_coordinates.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/primitives.hpp"
 
@@ -10,9 +11,9 @@ struct Cylindrical {
   static KindInfo info() {
     return {.name = "cylindrical",
             .placement = "axis",
-            .equations = {"translation along joint x", "translation along joint y", "rotation about joint y",
-                          "rotation about joint x"},
-            .coordinates = {"angle", "displacement"},
+            .equations = {translation_along(Axis::x), translation_along(Axis::y),
+                          rotation_about(Axis::y, Axis::z, Axis::x), rotation_about(Axis::x, Axis::z, Axis::y)},
+            .coordinates = {&turn_about_axis, &shift_along_axis},
             .documentation =
                 "Sleeve on a shaft: bodies a and b share an axis; sliding along it and rotation about it are free."};
   }

@@ -10,9 +10,10 @@ struct DisplacementDriver {
   static KindInfo info() {
     return {.name = "displacement_driver",
             .placement = "axis",
-            .parameters = {"displacement"},
-            .differentiated = {"displacement"},
-            .equations = {"translation along joint z"},
+            .parameters = {{"displacement", "m", "of the point of b, zero at the initial pose", Takes::differentiable}},
+            .equations = {translation_named("translation along joint z")},
+            .symmetric = false,
+            .driver = true,
             .documentation =
                 "Driver of a shift: the point of b is `displacement` [m] along the axis of a from where it is "
                 "at the initial pose, constant or a function of time. The multiplier is the driving force on "

@@ -10,10 +10,12 @@ struct Distance {
   static KindInfo info() {
     return {.name = "distance",
             .placement = "two_points",
-            .parameters = {"length"},
-            .differentiated = {"length"},
-            .bounds = {positive("length")},
-            .equations = {"distance"},
+            .parameters = {{"length",
+                            "m",
+                            "of the rod",
+                            Takes::differentiable,
+                            {.initial_distance = true, .example = 1.0, .bounds = positive}}},
+            .equations = {distance_of_points()},
             .documentation =
                 "Massless rod with ball ends: a point of a and a point of b keep the distance `length` "
                 "[m], constant or a function of time. The multiplier is the rod's force [N], "

@@ -10,8 +10,9 @@ struct Fixed {
   static KindInfo info() {
     return {.name = "fixed",
             .placement = "frame",
-            .equations = {"translation x", "translation y", "translation z", "rotation about joint z",
-                          "rotation about joint x", "rotation about joint y"},
+            .equations = {translation(Axis::x), translation(Axis::y), translation(Axis::z),
+                          rotation_about(Axis::z, Axis::x, Axis::y), rotation_about(Axis::x, Axis::y, Axis::z),
+                          rotation_about(Axis::y, Axis::z, Axis::x)},
             .documentation = "Weld: bodies a and b keep their relative position and orientation."};
   }
 

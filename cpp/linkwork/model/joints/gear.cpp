@@ -13,10 +13,10 @@ struct Gear {
   static KindInfo info() {
     return {.name = "gear",
             .placement = "centers",
-            .parameters = {"teeth_a", "teeth_b"},
-            .constants = {"teeth_a", "teeth_b"},
-            .whole_numbers = {"teeth_a", "teeth_b"},
-            .equations = {"rolling of the pitch circles"},
+            .parameters = {{"teeth_a", "", "number of teeth of a", Takes::whole_number, {.example = 20.0}},
+                           {"teeth_b", "", "number of teeth of b", Takes::whole_number, {.example = -37.0}}},
+            .equations = {{"rolling of the pitch circles"}},
+            .symmetric = false,
             .documentation =
                 "Spur gears: wheels a and b with `teeth_a` and `teeth_b` teeth mesh on the line between their "
                 "centers; their axes are kept parallel and apart by other joints, on a carrier that may move. "

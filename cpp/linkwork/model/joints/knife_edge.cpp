@@ -10,8 +10,8 @@ struct KnifeEdge {
   static KindInfo info() {
     return {.name = "knife_edge",
             .placement = "axis",
-            .equations = {"velocity along joint z"},
-            .velocity_rows = 1,
+            .equations = {velocity_along(Axis::z)},
+            .symmetric = false,
             .documentation =
                 "Knife edge: the point of b has no velocity against a along an axis fixed in b; non- "
                 "holonomic. Along the edge and about the point all motion is free."};

@@ -10,7 +10,8 @@ struct Orientation {
   static KindInfo info() {
     return {.name = "orientation",
             .placement = "orientation",
-            .equations = {"rotation about joint z", "rotation about joint x", "rotation about joint y"},
+            .equations = {rotation_about(Axis::z, Axis::x, Axis::y), rotation_about(Axis::x, Axis::y, Axis::z),
+                          rotation_about(Axis::y, Axis::z, Axis::x)},
             .documentation = "Orientation lock: bodies a and b keep their relative orientation; all shifts are free."};
   }
 

@@ -11,7 +11,7 @@ struct ParallelAxes {
     return {
         .name = "parallel_axes",
         .placement = "direction",
-        .equations = {"rotation about joint y", "rotation about joint x"},
+        .equations = {rotation_about(Axis::y, Axis::z, Axis::x), rotation_about(Axis::x, Axis::z, Axis::y)},
         .documentation = "An axis of b stays parallel to an axis of a: shifts and rotation about the axis are free."};
   }
 

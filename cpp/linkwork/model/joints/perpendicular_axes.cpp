@@ -10,7 +10,7 @@ struct PerpendicularAxes {
   static KindInfo info() {
     return {.name = "perpendicular_axes",
             .placement = "two_directions",
-            .equations = {"rotation about both axes' normal"},
+            .equations = {rotation_named("rotation about both axes' normal", {{Axis::z, Axis::z}})},
             .documentation =
                 "An axis of b stays perpendicular to an axis of a; shifts and rotations about both axes are "
                 "free."};

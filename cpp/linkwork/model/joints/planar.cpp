@@ -10,7 +10,8 @@ struct Planar {
   static KindInfo info() {
     return {.name = "planar",
             .placement = "axis",
-            .equations = {"translation along joint z", "rotation about joint y", "rotation about joint x"},
+            .equations = {translation_along(Axis::z), rotation_about(Axis::y, Axis::z, Axis::x),
+                          rotation_about(Axis::x, Axis::z, Axis::y)},
             .documentation =
                 "A plane of b slides on a plane of a: shifts normal to the axis and rotation about it are "
                 "free."};

@@ -10,7 +10,8 @@ struct PointOnLine {
   static KindInfo info() {
     return {.name = "point_on_line",
             .placement = "axis",
-            .equations = {"translation along joint x", "translation along joint y"},
+            .equations = {translation_along(Axis::x), translation_along(Axis::y)},
+            .symmetric = false,
             .documentation = "A point of b stays on a line of a, the axis; all rotations are free."};
   }
 

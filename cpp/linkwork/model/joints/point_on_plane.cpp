@@ -10,7 +10,8 @@ struct PointOnPlane {
   static KindInfo info() {
     return {.name = "point_on_plane",
             .placement = "axis",
-            .equations = {"translation along joint z"},
+            .equations = {translation_along(Axis::z)},
+            .symmetric = false,
             .documentation = "A point of b stays in a plane of a through the joint's point, normal to the axis."};
   }
 

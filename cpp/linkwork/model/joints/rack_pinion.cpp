@@ -12,9 +12,9 @@ struct RackPinion {
   static KindInfo info() {
     return {.name = "rack_pinion",
             .placement = "two_axes",
-            .parameters = {"radius"},
-            .constants = {"radius"},
-            .equations = {"rolling of the pitch circle"},
+            .parameters = {{"radius", "m", "of the pitch circle", Takes::number, {.example = 0.3}}},
+            .equations = {{"rolling of the pitch circle"}},
+            .symmetric = false,
             .documentation =
                 "Rack and pinion: pinion b of pitch `radius` [m] rolls on rack a. Of the two axes the first "
                 "is the rack's direction, the second the pinion's axis; the rack is on the side of direction "

@@ -1,3 +1,4 @@
+#include "linkwork/model/joint_coordinates.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/primitives.hpp"
 
@@ -10,9 +11,9 @@ struct Revolute {
   static KindInfo info() {
     return {.name = "revolute",
             .placement = "axis",
-            .equations = {"translation x", "translation y", "translation z", "rotation about joint y",
-                          "rotation about joint x"},
-            .coordinates = {"angle"},
+            .equations = {translation(Axis::x), translation(Axis::y), translation(Axis::z),
+                          rotation_about(Axis::y, Axis::z, Axis::x), rotation_about(Axis::x, Axis::z, Axis::y)},
+            .coordinates = {&turn_about_axis},
             .documentation = "Hinge: bodies a and b share a point and an axis; rotation about the axis is free."};
   }
 

@@ -10,10 +10,13 @@ struct RevoluteRevolute {
   static KindInfo info() {
     return {.name = "revolute_revolute",
             .placement = "centers",
-            .parameters = {"length"},
-            .differentiated = {"length"},
-            .bounds = {positive("length")},
-            .equations = {"rotation about joint y", "rotation about joint x", "translation along joint z", "distance"},
+            .parameters = {{"length",
+                            "m",
+                            "between the axes",
+                            Takes::differentiable,
+                            {.initial_distance = true, .example = 1.0, .bounds = positive}}},
+            .equations = {rotation_about(Axis::y, Axis::z, Axis::x), rotation_about(Axis::x, Axis::z, Axis::y),
+                          translation_along(Axis::z), distance_of_points()},
             .documentation =
                 "Massless link, hinged on a and on b about parallel axes that are `length` [m] apart, "
                 "constant or a function of time."};

@@ -10,10 +10,13 @@ struct RevoluteSpherical {
   static KindInfo info() {
     return {.name = "revolute_spherical",
             .placement = "centers",
-            .parameters = {"length"},
-            .differentiated = {"length"},
-            .bounds = {positive("length")},
-            .equations = {"translation along joint z", "distance"},
+            .parameters = {{"length",
+                            "m",
+                            "from the axis to the ball",
+                            Takes::differentiable,
+                            {.initial_distance = true, .example = 1.0, .bounds = positive}}},
+            .equations = {translation_along(Axis::z), distance_of_points()},
+            .symmetric = false,
             .documentation =
                 "Massless link, hinged on an axis of a and with a ball joint on b: the ball stays on a circle "
                 "of a with radius `length` [m] about the axis, constant or a function of time."};

@@ -8,13 +8,16 @@ struct RevoluteTranslational {
   static constexpr int rows = 4;
 
   static KindInfo info() {
-    return {.name = "revolute_translational",
-            .placement = "two_axes",
-            .equations = {"rotation about both axes' normal", "rotation about the slot", "translation along the pin",
-                          "translation across the slot"},
-            .documentation =
-                "Pin in a slot: a massless block, hinged on a about the first axis, slides on b along the "
-                "second, which is perpendicular to the first."};
+    return {
+        .name = "revolute_translational",
+        .placement = "two_axes",
+        .equations = {rotation_named("rotation about both axes' normal", {{Axis::z, Axis::z}}),
+                      rotation_named("rotation about the slot", {{Axis::z, Axis::x}}),
+                      translation_named("translation along the pin"), translation_named("translation across the slot")},
+        .symmetric = false,
+        .documentation =
+            "Pin in a slot: a massless block, hinged on a about the first axis, slides on b along the "
+            "second, which is perpendicular to the first."};
   }
 
   template <class Real>

@@ -11,11 +11,10 @@ struct RollingDisc {
   static KindInfo info() {
     return {.name = "rolling_disc",
             .placement = "disc",
-            .parameters = {"radius"},
-            .constants = {"radius"},
-            .bounds = {positive("radius")},
-            .equations = {"translation along the normal", "velocity along joint x", "velocity along joint y"},
-            .velocity_rows = 2,
+            .parameters = {{"radius", "m", "of the disc", Takes::number, {.example = 0.3, .bounds = positive}}},
+            .equations = {translation_named("translation along the normal"), velocity_along(Axis::x),
+                          velocity_along(Axis::y)},
+            .symmetric = false,
             .documentation =
                 "A thin disc of b rolls on a plane of a without slipping; non-holonomic. The joint's point is "
                 "the point of the plane for a and the center of the disc for b, its axes are the normal of "

@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include "linkwork/model/joint_coordinates.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/primitives.hpp"
 
@@ -12,11 +13,11 @@ struct Screw {
   static KindInfo info() {
     return {.name = "screw",
             .placement = "axis",
-            .parameters = {"pitch"},
-            .constants = {"pitch"},
-            .equations = {"translation along joint x", "translation along joint y", "translation along the thread",
-                          "rotation about joint y", "rotation about joint x"},
-            .coordinates = {"angle", "displacement"},
+            .parameters = {{"pitch", "m", "advance of b for each turn", Takes::number, {.example = 0.3}}},
+            .equations = {translation_along(Axis::x), translation_along(Axis::y),
+                          translation_named("translation along the thread"), rotation_about(Axis::y, Axis::z, Axis::x),
+                          rotation_about(Axis::x, Axis::z, Axis::y)},
+            .coordinates = {&turn_about_axis, &shift_along_axis},
             .documentation =
                 "Nut on a thread: bodies a and b share an axis, and b advances along it by `pitch` [m] for "
                 "each turn against a; negative: a left-hand thread."};

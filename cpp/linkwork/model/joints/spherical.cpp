@@ -10,7 +10,7 @@ struct Spherical {
   static KindInfo info() {
     return {.name = "spherical",
             .placement = "point",
-            .equations = {"translation x", "translation y", "translation z"},
+            .equations = {translation(Axis::x), translation(Axis::y), translation(Axis::z)},
             .documentation = "Ball joint: bodies a and b share a point; all three rotations are free."};
   }
 

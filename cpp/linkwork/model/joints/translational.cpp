@@ -1,3 +1,4 @@
+#include "linkwork/model/joint_coordinates.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/primitives.hpp"
 
@@ -8,12 +9,13 @@ struct Translational {
   static constexpr int rows = 5;
 
   static KindInfo info() {
-    return {.name = "translational",
-            .placement = "axis",
-            .equations = {"translation along joint x", "translation along joint y", "rotation about joint y",
-                          "rotation about joint x", "rotation about joint z"},
-            .coordinates = {"displacement"},
-            .documentation = "Slider: body b slides on body a along an axis; no rotation is free."};
+    return {
+        .name = "translational",
+        .placement = "axis",
+        .equations = {translation_along(Axis::x), translation_along(Axis::y), rotation_about(Axis::y, Axis::z, Axis::x),
+                      rotation_about(Axis::x, Axis::z, Axis::y), rotation_about(Axis::z, Axis::x, Axis::y)},
+        .coordinates = {&shift_along_axis},
+        .documentation = "Slider: body b slides on body a along an axis; no rotation is free."};
   }
 
   template <class Real>

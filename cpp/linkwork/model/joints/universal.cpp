@@ -1,3 +1,4 @@
+#include "linkwork/model/joint_coordinates.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/primitives.hpp"
 
@@ -10,8 +11,9 @@ struct Universal {
   static KindInfo info() {
     return {.name = "universal",
             .placement = "two_axes",
-            .equations = {"translation x", "translation y", "translation z", "rotation about both axes' normal"},
-            .coordinates = {"angle_a", "angle_b"},
+            .equations = {translation(Axis::x), translation(Axis::y), translation(Axis::z),
+                          rotation_named("rotation about both axes' normal", {{Axis::z, Axis::z}})},
+            .coordinates = {&turn_about_axis_a, &turn_about_axis_b},
             .documentation =
                 "Cardan joint: bodies a and b share a point; the axis fixed in a stays perpendicular to "
                 "the axis fixed in b, and rotation about each is free."};

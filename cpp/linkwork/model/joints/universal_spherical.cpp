@@ -10,10 +10,12 @@ struct UniversalSpherical {
   static KindInfo info() {
     return {.name = "universal_spherical",
             .placement = "two_points",
-            .parameters = {"length"},
-            .differentiated = {"length"},
-            .bounds = {positive("length")},
-            .equations = {"distance"},
+            .parameters = {{"length",
+                            "m",
+                            "of the rod",
+                            Takes::differentiable,
+                            {.initial_distance = true, .example = 1.0, .bounds = positive}}},
+            .equations = {distance_of_points()},
             .documentation =
                 "Massless rod with a Cardan joint on a and a ball joint on b: the two points keep the "
                 "distance `length` [m], constant or a function of time. Where the rod turns to about itself "

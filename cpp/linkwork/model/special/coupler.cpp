@@ -41,16 +41,15 @@ void add(double factor, const double* row, double* to) {
 }  // namespace
 
 KindInfo coupler_joint() {
-  return {.name = "coupler",
-          .rows = 1,
-          .placement = "coordinates",
-          .parameters = {"offset"},
-          .differentiated = {"offset"},
-          .defaults = {0.0},
-          .equations = {"relation of joint coordinates"},
-          .documentation =
-              "Linear relation between free coordinates of joints, such as a belt, a differential, or a finger that "
-              "follows another: sum factor x coordinate = `offset`, a number or a function of time."};
+  return {
+      .name = "coupler",
+      .rows = 1,
+      .placement = "coordinates",
+      .parameters = {{"offset", "rad or m", "sum of factors times coordinates", Takes::differentiable, {.usual = 0.0}}},
+      .equations = {{"relation of joint coordinates"}},
+      .documentation =
+          "Linear relation between free coordinates of joints, such as a belt, a differential, or a finger that "
+          "follows another: sum factor x coordinate = `offset`, a number or a function of time."};
 }
 
 Coupler::Coupler(const Model& model, const std::vector<CoupledCoordinate>& given) {
@@ -62,7 +61,7 @@ Coupler::Coupler(const Model& model, const std::vector<CoupledCoordinate>& given
                                      std::to_string(it.factor) + " and must be finite and not zero");
     const Element& joint = model.joints()[static_cast<std::size_t>(it.joint)];
     const std::size_t i = place_of(joint.i, bodies_), j = place_of(joint.j, bodies_);
-    terms_.push_back({i, j, joint.at, coordinate, it.factor, coordinate->angle ? angles_++ : -1});
+    terms_.push_back({i, j, joint.at, coordinate, it.factor, coordinate->angle() ? angles_++ : -1});
   }
 }
 
@@ -97,7 +96,7 @@ double Coupler::choose_turns(double violation, double* turns) const {
   std::vector<std::size_t> angles;
   double sum = 0.0, least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < terms_.size(); ++k)
-    if (terms_[k].coordinate->angle) {
+    if (terms_[k].coordinate->angle()) {
       angles.push_back(k);
       sum += std::abs(terms_[k].factor);
       least = std::min(least, std::abs(terms_[k].factor));

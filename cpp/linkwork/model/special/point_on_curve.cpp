@@ -61,7 +61,7 @@ KindInfo point_on_curve_joint() {
   return {.name = "point_on_curve",
           .rows = 2,
           .placement = "curve",
-          .equations = {"across the curve", "across the curve and its first normal"},
+          .equations = {{"across the curve"}, {"across the curve and its first normal"}},
           .documentation =
               "Point on curve: a point of b stays on a smooth curve through `points` fixed in a, a cubic spline with "
               "the chords' lengths as parameter. A curve that is not closed goes on straight beyond its ends."};
