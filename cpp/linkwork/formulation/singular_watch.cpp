@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "linkwork/constraints/constraint_kernel.hpp"
 #include "linkwork/constraints/row_selection.hpp"
@@ -117,27 +118,15 @@ void SingularWatch::suspect_less() {
   raise(level_);
 }
 
-void SingularWatch::begin(double t, double pivot, std::vector<int> joints) {
-  open_ = true;
-  singular_poses_ += 1;
-  keep(t, pivot, std::move(joints), false);
-}
-
 void SingularWatch::change_rows(double t, double pivot, std::vector<int> joints) {
   row_changes_ += 1;
   keep(t, pivot, std::move(joints), true);
 }
 
 void SingularWatch::cross(double t, double pivot, std::vector<int> joints) {
-  if (!open_) {
-    singular_poses_ += 1;
-    keep(t, pivot, std::move(joints), false);
-  } else {
-    SingularPassage& passage = passages_.back();
-    passage.t = t;
-    passage.pivot = std::min(passage.pivot, std::max(pivot, 0.0) / level_);
-  }
-  open_ = false;
+  singular_poses_ += 1;
+  keep(t, pivot, std::move(joints), false);
+  passages_.back().taken_over = std::exchange(taken_over_, 0);
 }
 
 std::optional<SingularWatch::Trend> SingularWatch::trend() const {
@@ -152,31 +141,20 @@ std::optional<SingularWatch::Trend> SingularWatch::trend() const {
   return out;
 }
 
-std::vector<SingularWatch::Sample> SingularWatch::samples(double from, double to) const {
-  std::vector<Sample> out;
-  for (std::size_t k = 1; k <= std::min(next_sample_, samples_.size()); ++k) {
-    const Sample& sample = samples_[(next_sample_ - k) % samples_.size()];
-    const auto same = [&](const Sample& other) { return other.t == sample.t; };  // the newest counts
-    if (sample.t >= from && sample.t <= to && std::none_of(out.begin(), out.end(), same)) out.push_back(sample);
-  }
-  std::sort(out.begin(), out.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
-  return out;
+std::optional<SingularWatch::Sample> SingularWatch::sample(double t, double within) const {
+  for (std::size_t k = 1; k <= std::min(next_sample_, samples_.size()); ++k)
+    if (const Sample& sample = samples_[(next_sample_ - k) % samples_.size()]; std::abs(sample.t - t) <= within)
+      return sample;
+  return {};
 }
 
-/// The first passages are kept, and the last one, which may go on.
+/// The first passages are kept, and the last one.
 void SingularWatch::keep(double t, double pivot, std::vector<int> joints, bool rows_changed) {
   if (level_ == 0.0) raise(1.0);
   if (passages_.size() > most_passages) passages_.pop_back();
   passages_.push_back({t, std::max(pivot, 0.0) / level_, std::move(joints), rows_changed, 0});
 }
 
-void SingularWatch::go_on(double t, double pivot) {
-  SingularPassage& passage = passages_.back();
-  if (const double relative = std::max(pivot, 0.0) / level_; relative < passage.pivot) {
-    passage.pivot = relative;
-    passage.t = t;
-  }
-  open_ = pivot < recovered * suspicious_;
-}
+void SingularWatch::go_on(double pivot) { open_ = pivot < recovered * suspicious_; }
 
 }  // namespace linkwork

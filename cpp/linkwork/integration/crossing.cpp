@@ -20,28 +20,15 @@ constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for 
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
 constexpr double steps_before = 15.0;  // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;        // least distance of nodes from the pose, relative to the leap
-constexpr double stepped_over = 0.9;   // of the usual root: a step passed a pose only if its least is below
 constexpr double straight = 0.1;       // part of the gap between nodes by which a curve may correct a line
+constexpr double same_time = 1e-9;      // relative to the step
 constexpr int most_sweeps = 40, most_attempts = 8;
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
-constexpr double at_pose = 0.1;          // root of the pivot in the pose, part of the least at the nodes around it
 constexpr double tolerance = 1e-10;      // of the energy over a leap
 constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
-
-/// While it is there the watch does not look at evaluations.
-class Unwatched {
- public:
-  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.watch_evaluations(false); }
-  ~Unwatched() { dynamics_.watch_evaluations(true); }
-  Unwatched(const Unwatched&) = delete;
-  Unwatched& operator=(const Unwatched&) = delete;
-
- private:
-  Dynamics& dynamics_;
-};
 
 }  // namespace
 
@@ -53,7 +40,7 @@ bool Crossing::Quality::fair() const { return converged && correction <= consist
 
 double Crossing::Quality::badness() const { return std::max(resolution, energy); }
 
-Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics) {
+Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics), poses_(dynamics) {
   const System& system = dynamics.system();
   if (!dynamics.watches()) return;
   const LoopCore core(system, dynamics.evaluation(), rank_tolerance);
@@ -105,20 +92,21 @@ double Crossing::foreseen(double t) const {
 }
 
 /// Whether the first pivot is so small that the run may begin in a singular pose.
-bool Crossing::starts_near() {
+bool Crossing::starts_near(double t, const VectorXd& y) {
   const Unwatched unwatched(dynamics_);
-  start_root_ = 0.0;
+  double root = 0.0;
   try {
     dynamics_.factorize();
-    start_root_ = dynamics_.root_of_pivot();
+    root = dynamics_.root_of_pivot();
   } catch (const SingularSystemError&) {
   }
-  return start_root_ < near_at_start;
+  if (root < near_at_start && in_singular_pose(t, y)) poses_.begin_in_pose(t, root, y);
+  return root < near_at_start;
 }
 
 bool Crossing::due(double t, double h, const VectorXd& y) {
   if (!prepared_) return false;
-  starting_ = std::exchange(fresh_, false) && starts_near();
+  starting_ = std::exchange(fresh_, false) && starts_near(t, y);
   if (starting_) return true;
   const double tau = foreseen(t);
   if (!(tau >= -h && tau < INFINITY)) return false;
@@ -197,7 +185,6 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   leap_ = std::move(best);
   root_ = root;
   dynamics_.forget_trend();
-  report();
   return true;
 }
 
@@ -366,82 +353,24 @@ double Crossing::place_of_pose() const {
   return std::abs(refined - place) < straight * (gauss_.c[i + 1] - gauss_.c[i]) ? refined : place;
 }
 
-/// The root of the smallest pivot, 0 where the matrix has no factorization.
-double Crossing::root_at(double t, const VectorXd& y) {
-  const Unwatched unwatched(dynamics_);
-  try {
-    dynamics_.evaluate(t, y);
-    dynamics_.factorize();
-  } catch (const SingularSystemError&) {
-    return 0.0;
+bool Crossing::look_back(double t, double h, const VectorXd& y) {
+  if (!prepared_ || poses_.last() >= t - same_time * h) return false;
+  const auto sample = dynamics_.watch().sample(t, same_time * h);
+  return sample && poses_.pass(t, sample->root, y);
+}
+
+void Crossing::look_into_leap(double until) {
+  if (poses_.last() < leap_.t) poses_.pass(leap_.t, poses_.root_at(leap_.t, leap_.y), leap_.y);
+  for (int i = 0; i < stages && leap_.t + gauss_.c[i] * leap_.h < until; ++i) {
+    interpolate(dynamics_.system(), gauss_.c[i], y_);
+    poses_.pass(leap_.t + gauss_.c[i] * leap_.h, root_[i], y_);
   }
-  return dynamics_.root_of_pivot();
+  interpolate(dynamics_.system(), theta(until), y_);
+  poses_.pass(until, poses_.root_at(until, y_), y_);
 }
 
-/// Lists the pose where there was one.
-void Crossing::report() {
-  const double place = place_of_pose();
-  if (!(place >= 0.0 && place <= 1.0)) return;
-  interpolate(dynamics_.system(), place, y_);
-  const double root = root_at(leap_.t + place * leap_.h, y_);
-  if (root > at_pose * root_.minCoeff()) return;
-  if (leap_.t + place * leap_.h > last_listed_) dynamics_.cross(y_, root * root);
-  last_listed_ = leap_.end();
-}
-
-// The least of the pivots of this step and the one before it has neighbors on both sides: between it and one of them
-// the roots change their sign, where there is a pose.
-bool Crossing::look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new) {
-  if (!prepared_) return false;
-  const bool follows = before_.t_new == t && before_.t < t;
-  const auto samples = dynamics_.watch().samples(follows ? before_.t : t, t_new);
-  const auto least =
-      std::min_element(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.root < b.root; });
-  bool evaluated = false;
-  if (samples.size() > 2 && least != samples.begin() && least + 1 != samples.end() &&
-      least->root < stepped_over * dynamics_.watch().root_of_level()) {
-    const auto a = *(least - 1), b = *least, c = *(least + 1);
-    const Piece piece{t, t_new, y, y_new};
-    const auto search = [&](const auto& left, const auto& right) {
-      return find_between(left.t < t && follows ? before_ : piece, left, right);
-    };
-    evaluated = true;
-    if (a.root < c.root ? !search(a, b) : !search(b, c)) a.root < c.root ? search(b, c) : search(a, b);
-  }
-  before_ = {t, t_new, y, y_new};
-  return evaluated;
-}
-
-// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
-void Crossing::interpolate(const Piece& piece, double t, VectorXd& y) const {
-  const System& system = dynamics_.system();
-  const int nq = system.q_size(), nv = system.v_size();
-  const double h = piece.t_new - piece.t, s = (t - piece.t) / h;
-  VectorXd rates(nq), rates_new(nq);
-  system.position_rates(piece.y.head(nq), piece.y.segment(nq, nv), rates);
-  system.position_rates(piece.y_new.head(nq), piece.y_new.segment(nq, nv), rates_new);
-  y = piece.y;
-  y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * piece.y.head(nq) + s * s * (3 - 2 * s) * piece.y_new.head(nq) +
-               h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
-  system.normalize(y.head(nq));
-}
-
-/// By the secant method; true where a pose was listed.
-bool Crossing::find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b) {
-  const double smallest = std::min(a.root, b.root);
-  for (int k = 0; k < 5; ++k) {
-    const double pose = a.t + (b.t - a.t) * a.root / (a.root + b.root);
-    if (pose <= last_listed_ || pose < piece.t || pose > piece.t_new) return false;
-    interpolate(piece, pose, y_);
-    const double root = root_at(pose, y_);
-    if (root <= at_pose * smallest) {
-      last_listed_ = b.t;
-      return dynamics_.cross(y_, root * root);
-    }
-    if (root > 0.7 * smallest) return false;
-    (a.root / (pose - a.t) > b.root / (b.t - pose) ? a : b) = {pose, root};
-  }
-  return false;
+void Crossing::finish(double t, const VectorXd& y) {
+  if (prepared_) poses_.finish(t, y);
 }
 
 void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {
