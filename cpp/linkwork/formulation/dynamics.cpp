@@ -242,28 +242,33 @@ bool Dynamics::inspect(double pivot) {
   return false;
 }
 
-/// Takes the choice where it is one that makes the root of the smallest pivot at least so large.
-bool Dynamics::choose_rows(PoseExamination& found, double pivot, double least_root) {
-  if (found.better_choice.empty()) return false;
+/// Takes the choice where it makes the root of the smallest pivot at least so large.
+bool Dynamics::choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root) {
   const std::vector<int> before = dropped_.rows();
+  if (rows.empty() || rows == before) return false;
+  const double pivot = formulation_->saddle().smallest_pivot();
   try {
-    change_redundant_rows(std::move(found.better_choice));
+    change_redundant_rows(std::move(rows));
   } catch (const SingularSystemError&) {
   }
   if (!(root_of_pivot() >= least_root)) {
     change_redundant_rows(before);
     return false;
   }
-  watch_.change_rows(t_, pivot, std::move(found.joints));
+  watch_.change_rows(t_, pivot, std::move(joints));
   return true;
 }
 
 bool Dynamics::improve_rows() {
   if (dropped_.empty()) return false;
   factorize();
-  const double pivot = formulation_->saddle().smallest_pivot();
-  PoseExamination found = examine_here(pivot);
-  if (!choose_rows(found, pivot, better * root_of_pivot())) return false;
+  const VectorXd q = y_.head(system_.q_size());
+  std::vector<int> rows = choose_redundant_rows(system_, {t_, q, history_}, dropped_.rows()), joints;
+  for (const int row : dropped_.rows())
+    if (!std::binary_search(rows.begin(), rows.end(), row))
+      if (const int joint = system_.model().joint_of_row(row); joints.empty() || joints.back() != joint)
+        joints.push_back(joint);
+  if (!choose_rows(std::move(rows), std::move(joints), better * root_of_pivot())) return false;
   watch_.forget_trend();
   return true;
 }
@@ -272,8 +277,9 @@ bool Dynamics::cross(const VectorXd& y, double pivot) {
   const VectorXd q = y.head(system_.q_size());
   PoseExamination found =
       examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
-  if (found.rows.empty() || choose_rows(found, pivot, well_chosen * watch_.root_of_level()) || !found.singular)
-    return false;
+  if (found.rows.empty()) return false;
+  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * watch_.root_of_level())) return false;
+  if (!found.singular) return false;
   watch_.cross(t_, pivot, std::move(found.joints));
   return true;
 }

@@ -171,7 +171,7 @@ class Dynamics {
   PoseExamination examine_here(double pivot) const;
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
-  bool choose_rows(PoseExamination& found, double pivot, double least_root);
+  bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
   void take_over();
   bool look_at(double pivot);
   void look_for_switches();

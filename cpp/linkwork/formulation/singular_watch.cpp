@@ -64,9 +64,9 @@ std::vector<int> involved_joints(MetricSolver& solver, const LoopCore& core, con
   return joints_of(model, rows);
 }
 
-/// The redundant rows as they would be chosen in this pose; none where it is singular.
+/// The redundant rows as they would be chosen in this pose; none where their number would be another.
 std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const CorePose& pose,
-                             const std::vector<int>& redundant, double near) {
+                             const std::vector<int>& redundant) {
   const std::size_t present = static_cast<std::size_t>(core.row_count()) - kept_places(core, redundant).size();
   if (present == 0 || pose.dependent.size() != present) return {};
   const std::vector<char> all(static_cast<std::size_t>(core.component_count()), 1);
@@ -77,8 +77,7 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
   for (const int row : redundant)
     if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
-  const bool regular = rows.size() == redundant.size() && near_rows(core, pose.D, rows, near).empty();
-  return regular ? rows : std::vector<int>();
+  return rows.size() == redundant.size() ? rows : std::vector<int>();
 }
 
 }  // namespace
@@ -99,8 +98,19 @@ PoseExamination examine_pose(const System& given, const TimedPose& here, const s
   out.joints = involved_joints(solver, core, pose.at, redundant, out.rows);
   out.singular = dependent_rows(pose.D, near).size() + kept_places(core, redundant).size() >
                  static_cast<std::size_t>(core.row_count());
-  out.better_choice = choose_here(solver, core, pose, redundant, near);
+  out.better_choice = choose_here(solver, core, pose, redundant);
+  if (!near_rows(core, pose.D, out.better_choice, near).empty()) out.better_choice.clear();
   return out;
+}
+
+std::vector<int> choose_redundant_rows(const System& given, const TimedPose& here, const std::vector<int>& present) {
+  MetricSolver solver = MetricSolver::of_geometry(given);
+  const System& system = solver.system();
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(here.t, here.q, VectorXd::Zero(system.v_size()), here.history, at);
+  const LoopCore core(system, at, rank_tolerance);
+  const CorePose pose(system, core, {here.t, pull_back(solver, core, here).q, here.history}, rank_tolerance);
+  return choose_here(solver, core, pose, present);
 }
 
 SingularWatch::SingularWatch() : untrusted_(trusted) {}

@@ -18,11 +18,13 @@ constexpr double near = 0.3;           // of the usual root of the smallest pivo
 constexpr double near_at_start = 0.1;  // the same before there is a usual one
 constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for runs that begin near a pose
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
+constexpr double fallen = 0.4;         // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;  // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;        // least distance of nodes from the pose, relative to the leap
-constexpr double straight = 0.1;       // part of the gap between nodes by which a curve may correct a line
 constexpr double same_time = 1e-9;      // relative to the step
-constexpr int most_sweeps = 40, most_attempts = 8;
+constexpr int most_sweeps = 40, most_attempts = 9;
+// Of the usual length, where a leap does not converge: a node may be in the pose, or the leap too long.
+constexpr double other_lengths[most_attempts] = {0.8, 1.2, 0.6, 1.5, 0.4, 0.9, 0.3, 0.2, 0.1};
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double tolerance = 1e-10;      // of the energy over a leap
 constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
@@ -104,10 +106,23 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
   return root < near_at_start;
 }
 
+/// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
+/// whenever the pivots have fallen to a part of what they were.
+void Crossing::keep_rows_good() {
+  const auto trend = dynamics_.watch().trend();
+  if (!trend) return;
+  const double root = trend->last.root, level = dynamics_.watch().root_of_level();
+  if (root > near * level) rows_good_ = near * level;
+  if (root > rows_good_) return;
+  rows_good_ = fallen * root;
+  dynamics_.improve_rows();
+}
+
 bool Crossing::due(double t, double h, const VectorXd& y) {
   if (!prepared_) return false;
   starting_ = std::exchange(fresh_, false) && starts_near(t, y);
   if (starting_) return true;
+  keep_rows_good();
   const double tau = foreseen(t);
   if (!(tau >= -h && tau < INFINITY)) return false;
   const double root = dynamics_.watch().trend()->last.root;
@@ -118,14 +133,19 @@ bool Crossing::due(double t, double h, const VectorXd& y) {
   return tau < std::max(0.5 * usual_length(v, VectorXd::Zero(v.size())), steps_before * h) + h;
 }
 
-double Crossing::nearest_node(double place) const { return (gauss_.c.array() - place).abs().minCoeff(); }
+/// Of the nodes from the poses, relative to the length.
+double Crossing::nearest_node(const std::vector<double>& poses, double h) const {
+  double nearest = INFINITY;
+  for (const double pose : poses) nearest = std::min(nearest, (gauss_.c.array() - pose / h).abs().minCoeff());
+  return nearest;
+}
 
-/// The length among the allowed ones with which the nodes stay farthest from the pose; of equals the shortest.
-double Crossing::best_length(double pose, double grid, double least, double most) const {
-  if (most <= least) return most;
+/// The length among the allowed ones with which the nodes stay farthest from the poses; of equals the shortest.
+double Crossing::best_length(const Search& search) const {
+  const double most = search.most, least = std::min(search.least, most), grid = search.grid;
   double best = least, distance = -1.0;
   const auto consider = [&](double h) {
-    const double nearest = nearest_node(pose / h);
+    const double nearest = nearest_node(search.poses, h);
     if (nearest <= distance + 1e-3) return;
     best = h;
     distance = nearest;
@@ -137,55 +157,61 @@ double Crossing::best_length(double pose, double grid, double least, double most
   } else {
     for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(std::min(factor * least, most));
   }
+  for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.05) {
+    const double h = grid > 0.0 ? std::max(1.0, std::round(factor * least / grid)) * grid : factor * least;
+    consider(std::min(h, most));
+  }
   return best;
 }
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   const auto trend = dynamics_.watch().trend();
-  if (!starting_ && dynamics_.improve_rows()) return false;
   declined_ = trend ? trend->last.root : 0.0;
-  Leap best;
-  double badness = INFINITY;
-  bool any_converged = false;
-  GaussCollocation::Weights root = GaussCollocation::Weights::Zero();
   if (starting_) begin_in_pose(t, y);
-  {
-    const Unwatched unwatched(dynamics_);
-    if (!starting_) begin(t, y);
-    const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-    double pose = starting_ ? 0.0 : foreseen(t), least = std::max({usual, 2.0 * pose, h});
-    for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
-      leap_.h = best_length(pose, grid, least, most);
-      const Quality quality = attempt();
-      double place = pose / leap_.h;
-      any_converged = any_converged || quality.converged;
-      if (quality.converged) {
-        place = place_of_pose();
-        if (!(place > -0.5 && place < 1.5)) break;
-        pose = place * leap_.h;
-      }
-      if (starting_ && quality.converged && quality.jump > no_branch && in_singular_pose(t, y)) throw_no_branch(t);
-      const bool beyond = place > 1.0 && leap_.h < most, clear = nearest_node(place) >= margin && !beyond;
-      if ((quality.good() && clear) ||
-          (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
-        best = leap_;
-        root = root_;
-        badness = quality.badness();
-        if (quality.good() && clear) break;
-      }
-      if (beyond) least = 2.0 * pose;
-      else if (!quality.good()) least = std::max(0.6 * least, least_part * usual);
-    }
-  }
-  if (badness == INFINITY && starting_ && !any_converged &&
-      size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0 && in_singular_pose(t, y))
-    throw_no_branch(t);
-  if (badness == INFINITY) return false;
+  const Unwatched unwatched(dynamics_);
+  if (!starting_) begin(t, y);
+  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
+  const double pose = starting_ ? 0.0 : foreseen(t);
+  Search search{t, h, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, h})};
+  if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
-  leap_ = std::move(best);
-  root_ = root;
+  leap_ = std::move(search.best);
+  root_ = search.root;
   dynamics_.forget_trend();
   return true;
+}
+
+/// False where no leap was found.
+bool Crossing::try_lengths(Search& search, const VectorXd& y) {
+  bool any_converged = false;
+  for (int k = 0; k < most_attempts && std::isfinite(search.least); ++k) {
+    leap_.h = best_length(search);
+    const Quality quality = attempt();
+    any_converged = any_converged || quality.converged;
+    if (!quality.converged) {
+      search.least = std::max(other_lengths[k] * search.usual, search.h);
+      continue;
+    }
+    if (starting_ && quality.jump > no_branch && in_singular_pose(search.t, y)) throw_no_branch(search.t);
+    search.poses = poses_in_leap();
+    if (search.poses.empty()) break;
+    const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
+    const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
+    const bool good = quality.good() && clear;
+    if (good || (quality.fair() && nearest >= 0.5 * margin && quality.badness() < search.badness)) {
+      search.best = leap_;
+      search.root = root_;
+      search.badness = quality.badness();
+    }
+    if (good) break;
+    if (beyond) search.least = 2.0 * last;
+    else if (!quality.good()) search.least = std::max(0.6 * search.least, least_part * search.usual);
+  }
+  if (search.badness < INFINITY) return true;
+  if (starting_ && !any_converged && size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0 &&
+      in_singular_pose(search.t, y))
+    throw_no_branch(search.t);
+  return false;
 }
 
 /// In or near a singular pose nothing can be projected; accelerations, for a beginning, are what the watch makes of
@@ -315,42 +341,28 @@ void Crossing::finish(Quality& quality) {
       std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
 }
 
-/// Where the roots of the pivots, with the sign of the side, pass through zero, relative to the leap: the signs are
-/// those with which they bend least. It may be outside; NaN where they do not come to zero nearby.
-double Crossing::place_of_pose() const {
-  using Weights = GaussCollocation::Weights;
-  const auto slope = [&](const Weights& x, int i) { return (x[i + 1] - x[i]) / (gauss_.c[i + 1] - gauss_.c[i]); };
-  double least = INFINITY;
-  int side = 0;
-  Weights signed_root = root_;
-  for (int before = 0; before <= stages; ++before) {
-    Weights x = root_;
-    x.head(before) *= -1.0;
-    double bend = 0.0;
-    for (int i = 0; i + 2 < stages; ++i) bend += std::abs(slope(x, i + 1) - slope(x, i));
-    if (!(bend < least)) continue;
-    least = bend;
-    side = before;
-    signed_root = x;
+/// Times from the start of a leap that converged, ascending; the last may be foreseen beyond its end. Empty: there is
+/// none.
+std::vector<double> Crossing::poses_in_leap() {
+  std::vector<PivotSample> samples;
+  const auto root = [&](double at) {
+    interpolate(dynamics_.system(), at / leap_.h, y_);
+    return poses_.root_at(leap_.t + at, y_);
+  };
+  samples.push_back({0.0, starting_ ? 0.0 : root(0.0)});
+  for (int i = 0; i < stages; ++i) samples.push_back({gauss_.c[i] * leap_.h, root_[i]});
+  samples.push_back({leap_.h, root(leap_.h)});
+  std::vector<double> found;
+  if (starting_) found.push_back(0.0);
+  for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+    const PivotSample &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
+    if (!(b.root <= a.root && b.root < c.root)) continue;
+    if (const PivotSample least = least_root(a, b, c, root); vanishes(a, least, c)) found.push_back(least.at);
   }
-  if (side == 0 && root_[0] > root_[stages - 1]) {  // all ahead instead of all behind
-    side = stages;
-    signed_root = -root_;
-  }
-  const int i = std::clamp(side - 1, 0, stages - 2);
-  const double rate = slope(signed_root, i);
-  if (!(rate > 0.0)) return NAN;
-  const double place = gauss_.c[i] - signed_root[i] / rate;
-  if (side == 0 || side == stages) return place;
-  double refined = 0.0;  // inverse interpolation through the four nodes around
-  const int first = std::clamp(i - 1, 0, stages - 4);
-  for (int k = first; k < first + 4; ++k) {
-    double weight = 1.0;
-    for (int j = first; j < first + 4; ++j)
-      if (j != k) weight *= signed_root[j] / (signed_root[j] - signed_root[k]);
-    refined += weight * gauss_.c[k];
-  }
-  return std::abs(refined - place) < straight * (gauss_.c[i + 1] - gauss_.c[i]) ? refined : place;
+  const PivotSample &before = *(samples.end() - 2), &end = samples.back();
+  const double fall = (before.root - end.root) / (end.at - before.at), beyond = end.root / fall;
+  if (fall > 0.0 && beyond < 0.5 * leap_.h) found.push_back(leap_.h + beyond);
+  return found;
 }
 
 bool Crossing::look_back(double t, double h, const VectorXd& y) {

@@ -76,6 +76,17 @@ class Crossing final : public Interpolant {
     double badness() const;
   };
 
+  /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.
+  struct Search {
+    double t, h, grid, most;
+    double usual;               ///< length for a smooth motion
+    std::vector<double> poses;  ///< foreseen, then found
+    double least;               ///< length to begin with
+    Leap best = {};
+    double badness = INFINITY;                                                     ///< of it
+    GaussCollocation::Weights root = GaussCollocation::Weights::Zero();  ///< of it
+  };
+
   bool starts_near(double t, const VectorXd& y);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double foreseen(double t) const;
@@ -89,9 +100,11 @@ class Crossing final : public Interpolant {
   double node(int i);
   void finish(Quality& quality);
   double energy(const VectorXd& y) const;
-  double nearest_node(double place) const;
-  double best_length(double pose, double grid, double least, double most) const;
-  double place_of_pose() const;
+  void keep_rows_good();
+  bool try_lengths(Search& search, const VectorXd& y);
+  double nearest_node(const std::vector<double>& poses, double h) const;
+  double best_length(const Search& search) const;
+  std::vector<double> poses_in_leap();
   double rate(const Eigen::Matrix<double, 6, 1>& v) const;
   double size(const ConstVector& velocities) const;
 
@@ -104,6 +117,7 @@ class Crossing final : public Interpolant {
   bool prepared_ = false;
   bool starting_ = false;    ///< the leap begins near the pose, not before it
   bool fresh_ = true;        ///< no step was looked at yet
+  double rows_good_ = 0.0;   ///< root of the pivot from which on the redundant rows are looked at
   double declined_ = 0.0;    ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes

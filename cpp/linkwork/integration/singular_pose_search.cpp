@@ -10,14 +10,46 @@ namespace {
 
 constexpr double passed = 0.9;        // of the usual root: a pose was passed only if the least is below
 constexpr double away = 1e-3;         // of the usual root: as far the motion has been from the last pose
-constexpr double vanishes = 0.1;      // root of the pivot in the pose, part of the least around it
+constexpr double vanishing = 0.1;     // root of the pivot in the pose, part of the least around it
 constexpr double found = 1e-6;        // the same, for the search to end
 constexpr double at_rest = 1e-4;      // of the usual root: at the end of the motion
 constexpr double golden = 0.381966;   // part of the larger side of a bracket
 constexpr double no_zero = 0.7;       // a guess that lowers the least by no more finds no zero
 constexpr int most_guesses = 24, few_guesses = 4;
 
+/// |log| of the ratio of two slopes.
+double mismatch(double rise, double run, double other_rise, double other_run) {
+  return std::abs(std::log(rise / run * other_run / other_rise));
+}
+
 }  // namespace
+
+// The root is taken for linear on both sides of its zero; b is on one of them, that with which both slopes agree
+// better. Where that does not close in, by golden section.
+PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::function<double(double)>& root_at) {
+  const double around = std::min(a.root, c.root);
+  for (int k = 0; k < most_guesses && b.root > found * around; ++k) {
+    const double left = b.at - a.at, right = c.at - b.at;
+    const bool zero_is_left = !(mismatch(a.root + b.root, left, c.root - b.root, right) >
+                                mismatch(b.root + c.root, right, a.root - b.root, left));
+    double at = zero_is_left ? a.at + left * a.root / (a.root + b.root) : b.at + right * b.root / (b.root + c.root);
+    if (k % 3 == 2) at = right > left ? b.at + golden * right : b.at - golden * left;
+    if (!(at > a.at && at < c.at) || at == b.at) break;
+    const PivotSample guess{at, root_at(at)};
+    if (k >= few_guesses && std::min(guess.root, b.root) > no_zero * around) break;
+    if (guess.root < b.root) {
+      (at < b.at ? c : a) = b;
+      b = guess;
+    } else {
+      (at < b.at ? a : c) = guess;
+    }
+  }
+  return b;
+}
+
+bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c) {
+  return least.root <= vanishing * std::min(a.root, c.root);
+}
 
 void SingularPoseSearch::restart() {
   count_ = 0;
@@ -82,29 +114,15 @@ double SingularPoseSearch::root_at(double t, const VectorXd& y) {
   return dynamics_.root_of_pivot();
 }
 
-/// In a bracket of a least the root is taken for linear on both sides of its zero: the middle is on one of them, that
-/// with which both slopes agree better. Where that does not close in, by golden section.
-void SingularPoseSearch::search(Sample a, Sample b, Sample c) {
-  const double around = std::min(a.root, c.root);
-  for (int k = 0; k < most_guesses && b.root > found * around; ++k) {
-    const double zero_left = a.t + (b.t - a.t) * a.root / (a.root + b.root);
-    const double zero_right = b.t + (c.t - b.t) * b.root / (b.root + c.root);
-    const double left_mismatch = std::abs(std::log((a.root + b.root) / (b.t - a.t) * (c.t - b.t) / (c.root - b.root)));
-    const double right_mismatch = std::abs(std::log((b.root + c.root) / (c.t - b.t) * (b.t - a.t) / (a.root - b.root)));
-    double t = !(left_mismatch > right_mismatch) ? zero_left : zero_right;
-    if (k % 3 == 2) t = c.t - b.t > b.t - a.t ? b.t + golden * (c.t - b.t) : b.t - golden * (b.t - a.t);
-    if (!(t > a.t && t < c.t) || t == b.t) break;
+void SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
+  const auto root = [this](double t) {
     interpolate(t, y_);
-    const Sample guess{t, root_at(t, y_)};
-    const bool lower = guess.root < b.root;
-    if (k >= few_guesses && std::min(guess.root, b.root) > no_zero * around) return;
-    if (lower) (t < b.t ? c : a) = b, b = guess;
-    else (t < b.t ? a : c) = guess;
-  }
-  if (b.root > vanishes * around) return;
-  interpolate(b.t, y_);
-  const double root = root_at(b.t, y_);
-  if (dynamics_.cross(y_, root * root)) highest_ = marks_[2].root;
+    return root_at(t, y_);
+  };
+  const PivotSample least = least_root(a, b, c, root);
+  if (!vanishes(a, least, c)) return;
+  const double there = root(least.at);
+  if (dynamics_.cross(y_, there * there)) highest_ = marks_[2].root;
 }
 
 // Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.

@@ -2,10 +2,22 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "linkwork/formulation/dynamics.hpp"
 
 namespace linkwork {
+
+/// A place on the way, in time or another parameter, and the root of the smallest pivot there.
+struct PivotSample {
+  double at = 0.0, root = 0.0;
+};
+
+/// Where in a bracket, b lower than a and c, the root is least: in a singular pose it comes down to zero like |t|.
+/// Ends early where it does not.
+PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::function<double(double)>& root_at);
+/// Whether that is a zero.
+bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c);
 
 /// Lists the singular poses that a motion passes, each once.
 ///
@@ -34,13 +46,10 @@ class SingularPoseSearch {
     double t = 0.0, root = 0.0;
     VectorXd y;
   };
-  struct Sample {
-    double t = 0.0, root = 0.0;
-  };
 
   bool worth_a_search(double root) const;
   bool probe();
-  void search(Sample a, Sample b, Sample c);
+  void search(PivotSample a, PivotSample b, PivotSample c);
   void interpolate(double t, VectorXd& y) const;
 
   Dynamics& dynamics_;
