@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "linkwork/math/instruction_set.hpp"
@@ -29,22 +31,22 @@ struct ConstraintArrays {
 using EvaluateJoints = void (*)(const JointArrays&, const double* q, const double* v, const Signal<double>* signals,
                                 const ConstraintArrays&);
 
-constexpr int max_joint_parameters = 8;
-
-/// std::logic_error: a kind with more parameters than an evaluation has room for, or with other equations than rows.
-void check_kind(const KindInfo& info);
-
 struct JointKind {
   KindInfo info;
   EvaluateJoints evaluate[max_instruction_sets];  ///< by level of the instruction set
 };
 
+/// An evaluation holds the parameters of a joint in an array of this size.
+constexpr std::size_t max_joint_parameters = 8;
+
+/// A std::logic_error, when the list of kinds is first read: more parameters than max_joint_parameters.
+JointKind checked(JointKind kind);
+
 template <class Joint>
 JointKind make_joint_kind(EvaluateJoints v2, EvaluateJoints v3, EvaluateJoints v4) {
   JointKind kind{Joint::info(), {v2, v3, v4}};
   kind.info.rows = Joint::rows;
-  check_kind(kind.info);
-  return kind;
+  return checked(std::move(kind));
 }
 
 /// All registered joints, in the order of joints.def.

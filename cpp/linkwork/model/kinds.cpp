@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "linkwork/math/error.hpp"
@@ -33,12 +34,11 @@ int find_kind(const std::vector<Kind>& kinds, const std::string& name, const cha
 
 }  // namespace
 
-void check_kind(const KindInfo& info) {
-  if (info.parameters.size() > max_joint_parameters)
-    throw std::logic_error("joint kind " + info.name + ": raise max_joint_parameters to " +
-                           std::to_string(info.parameters.size()));
-  if (info.equations.size() != static_cast<std::size_t>(info.rows))
-    throw std::logic_error("joint kind " + info.name + ": describe each of its equations");
+JointKind checked(JointKind kind) {
+  if (kind.info.parameters.size() > max_joint_parameters)
+    throw std::logic_error("joint kind '" + kind.info.name + "' has " + std::to_string(kind.info.parameters.size()) +
+                           " parameters, more than max_joint_parameters = " + std::to_string(max_joint_parameters));
+  return kind;
 }
 
 const std::vector<JointKind>& joint_kinds() {
