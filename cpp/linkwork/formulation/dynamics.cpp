@@ -18,6 +18,7 @@ constexpr int timed_bodies = 20;     // below, a look at the clock takes as long
 constexpr int timed_evaluations = 17;   // the first ones, then one in so many: not always the same stage of a step
 constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
 constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
+constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
 constexpr int most_refinements = 20;
 constexpr double broken = -1.0;    // for a pivot of a factorization that broke down
 constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
@@ -221,7 +222,7 @@ PoseExamination Dynamics::examine_here(double pivot) const {
 /// A small pivot, or any inside a passage. False where the factorization is another one than before.
 bool Dynamics::inspect(double pivot) {
   if (watch_.open()) {
-    watch_.go_on(t_, pivot);
+    watch_.go_on(pivot);
   } else {
     PoseExamination found = examine_here(pivot);
     if (found.rows.empty()) {
@@ -233,7 +234,7 @@ bool Dynamics::inspect(double pivot) {
       change_redundant_rows(std::move(found.better_choice));
       return false;
     }
-    watch_.begin(t_, pivot, std::move(found.joints));
+    watch_.begin();
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
@@ -241,28 +242,33 @@ bool Dynamics::inspect(double pivot) {
   return false;
 }
 
-/// Takes the choice where it is one, and better than the present one.
-bool Dynamics::choose_rows(PoseExamination& found, double pivot) {
-  if (found.better_choice.empty()) return false;
+/// Takes the choice where it makes the root of the smallest pivot at least so large.
+bool Dynamics::choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root) {
   const std::vector<int> before = dropped_.rows();
+  if (rows.empty() || rows == before) return false;
+  const double pivot = formulation_->saddle().smallest_pivot();
   try {
-    change_redundant_rows(std::move(found.better_choice));
+    change_redundant_rows(std::move(rows));
   } catch (const SingularSystemError&) {
   }
-  if (!(root_of_pivot() >= well_chosen * watch_.root_of_level())) {
+  if (!(root_of_pivot() >= least_root)) {
     change_redundant_rows(before);
     return false;
   }
-  watch_.change_rows(t_, pivot, std::move(found.joints));
+  watch_.change_rows(t_, pivot, std::move(joints));
   return true;
 }
 
 bool Dynamics::improve_rows() {
   if (dropped_.empty()) return false;
   factorize();
-  const double pivot = formulation_->saddle().smallest_pivot();
-  PoseExamination found = examine_here(pivot);
-  if (!choose_rows(found, pivot)) return false;
+  const VectorXd q = y_.head(system_.q_size());
+  std::vector<int> rows = choose_redundant_rows(system_, {t_, q, history_}, dropped_.rows()), joints;
+  for (const int row : dropped_.rows())
+    if (!std::binary_search(rows.begin(), rows.end(), row))
+      if (const int joint = system_.model().joint_of_row(row); joints.empty() || joints.back() != joint)
+        joints.push_back(joint);
+  if (!choose_rows(std::move(rows), std::move(joints), better * root_of_pivot())) return false;
   watch_.forget_trend();
   return true;
 }
@@ -271,7 +277,9 @@ bool Dynamics::cross(const VectorXd& y, double pivot) {
   const VectorXd q = y.head(system_.q_size());
   PoseExamination found =
       examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
-  if (found.rows.empty() || choose_rows(found, pivot) || !found.singular) return false;
+  if (found.rows.empty()) return false;
+  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * watch_.root_of_level())) return false;
+  if (!found.singular) return false;
   watch_.cross(t_, pivot, std::move(found.joints));
   return true;
 }

@@ -171,7 +171,7 @@ class Dynamics {
   PoseExamination examine_here(double pivot) const;
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
-  bool choose_rows(PoseExamination& found, double pivot);
+  bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
   void take_over();
   bool look_at(double pivot);
   void look_for_switches();
@@ -211,6 +211,18 @@ class Dynamics {
   int parts_ = 0;  ///< of a step that is taken in parts, else 0
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
+};
+
+/// While it is there the watch does not look at evaluations.
+class Unwatched {
+ public:
+  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.watch_evaluations(false); }
+  ~Unwatched() { dynamics_.watch_evaluations(true); }
+  Unwatched(const Unwatched&) = delete;
+  Unwatched& operator=(const Unwatched&) = delete;
+
+ private:
+  Dynamics& dynamics_;
 };
 
 /// The error for y = (q, v, work) that is not finite, or from which nothing finite follows. It names what comes first:
