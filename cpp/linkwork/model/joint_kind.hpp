@@ -88,10 +88,6 @@ int joint_kind_index(const std::string& name);
   JointKind NAME##_joint() { return make_joint_kind<STRUCT>(&v2::evaluate_##NAME, nullptr, nullptr); }
 #endif
 
-#define LINKWORK_JOINT(NAME) JointKind NAME##_joint();
-#include "linkwork/model/joints.def"
-#undef LINKWORK_JOINT
-
 }  // namespace linkwork
 
 #if defined(LINKWORK_ISA)

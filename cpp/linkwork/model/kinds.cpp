@@ -9,6 +9,14 @@
 
 namespace linkwork {
 
+#define LINKWORK_JOINT(NAME) JointKind NAME##_joint();
+#include "linkwork/model/joints.def"
+#undef LINKWORK_JOINT
+
+#define LINKWORK_FORCE(NAME) ForceKind NAME##_force();
+#include "linkwork/model/forces.def"
+#undef LINKWORK_FORCE
+
 #define LINKWORK_SPECIAL_JOINT(NAME) KindInfo NAME##_joint();
 #include "linkwork/model/special_joints.def"
 #undef LINKWORK_SPECIAL_JOINT
