@@ -13,10 +13,11 @@ import numpy.typing
 __all__ = [
     "AdaptiveSimulation",
     "Assembler",
-    "Bound",
+    "CoordinateInfo",
     "CoupledCoordinate",
     "Dynamics",
     "EmbeddedPair",
+    "EquationInfo",
     "Event",
     "FormulationInfo",
     "HalfExplicit",
@@ -25,6 +26,7 @@ __all__ = [
     "Multistep",
     "OptionInfo",
     "Options",
+    "ParameterInfo",
     "RankReport",
     "Run",
     "SemiImplicitEuler",
@@ -127,18 +129,16 @@ class Assembler:
     @property
     def iterations(self) -> int: ...
 
-class Bound:
+class CoordinateInfo:
     """
-    What a parameter may be: from `least` on, or above it.
+    A free coordinate of a kind of joint.
     """
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @property
-    def above(self) -> bool: ...
+    def name(self) -> str: ...
     @property
-    def least(self) -> float: ...
-    @property
-    def parameter(self) -> str: ...
+    def unit(self) -> str: ...
 
 class CoupledCoordinate:
     """
@@ -322,6 +322,30 @@ class EmbeddedPair:
         interpolant: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, n]"],
     ) -> None: ...
 
+class EquationInfo:
+    """
+    A constraint equation of a kind of joint.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def axis(self) -> int | None:
+        """
+        Of a translation or rotation that is held at zero: the axis of the joint along or about which, 0 to 2.
+        """
+    @property
+    def name(self) -> str: ...
+    @property
+    def perpendicular(self) -> list[tuple[int, int]]:
+        """
+        Of such a rotation: axes of a and of b that are perpendicular; of two pairs the products are equal.
+        """
+    @property
+    def quantity(self) -> str:
+        """
+        "translation", "rotation", "distance", "velocity" (non-holonomic) or "relation".
+        """
+
 class Event:
     """
     What happens when a function of (t, y) passes through zero; y = (q, v).
@@ -386,33 +410,43 @@ class KindInfo:
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @property
-    def bounds(self) -> list[Bound]: ...
-    @property
-    def constants(self) -> list[str]: ...
-    @property
-    def coordinates(self) -> list[str]: ...
-    @property
-    def defaults(self) -> list[float]: ...
-    @property
-    def differentiated(self) -> list[str]: ...
+    def coordinates(self) -> dict[str, CoordinateInfo]:
+        """
+        Those that are free, by name.
+        """
     @property
     def documentation(self) -> str: ...
     @property
-    def equations(self) -> list[str]: ...
+    def driver(self) -> bool:
+        """
+        It prescribes a motion, its parameter.
+        """
     @property
-    def functions(self) -> list[str]: ...
+    def equations(self) -> dict[str, EquationInfo]:
+        """
+        By name, in the order of the rows.
+        """
     @property
     def name(self) -> str: ...
     @property
-    def parameters(self) -> list[str]: ...
+    def parameters(self) -> dict[str, ParameterInfo]:
+        """
+        By name, in their order.
+        """
     @property
     def placement(self) -> str: ...
     @property
     def rows(self) -> int: ...
     @property
-    def velocity_rows(self) -> int: ...
+    def symmetric(self) -> bool:
+        """
+        The same joint where a and b change places.
+        """
     @property
-    def whole_numbers(self) -> list[str]: ...
+    def velocity_rows(self) -> int:
+        """
+        How many of the last rows are of velocities.
+        """
 
 class Model:
     """
@@ -709,6 +743,62 @@ class Options:
             collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(3)"
         ],
     ) -> None: ...
+
+class ParameterInfo:
+    """
+    A parameter of a kind of joint or force.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    @property
+    def above(self) -> bool:
+        """
+        Numbers are above the bound.
+        """
+    @property
+    def constant(self) -> bool:
+        """
+        A number, no function.
+        """
+    @property
+    def example(self) -> float:
+        """
+        Of the usual size.
+        """
+    @property
+    def initial_distance(self) -> bool:
+        """
+        Where it is not given: that of the two points at the initial pose.
+        """
+    @property
+    def least(self) -> float | None:
+        """
+        The least number, if there is one.
+        """
+    @property
+    def meaning(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def not_above(self) -> str:
+        """
+        Another parameter, or "".
+        """
+    @property
+    def takes(self) -> str:
+        """
+        "function" (of time), "differentiable", "number", "whole_number" or "characteristic".
+        """
+    @property
+    def unit(self) -> str:
+        """
+        Such as "N s/m" or "N/m^exponent"; "" for a mere number.
+        """
+    @property
+    def usual(self) -> float | None:
+        """
+        Where it is not given; None: it must be.
+        """
 
 class RankReport:
     """

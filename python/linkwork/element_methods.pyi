@@ -18,7 +18,16 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Ball joint: bodies a and b share a point; all three rotations are free."""
+        """Ball joint: bodies a and b share a point; all three rotations are free.
+
+        3 equations: translation x, translation y, translation z.
+
+        at      its point (3,) [m]
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def revolute(
         self,
@@ -31,7 +40,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Hinge: bodies a and b share a point and an axis; rotation about the axis is free."""
+        """Hinge: bodies a and b share a point and an axis; rotation about the axis is free.
+
+        5 equations: translation x, translation y, translation z, rotation about joint y, rotation about joint x.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def cylindrical(
         self,
@@ -44,7 +64,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Sleeve on a shaft: bodies a and b share an axis; sliding along it and rotation about it are free."""
+        """Sleeve on a shaft: bodies a and b share an axis; sliding along it and rotation about it are free.
+
+        4 equations: translation along joint x, translation along joint y, rotation about joint y, rotation about joint x.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def translational(
         self,
@@ -57,7 +88,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Slider: body b slides on body a along an axis; no rotation is free."""
+        """Slider: body b slides on body a along an axis; no rotation is free.
+
+        5 equations: translation along joint x, translation along joint y, rotation about joint y, rotation about joint x, rotation about joint z.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def universal(
         self,
@@ -69,7 +111,17 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Cardan joint: bodies a and b share a point; the axis fixed in a stays perpendicular to the axis fixed in b, and rotation about each is free."""
+        """Cardan joint: bodies a and b share a point; the axis fixed in a stays perpendicular to the axis fixed in b, and rotation about each is free.
+
+        4 equations: translation x, translation y, translation z, rotation about both axes' normal.
+
+        at      its point (3,) [m]
+        axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def fixed(
         self,
@@ -81,7 +133,17 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Weld: bodies a and b keep their relative position and orientation."""
+        """Weld: bodies a and b keep their relative position and orientation.
+
+        6 equations: translation x, translation y, translation z, rotation about joint z, rotation about joint x, rotation about joint y.
+
+        at           its point (3,) [m]
+        orientation  the frame's Euler parameters (4,), scalar first; without it the inertial axes
+        frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name         of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def distance(
         self,
@@ -94,7 +156,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Massless rod with ball ends: a point of a and a point of b keep the distance `length` [m], constant or a function of time. The multiplier is the rod's force [N], compression positive."""
+        """Massless rod with ball ends: a point of a and a point of b keep the distance `length` [m], constant or a function of time. The multiplier is the rod's force [N], compression positive.
+
+        1 equation: distance.
+
+        at      a point of a and a point of b: a pair of (3,) [m]
+        length  of the rod [m], a number or a function of time, above 0, by default the initial distance
+        breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def planar(
         self,
@@ -107,7 +180,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """A plane of b slides on a plane of a: shifts normal to the axis and rotation about it are free."""
+        """A plane of b slides on a plane of a: shifts normal to the axis and rotation about it are free.
+
+        3 equations: translation along joint z, rotation about joint y, rotation about joint x.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def point_on_line(
         self,
@@ -120,7 +204,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """A point of b stays on a line of a, the axis; all rotations are free."""
+        """A point of b stays on a line of a, the axis; all rotations are free.
+
+        2 equations: translation along joint x, translation along joint y.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def point_on_plane(
         self,
@@ -133,7 +228,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """A point of b stays in a plane of a through the joint's point, normal to the axis."""
+        """A point of b stays in a plane of a through the joint's point, normal to the axis.
+
+        1 equation: translation along joint z.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def parallel_axes(
         self,
@@ -145,7 +251,17 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """An axis of b stays parallel to an axis of a: shifts and rotation about the axis are free."""
+        """An axis of b stays parallel to an axis of a: shifts and rotation about the axis are free.
+
+        2 equations: rotation about joint y, rotation about joint x.
+
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def perpendicular_axes(
         self,
@@ -156,7 +272,16 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """An axis of b stays perpendicular to an axis of a; shifts and rotations about both axes are free."""
+        """An axis of b stays perpendicular to an axis of a; shifts and rotations about both axes are free.
+
+        1 equation: rotation about both axes' normal.
+
+        axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def orientation(
         self,
@@ -167,7 +292,16 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Orientation lock: bodies a and b keep their relative orientation; all shifts are free."""
+        """Orientation lock: bodies a and b keep their relative orientation; all shifts are free.
+
+        3 equations: rotation about joint z, rotation about joint x, rotation about joint y.
+
+        orientation  the frame's Euler parameters (4,), scalar first; without it the inertial axes
+        frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name         of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def constant_velocity(
         self,
@@ -179,7 +313,17 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Homokinetic joint: bodies a and b share a point, and the shaft of b turns about its axis exactly as the shaft of a does, at any angle between them below 180 degrees."""
+        """Homokinetic joint: bodies a and b share a point, and the shaft of b turns about its axis exactly as the shaft of a does, at any angle between them below 180 degrees.
+
+        4 equations: translation x, translation y, translation z, rotation about both shafts.
+
+        at      its point (3,) [m]
+        axes    the axes of the shafts a and b, both the same way through the joint: a pair of (3,)
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def screw(
         self,
@@ -193,7 +337,19 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Nut on a thread: bodies a and b share an axis, and b advances along it by `pitch` [m] for each turn against a; negative: a left-hand thread."""
+        """Nut on a thread: bodies a and b share an axis, and b advances along it by `pitch` [m] for each turn against a; negative: a left-hand thread.
+
+        5 equations: translation along joint x, translation along joint y, translation along the thread, rotation about joint y, rotation about joint x.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        pitch   advance of b for each turn [m], a number, not zero
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def gear(
         self,
@@ -207,7 +363,19 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Spur gears: wheels a and b with `teeth_a` and `teeth_b` teeth mesh on the line between their centers; their axes are kept parallel and apart by other joints, on a carrier that may move. A negative number of teeth is that of a ring gear with teeth inside."""
+        """Spur gears: wheels a and b with `teeth_a` and `teeth_b` teeth mesh on the line between their centers; their axes are kept parallel and apart by other joints, on a carrier that may move. A negative number of teeth is that of a ring gear with teeth inside.
+
+        1 equation: rolling of the pitch circles.
+
+        at       a point on the axis of a and a point on that of b: a pair of (3,) [m]
+        axis     the direction (3,) of both axes, of any length
+        teeth_a  number of teeth of a, a whole number, not zero
+        teeth_b  number of teeth of b, a whole number, not zero
+        frames   "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name     of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def rack_pinion(
         self,
@@ -220,7 +388,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Rack and pinion: pinion b of pitch `radius` [m] rolls on rack a. Of the two axes the first is the rack's direction, the second the pinion's axis; the rack is on the side of direction x axis, with a negative radius on the other side. Other joints keep the pinion on the rack."""
+        """Rack and pinion: pinion b of pitch `radius` [m] rolls on rack a. Of the two axes the first is the rack's direction, the second the pinion's axis; the rack is on the side of direction x axis, with a negative radius on the other side. Other joints keep the pinion on the rack.
+
+        1 equation: rolling of the pitch circle.
+
+        at      its point (3,) [m]
+        axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
+        radius  of the pitch circle [m], a number, not zero
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def revolute_spherical(
         self,
@@ -234,7 +413,19 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Massless link, hinged on an axis of a and with a ball joint on b: the ball stays on a circle of a with radius `length` [m] about the axis, constant or a function of time."""
+        """Massless link, hinged on an axis of a and with a ball joint on b: the ball stays on a circle of a with radius `length` [m] about the axis, constant or a function of time.
+
+        2 equations: translation along joint z, distance.
+
+        at      a point on the axis of a and a point on that of b: a pair of (3,) [m]
+        axis    the direction (3,) of both axes, of any length
+        length  from the axis to the ball [m], a number or a function of time, above 0, by default the initial distance
+        breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def revolute_revolute(
         self,
@@ -248,7 +439,19 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Massless link, hinged on a and on b about parallel axes that are `length` [m] apart, constant or a function of time."""
+        """Massless link, hinged on a and on b about parallel axes that are `length` [m] apart, constant or a function of time.
+
+        4 equations: rotation about joint y, rotation about joint x, translation along joint z, distance.
+
+        at      a point on the axis of a and a point on that of b: a pair of (3,) [m]
+        axis    the direction (3,) of both axes, of any length
+        length  between the axes [m], a number or a function of time, above 0, by default the initial distance
+        breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def revolute_translational(
         self,
@@ -260,7 +463,17 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Pin in a slot: a massless block, hinged on a about the first axis, slides on b along the second, which is perpendicular to the first."""
+        """Pin in a slot: a massless block, hinged on a about the first axis, slides on b along the second, which is perpendicular to the first.
+
+        4 equations: rotation about both axes' normal, rotation about the slot, translation along the pin, translation across the slot.
+
+        at      its point (3,) [m]
+        axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def universal_spherical(
         self,
@@ -273,7 +486,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Massless rod with a Cardan joint on a and a ball joint on b: the two points keep the distance `length` [m], constant or a function of time. Where the rod turns to about itself bears on neither body, so this is the equation of `distance`."""
+        """Massless rod with a Cardan joint on a and a ball joint on b: the two points keep the distance `length` [m], constant or a function of time. Where the rod turns to about itself bears on neither body, so this is the equation of `distance`.
+
+        1 equation: distance.
+
+        at      a point of a and a point of b: a pair of (3,) [m]
+        length  of the rod [m], a number or a function of time, above 0, by default the initial distance
+        breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def angle_driver(
         self,
@@ -288,7 +512,20 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Driver of a rotation: the angle of b against a about the axis, right-handed and zero at the initial pose, is `angle` [rad], constant or a function of time. Other joints keep the axis. The multiplier is the driving torque on b [N m]."""
+        """Driver of a rotation: the angle of b against a about the axis, right-handed and zero at the initial pose, is `angle` [rad], constant or a function of time. Other joints keep the axis. The multiplier is the driving torque on b [N m].
+
+        1 equation: rotation about joint z.
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        angle   of b against a, zero at the initial pose [rad], a number or a function of time
+        breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def displacement_driver(
         self,
@@ -303,7 +540,20 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Driver of a shift: the point of b is `displacement` [m] along the axis of a from where it is at the initial pose, constant or a function of time. The multiplier is the driving force on b [N]."""
+        """Driver of a shift: the point of b is `displacement` [m] along the axis of a from where it is at the initial pose, constant or a function of time. The multiplier is the driving force on b [N].
+
+        1 equation: translation along joint z.
+
+        at            its point (3,) [m]
+        axis          the axis (3,), of any length
+        x_axis        the frame's x axis (3,); without it a perpendicular to the axis
+        displacement  of the point of b, zero at the initial pose [m], a number or a function of time
+        breaks        times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames        "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name          of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def knife_edge(
         self,
@@ -316,7 +566,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Knife edge: the point of b has no velocity against a along an axis fixed in b; non- holonomic. Along the edge and about the point all motion is free."""
+        """Knife edge: the point of b has no velocity against a along an axis fixed in b; non- holonomic. Along the edge and about the point all motion is free.
+
+        1 equation: velocity along joint z. The last 1 of velocities only (non-holonomic).
+
+        at      its point (3,) [m]
+        axis    the axis (3,), of any length
+        x_axis  the frame's x axis (3,); without it a perpendicular to the axis
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def rolling_disc(
         self,
@@ -329,7 +590,18 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """A thin disc of b rolls on a plane of a without slipping; non-holonomic. The joint's point is the point of the plane for a and the center of the disc for b, its axes are the normal of the plane, toward the disc, and the axis of the disc; `radius` [m]. Reactions are about the center of the disc."""
+        """A thin disc of b rolls on a plane of a without slipping; non-holonomic. The joint's point is the point of the plane for a and the center of the disc for b, its axes are the normal of the plane, toward the disc, and the axis of the disc; `radius` [m]. Reactions are about the center of the disc.
+
+        3 equations: translation along the normal, velocity along joint x, velocity along joint y. The last 2 of velocities only (non-holonomic).
+
+        at      a point of the plane and the center of the disc: a pair of (3,) [m]
+        axes    the normal of the plane, toward the disc, and the axis of the disc: a pair of (3,)
+        radius  of the disc [m], a number, above 0
+        frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name    of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
 class ForceMethods:
     def nonlinear_spring_damper(
@@ -345,7 +617,18 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Spring and damper between a point of a and a point of b by their characteristics: the pull is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a linear one. The energy in the spring counts as work."""
+        """Spring and damper between a point of a and a point of b by their characteristics: the pull is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a linear one. The energy in the spring counts as work.
+
+        at           a point of a and a point of b: a pair of (3,) [m]
+        spring       pull over the extension [m] [N], a characteristic, or a number for a linear one; 0
+        damper       pull over the rate [m/s] [N], a characteristic, or a number for a linear one; 0
+        free_length  where the spring is free [m], a number or a function of time, by default the initial distance
+        breaks       times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name         of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def nonlinear_rotational_spring_damper(
         self,
@@ -362,7 +645,20 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Spring and damper about a joint axis by their characteristics: the torque on b is -spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The energy in the spring counts as work."""
+        """Spring and damper about a joint axis by their characteristics: the torque on b is -spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The energy in the spring counts as work.
+
+        at          its point (3,) [m]
+        axis        the axis (3,), of any length
+        x_axis      the frame's x axis (3,); without it a perpendicular to the axis
+        spring      torque over the angle [rad] [N m], a characteristic, or a number for a linear one; 0
+        damper      torque over the rate [rad/s] [N m], a characteristic, or a number for a linear one; 0
+        free_angle  where the spring is free [rad], a number or a function of time; 0
+        breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name        of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def bending_spring(
         self,
@@ -377,7 +673,18 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Bending spring [N m/rad] and damper [N m s/rad] that hold an axis of b parallel to an axis of a, in all directions alike: the torque k beta against the angle beta between the axes, and c times the relative rotation across the axis of a."""
+        """Bending spring [N m/rad] and damper [N m s/rad] that hold an axis of b parallel to an axis of a, in all directions alike: the torque k beta against the angle beta between the axes, and c times the relative rotation across the axis of a.
+
+        axis       the axis (3,), of any length
+        x_axis     the frame's x axis (3,); without it a perpendicular to the axis
+        stiffness  against the angle between the axes [N m/rad], a number or a function of time; 0
+        damping    against rotation across the axis [N m s/rad], a number or a function of time; 0
+        breaks     times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name       of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def motor(
         self,
@@ -393,7 +700,19 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Motor about a joint axis: the torque on b about the axis is throttle(t) curve(theta_dot) [N m], the curve a function of the speed [rad/s], such as linkwork.functions.table(speeds, torques)."""
+        """Motor about a joint axis: the torque on b about the axis is throttle(t) curve(theta_dot) [N m], the curve a function of the speed [rad/s], such as linkwork.functions.table(speeds, torques).
+
+        at        its point (3,) [m]
+        axis      the axis (3,), of any length
+        x_axis    the frame's x axis (3,); without it a perpendicular to the axis
+        curve     torque over the speed [rad/s] [N m], a characteristic, or a number for a linear one
+        throttle  factor of the curve, a number or a function of time; 1
+        breaks    times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames    "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name      of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def rotational_friction(
         self,
@@ -410,7 +729,20 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Friction about a joint axis: the torque on b is -n_c tanh(w / w_t) - c w [N m], w the relative speed [rad/s]: Coulomb friction `coulomb` [N m], regularized below the speed `transition` [rad/s], and `viscous` friction [N m s/rad]."""
+        """Friction about a joint axis: the torque on b is -n_c tanh(w / w_t) - c w [N m], w the relative speed [rad/s]: Coulomb friction `coulomb` [N m], regularized below the speed `transition` [rad/s], and `viscous` friction [N m s/rad].
+
+        at          its point (3,) [m]
+        axis        the axis (3,), of any length
+        x_axis      the frame's x axis (3,); without it a perpendicular to the axis
+        coulomb     Coulomb friction [N m], a number or a function of time, at least 0; 0
+        viscous     viscous friction [N m s/rad], a number or a function of time, at least 0; 0
+        transition  speed of regularization [rad/s], a number, above 0; 0.01
+        breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name        of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def translational_friction(
         self,
@@ -427,7 +759,20 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Friction along a joint axis: the force on b is -f_c tanh(v / v_t) - c v [N], v the relative speed [m/s]: Coulomb friction `coulomb` [N], regularized below the speed `transition` [m/s], and `viscous` friction [N s/m]."""
+        """Friction along a joint axis: the force on b is -f_c tanh(v / v_t) - c v [N], v the relative speed [m/s]: Coulomb friction `coulomb` [N], regularized below the speed `transition` [m/s], and `viscous` friction [N s/m].
+
+        at          its point (3,) [m]
+        axis        the axis (3,), of any length
+        x_axis      the frame's x axis (3,); without it a perpendicular to the axis
+        coulomb     Coulomb friction [N], a number or a function of time, at least 0; 0
+        viscous     viscous friction [N s/m], a number or a function of time, at least 0; 0
+        transition  speed of regularization [m/s], a number, above 0; 0.001
+        breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name        of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def rotational_stop(
         self,
@@ -445,7 +790,21 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """End stops about a joint axis: where the angle of b against a [rad] is beyond `lower` or `upper` by d, the torque k |d| + c |d| theta_dot [N m] acts against it, never back; k [N m/rad], c [N m s/rad^2]."""
+        """End stops about a joint axis: where the angle of b against a [rad] is beyond `lower` or `upper` by d, the torque k |d| + c |d| theta_dot [N m] acts against it, never back; k [N m/rad], c [N m s/rad^2].
+
+        at         its point (3,) [m]
+        axis       the axis (3,), of any length
+        x_axis     the frame's x axis (3,); without it a perpendicular to the axis
+        lower      end of the free range [rad], a number or a function of time, not above upper
+        upper      end of the free range [rad], a number or a function of time
+        stiffness  beyond the ends [N m/rad], a number or a function of time, above 0
+        damping    beyond the ends, by depth [N m s/rad^2], a number or a function of time, at least 0; 0
+        breaks     times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name       of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def translational_stop(
         self,
@@ -463,7 +822,21 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """End stops along a joint axis: where the shift of b against a [m] is beyond `lower` or `upper` by d, the force k |d| + c |d| x_dot [N] acts against it, never back; k [N/m], c [N s/m^2]."""
+        """End stops along a joint axis: where the shift of b against a [m] is beyond `lower` or `upper` by d, the force k |d| + c |d| x_dot [N] acts against it, never back; k [N/m], c [N s/m^2].
+
+        at         its point (3,) [m]
+        axis       the axis (3,), of any length
+        x_axis     the frame's x axis (3,); without it a perpendicular to the axis
+        lower      end of the free range [m], a number or a function of time, not above upper
+        upper      end of the free range [m], a number or a function of time
+        stiffness  beyond the ends [N/m], a number or a function of time, above 0
+        damping    beyond the ends, by depth [N s/m^2], a number or a function of time, at least 0; 0
+        breaks     times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name       of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def drag(
         self,
@@ -476,7 +849,16 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u [N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / 2 [N s^2/m^2]. Nothing acts on a."""
+        """Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u [N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / 2 [N s^2/m^2]. Nothing acts on a.
+
+        at           its point (3,) [m]
+        coefficient  rho c_d A / 2 [N s^2/m^2], a number or a function of time, at least 0
+        breaks       times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name         of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def linear_damping(
         self,
@@ -490,7 +872,17 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Linear damping of all relative motion: the force on the point of b is -c u [N], u the velocity of that point as seen from a [m/s] and `damping` c [N s/m]; the torque on b is -C w [N m], w the angular velocity of b against a [rad/s] and `rotational_damping` C [N m s/rad]. Both act back on a, at the point of b."""
+        """Linear damping of all relative motion: the force on the point of b is -c u [N], u the velocity of that point as seen from a [m/s] and `damping` c [N s/m]; the torque on b is -C w [N m], w the angular velocity of b against a [rad/s] and `rotational_damping` C [N m s/rad]. Both act back on a, at the point of b.
+
+        at                  its point (3,) [m]
+        damping             against the velocity of the point [N s/m], a number or a function of time; 0
+        rotational_damping  against the angular velocity [N m s/rad], a number or a function of time; 0
+        breaks              times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames              "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name                of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def sphere_plane_contact(
         self,
@@ -509,7 +901,22 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Contact of a sphere of b, by its center and `radius` [m], with a plane of a, by a point and the normal toward b; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis."""
+        """Contact of a sphere of b, by its center and `radius` [m], with a plane of a, by a point and the normal toward b; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis.
+
+        at          a point of the plane and a point of b: a pair of (3,) [m]
+        normal      of the plane (3,), toward b, of any length; fixed in a
+        radius      of the sphere [m], a number, above 0
+        stiffness   K [N/m^exponent], a number, above 0
+        exponent    n, a number, at least 1; 1.5
+        hysteresis  factor c of the rate, a number or a function of time, at least 0; 0
+        friction    coefficient of friction, a number or a function of time, at least 0; 0
+        transition  speed of regularization [m/s], a number, above 0; 0.001
+        breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name        of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
 
     def sphere_sphere_contact(
         self,
@@ -528,4 +935,19 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Contact of a sphere of a with a sphere of b, by their centers and radii [m]; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis."""
+        """Contact of a sphere of a with a sphere of b, by their centers and radii [m]; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis.
+
+        at          a point of a and a point of b: a pair of (3,) [m]
+        radius_a    of the sphere of a [m], a number, above 0
+        radius_b    of the sphere of b [m], a number, above 0
+        stiffness   K [N/m^exponent], a number, above 0
+        exponent    n, a number, at least 1; 1.5
+        hysteresis  factor c of the rate, a number or a function of time, at least 0; 0
+        friction    coefficient of friction, a number or a function of time, at least 0; 0
+        transition  speed of regularization [m/s], a number, above 0; 0.001
+        breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name        of the joint; without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """

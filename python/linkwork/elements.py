@@ -73,8 +73,7 @@ class Elements:
         return [
             (f"{self.subject.who(0)}: {what}", parameter)
             for what, parameter in self.parameters.items()
-            if isinstance(parameter, TimeFunction)
-            and self.info.parameters[what].takes != "characteristic"
+            if isinstance(parameter, TimeFunction) and self.info.parameters[what].takes != "characteristic"
         ]
 
     def characteristics(self) -> list[TimeFunction]:

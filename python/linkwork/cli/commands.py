@@ -197,7 +197,10 @@ def list_known(what: str, as_json: bool) -> None:
     """
     from linkwork.cli import listing
 
-    listing.show_mechanisms(as_json) if what == "mechanisms" else listing.show_kinds(what[:-1], as_json)
+    if what == "mechanisms":
+        listing.show_mechanisms(as_json)
+    else:
+        listing.show_kinds("joint" if what == "joints" else "force", as_json)
 
 
 @linkwork.command()

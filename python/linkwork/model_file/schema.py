@@ -323,10 +323,9 @@ def _parameter_type(parameter: _core.ParameterInfo) -> Any:
     text = described(parameter)
     if not parameter.constant:
         return Annotated[_quantity_type(), Field(description=text)]
-    bound = {"exclusiveMinimum" if parameter.above else "minimum": parameter.least}
-    return Annotated[
-        Number, Field(description=text, json_schema_extra=bound if parameter.least is not None else None)
-    ]
+    key = "exclusiveMinimum" if parameter.above else "minimum"
+    extra: Any = None if parameter.least is None else {key: parameter.least}
+    return Annotated[Number, Field(description=text, json_schema_extra=extra)]
 
 
 #: A driver of a joint that stands before, by Model.drive; it is saved as the angle_driver or such that it is.
