@@ -9,7 +9,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.cli import run
+from linkwork.cli import run as command
 from linkwork.elements import KINDS
 from linkwork.model_file import json_schema
 
@@ -40,19 +40,19 @@ def test_equations_of_velocities_stand_last(kind: Any) -> None:
 
 @pytest.mark.parametrize("role", KINDS)
 def test_the_command_line_lists_kinds_with_their_units(role: Any, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["list", f"{role}s", "--json"]) == 0
+    assert command(["list", f"{role}s", "--json"], False) == 0
     listed = {kind["name"]: kind for kind in json.loads(capsys.readouterr().out)}
     assert list(listed) == list(KINDS[role])
     for name, kind in KINDS[role].items():
         units = {it.name: it.unit for it in kind.parameters.values()}
         assert {it["name"]: it["unit"] for it in listed[name]["parameters"]} == units
-    assert run(["list", f"{role}s"]) == 0
+    assert command(["list", f"{role}s"], False) == 0
     text = " ".join(capsys.readouterr().out.split())
     assert all(name in text for name in KINDS[role])
 
 
 def test_the_schema_tells_units_and_bounds() -> None:
-    text = json.dumps(json_schema()["$defs"]["rolling_disc joint"]["properties"]["radius"])
+    text = json.dumps(json_schema()["$defs"]["rolling_disc_joint"]["properties"]["radius"])
     assert "of the disc [m], a number, above 0" in text and '"exclusiveMinimum": 0.0' in text
 
 
