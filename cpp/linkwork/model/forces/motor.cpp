@@ -9,7 +9,11 @@ struct Motor {
   static KindInfo info() {
     return {.name = "motor",
             .placement = Angle::placement,
-            .parameters = {{"curve", "N m", "torque over the speed [rad/s]", Takes::characteristic, {.example = 20.0}},
+            .parameters = {{"curve",
+                            "N m s/rad",
+                            "torque [N m] over the speed [rad/s], its slope",
+                            Takes::characteristic,
+                            {.example = 20.0}},
                            {"throttle", "", "factor of the curve", Takes::function, {.usual = 1.0, .example = 1.0}}},
             .documentation =
                 "Motor about a joint axis: the torque on b about the axis is throttle(t) curve(theta_dot) [N "
