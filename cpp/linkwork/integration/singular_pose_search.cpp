@@ -115,6 +115,7 @@ void SingularPoseSearch::list(double t, const VectorXd& y) {
 }
 
 double SingularPoseSearch::root_at(double t, const VectorXd& y) {
+  dynamics_.observe_now();  // what waits for a solution is not to get it from here
   const Unwatched unwatched(dynamics_);
   dynamics_.evaluate(t, y);
   return dynamics_.least_singular_value();
