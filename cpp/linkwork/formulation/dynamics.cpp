@@ -21,6 +21,7 @@ constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative 
 constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
 constexpr int most_refinements = 20;
 constexpr int first_iterations = 4, more_iterations = 2;  // toward the least singular value
+constexpr double news = 0.1;                              // part of a vector in any direction
 constexpr double broken = -1.0;                           // for a pivot of a factorization that broke down
 constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
@@ -252,17 +253,19 @@ bool Dynamics::inspect(double pivot) {
 void Dynamics::scale_rows(const VectorXd& mobility) {
   row_scale_ = mobility.cwiseSqrt();
   dropped_.take_from(row_scale_);
+  some_.resize(row_scale_.size());
+  for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = std::cos(1.0 + 2.4 * static_cast<double>(k));
   least_singular_.resize(0);
 }
 
 // With S = D M^-1 D^T, scaled by s = diag(S)^1/2 of the start, u <- s S^-1 s u; the quotient u^T s^-1 S s^-1 u =
-// lambda^T D x, where lambda = S^-1 s u and x = M^-1 D^T lambda, is not touched by penalties in the factorization.
+// lambda^T D x, where lambda = S^-1 s u and x = M^-1 D^T lambda, is not touched by penalties in the factorization. The
+// last u may be without any part of a vector that has become the least one: a little of all is added.
 double Dynamics::least_singular_value() {
   VectorXd& u = least_singular_;
   const bool begins = u.size() == 0;
-  if (begins)
-    u = row_scale_.cwiseMin(1.0).array() *
-        VectorXd::LinSpaced(row_scale_.size(), 1.0, 1.0 + row_scale_.size()).array().cos();
+  if (begins) u.setZero(row_scale_.size());
+  u += news / std::sqrt(static_cast<double>(u.size())) * some_;
   const VectorXd none = VectorXd::Zero(system_.v_size());
   double quotient = 0.0;
   try {
@@ -289,12 +292,16 @@ bool Dynamics::choose_rows(std::vector<int> rows, std::vector<int> joints, doubl
   const std::vector<int> before = dropped_.rows();
   if (rows.empty() || rows == before) return false;
   const double pivot = formulation_->saddle().smallest_pivot();
-  try {
-    change_redundant_rows(std::move(rows));
-  } catch (const SingularSystemError&) {
-  }
-  if (!(root_of_pivot() >= least_root)) {
-    change_redundant_rows(before);
+  const auto root_with = [this](std::vector<int> choice) {
+    try {
+      change_redundant_rows(std::move(choice));
+      return root_of_pivot();
+    } catch (const SingularSystemError&) {
+      return -1.0;  // either may be singular, in a singular pose
+    }
+  };
+  if (!(root_with(std::move(rows)) >= least_root)) {
+    factorized_ = root_with(before) >= 0.0;
     return false;
   }
   watch_.change_rows(t_, pivot, std::move(joints));

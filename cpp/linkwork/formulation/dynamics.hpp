@@ -210,6 +210,7 @@ class Dynamics {
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
   VectorXd row_scale_;       ///< roots of the mobilities of kept rows, 0 of dropped ones
   VectorXd least_singular_;  ///< the last left singular vector; empty: none yet
+  VectorXd some_;            ///< a vector with a part in all directions
   double t_ = 0.0;
   int stage_ = 1, clocked_ = 1;
   bool traces_ = false;
