@@ -20,7 +20,9 @@ constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to s
 constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
 constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
 constexpr int most_refinements = 20;
-constexpr double broken = -1.0;    // for a pivot of a factorization that broke down
+constexpr int first_iterations = 4, more_iterations = 2;  // toward the least singular value
+constexpr double news = 0.1;                              // part of a vector in any direction
+constexpr double broken = -1.0;                           // for a pivot of a factorization that broke down
 constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
@@ -90,6 +92,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
   dropped_.take_out(at_);
+  scale_rows(rows.mobility);
   formulation_->analyze(system_, at_, rows);
   rank_needed_ = info.needs_full_rank;
   watched_ = rank_needed_ || linear_solver_info(options_.linear_solver).make_saddle;
@@ -242,6 +245,43 @@ bool Dynamics::inspect(double pivot) {
   return false;
 }
 
+void Dynamics::scale_rows(const VectorXd& mobility) {
+  row_scale_ = mobility.cwiseSqrt();
+  dropped_.take_from(row_scale_);
+  some_.resize(row_scale_.size());
+  for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = std::cos(1.0 + 2.4 * static_cast<double>(k));
+  least_singular_.resize(0);
+}
+
+// With S = D M^-1 D^T, scaled by s = diag(S)^1/2 of the start, u <- s S^-1 s u; the quotient u^T s^-1 S s^-1 u =
+// lambda^T D x, where lambda = S^-1 s u and x = M^-1 D^T lambda, is not touched by penalties in the factorization. The
+// last u may be without any part of a vector that has become the least one: a little of all is added.
+double Dynamics::least_singular_value() {
+  VectorXd& u = least_singular_;
+  const bool begins = u.size() == 0;
+  if (begins) u.setZero(row_scale_.size());
+  u += news / std::sqrt(static_cast<double>(u.size())) * some_;
+  const VectorXd none = VectorXd::Zero(system_.v_size());
+  double quotient = 0.0;
+  try {
+    factorize();
+    for (int k = 0; k < (begins ? first_iterations : more_iterations); ++k) {
+      b_ = row_scale_.cwiseProduct(u);
+      formulation_->saddle().solve(none, b_, x_, lambda_);
+      u = row_scale_.cwiseProduct(lambda_);
+      const double length = u.norm();
+      u /= length;
+      system_.multiply_mass(x_, v_dot_);
+      quotient = x_.dot(v_dot_) / (length * length);
+    }
+  } catch (const SingularSystemError&) {
+    quotient = 0.0;
+  }
+  if (u.allFinite() && std::isfinite(quotient)) return std::sqrt(std::max(quotient, 0.0));
+  u.resize(0);
+  return 0.0;
+}
+
 /// Takes the choice where it makes the root of the smallest pivot at least so large.
 bool Dynamics::choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root) {
   const std::vector<int> before = dropped_.rows();
@@ -290,6 +330,7 @@ void Dynamics::change_redundant_rows(std::vector<int> rows) {
   const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
   dropped_.take_out(at_);
+  scale_rows(now.mobility);
   formulation_->analyze(system_, at_, now);
   formulation_->factorize(at_);
 }

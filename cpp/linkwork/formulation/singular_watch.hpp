@@ -26,8 +26,8 @@ struct PoseExamination {
 PoseExamination examine_pose(const System& system, const TimedPose& pose, const std::vector<int>& redundant,
                              double near);
 
-/// The redundant rows that leave the others best conditioned in this pose, ascending; none where their number is another
-/// than that of those `present`.
+/// The redundant rows that leave the others best conditioned in this pose, ascending; none where their number is
+/// another than that of those `present`.
 std::vector<int> choose_redundant_rows(const System& system, const TimedPose& pose, const std::vector<int>& present);
 
 /// A pose of the motion in which equations depend on each other.

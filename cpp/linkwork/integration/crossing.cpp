@@ -18,13 +18,16 @@ constexpr double near = 0.3;           // of the usual root of the smallest pivo
 constexpr double near_at_start = 0.1;  // the same before there is a usual one
 constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for runs that begin near a pose
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
+constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell where the pose is
+constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
 constexpr double fallen = 0.4;         // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;  // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;        // least distance of nodes from the pose, relative to the leap
-constexpr double same_time = 1e-9;      // relative to the step
-constexpr int most_sweeps = 40, most_attempts = 9;
-// Of the usual length, where a leap does not converge: a node may be in the pose, or the leap too long.
-constexpr double other_lengths[most_attempts] = {0.8, 1.2, 0.6, 1.5, 0.4, 0.9, 0.3, 0.2, 0.1};
+constexpr double same_time = 1e-9;     // relative to the step
+constexpr double same_pose = 1e-2;     // relative to a leap
+constexpr int most_sweeps = 40, most_attempts = 12;
+// Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
+constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double tolerance = 1e-10;      // of the energy over a leap
 constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
@@ -93,16 +96,19 @@ double Crossing::foreseen(double t) const {
   return trend->last.t + trend->last.root * std::abs(interval) / fall - t;
 }
 
-/// Whether the first pivot is so small that the run may begin in a singular pose.
+/// Whether the first pivot is so small that the run may begin in a singular pose, which is listed then.
 bool Crossing::starts_near(double t, const VectorXd& y) {
-  const Unwatched unwatched(dynamics_);
   double root = 0.0;
-  try {
-    dynamics_.factorize();
-    root = dynamics_.root_of_pivot();
-  } catch (const SingularSystemError&) {
+  {
+    const Unwatched unwatched(dynamics_);
+    try {
+      dynamics_.factorize();
+      root = dynamics_.root_of_pivot();
+    } catch (const SingularSystemError&) {
+    }
   }
-  if (root < near_at_start && in_singular_pose(t, y)) poses_.begin_in_pose(t, root, y);
+  in_pose_ = root < near_at_start && in_singular_pose(t, y);
+  if (in_pose_) poses_.list(t, y);
   return root < near_at_start;
 }
 
@@ -123,13 +129,17 @@ bool Crossing::due(double t, double h, const VectorXd& y) {
   starting_ = std::exchange(fresh_, false) && starts_near(t, y);
   if (starting_) return true;
   keep_rows_good();
+  const System& system = dynamics_.system();
+  const auto v = y.segment(system.q_size(), system.v_size());
+  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, system.body_count());
+  const double fastest =
+      std::max(rates.topRows<3>().cwiseAbs().maxCoeff() / length_, rates.bottomRows<3>().cwiseAbs().maxCoeff());
+  least_ = {t, fastest * h > coarse ? dynamics_.least_singular_value() : INFINITY};
   const double tau = foreseen(t);
   if (!(tau >= -h && tau < INFINITY)) return false;
   const double root = dynamics_.watch().trend()->last.root;
   if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
-  const System& system = dynamics_.system();
-  const auto v = y.segment(system.q_size(), system.v_size());
   return tau < std::max(0.5 * usual_length(v, VectorXd::Zero(v.size())), steps_before * h) + h;
 }
 
@@ -176,7 +186,6 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
   leap_ = std::move(search.best);
-  root_ = search.root;
   dynamics_.forget_trend();
   return true;
 }
@@ -184,33 +193,32 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
 /// False where no leap was found.
 bool Crossing::try_lengths(Search& search, const VectorXd& y) {
   bool any_converged = false;
+  double base = search.least;
   for (int k = 0; k < most_attempts && std::isfinite(search.least); ++k) {
     leap_.h = best_length(search);
     const Quality quality = attempt();
     any_converged = any_converged || quality.converged;
     if (!quality.converged) {
-      search.least = std::max(other_lengths[k] * search.usual, search.h);
+      search.least = std::max(other_lengths[k] * base, least_part * search.usual);
       continue;
     }
-    if (starting_ && quality.jump > no_branch && in_singular_pose(search.t, y)) throw_no_branch(search.t);
-    search.poses = poses_in_leap();
+    if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
+    search.poses = leap_.poses = poses_in_leap();
     if (search.poses.empty()) break;
     const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
     const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
     const bool good = quality.good() && clear;
     if (good || (quality.fair() && nearest >= 0.5 * margin && quality.badness() < search.badness)) {
       search.best = leap_;
-      search.root = root_;
       search.badness = quality.badness();
     }
     if (good) break;
     if (beyond) search.least = 2.0 * last;
-    else if (!quality.good()) search.least = std::max(0.6 * search.least, least_part * search.usual);
+    else if (!quality.good()) search.least = base = std::max(0.6 * std::min(base, leap_.h), least_part * search.usual);
   }
   if (search.badness < INFINITY) return true;
-  if (starting_ && !any_converged && size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0 &&
-      in_singular_pose(search.t, y))
-    throw_no_branch(search.t);
+  const bool moves = size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0;
+  if (starting_ && !any_converged && moves && in_pose_) throw_no_branch(search.t);
   return false;
 }
 
@@ -309,7 +317,6 @@ double Crossing::node(int i) {
   if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
   dynamics_.evaluate(t, y_);
   dynamics_.refined_accelerations(v_dot_, leap_.lambda.col(i));
-  root_[i] = dynamics_.root_of_pivot();
   dynamics_.rates(v_dot_, leap_.lambda.col(i), rates_);
   const double change = leap_.h * size(rates_.segment(nq, nv) - leap_.k.col(i).segment(nq, nv));
   leap_.k.col(i) = rates_;
@@ -344,20 +351,30 @@ void Crossing::finish(Quality& quality) {
 /// Times from the start of a leap that converged, ascending; the last may be foreseen beyond its end. Empty: there is
 /// none.
 std::vector<double> Crossing::poses_in_leap() {
-  std::vector<PivotSample> samples;
   const auto root = [&](double at) {
     interpolate(dynamics_.system(), at / leap_.h, y_);
     return poses_.root_at(leap_.t + at, y_);
   };
-  samples.push_back({0.0, starting_ ? 0.0 : root(0.0)});
-  for (int i = 0; i < stages; ++i) samples.push_back({gauss_.c[i] * leap_.h, root_[i]});
-  samples.push_back({leap_.h, root(leap_.h)});
+  std::vector<PivotSample> samples;
+  const auto sample = [&](double at) { samples.push_back({at, root(at)}); };
+  const auto sample_between = [&](double before, double after) {  // where the lines to zero meet
+    const double left = root(before), right = root(after);
+    samples.push_back({before, left});
+    if (left > 0.0) sample(before + (after - before) * left / (left + right));
+  };
+  sample_between(0.0, gauss_.c[0] * leap_.h);
+  for (int i = 0; i < stages; ++i) sample(gauss_.c[i] * leap_.h);
+  sample_between(gauss_.c[stages - 1] * leap_.h, leap_.h);
+  samples.erase(samples.end() - 2);
+  sample(leap_.h);
   std::vector<double> found;
-  if (starting_) found.push_back(0.0);
+  if (in_pose_ && starting_) found.push_back(0.0);
+  const double apart = same_pose * leap_.h;
   for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
     const PivotSample &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
     if (!(b.root <= a.root && b.root < c.root)) continue;
-    if (const PivotSample least = least_root(a, b, c, root); vanishes(a, least, c)) found.push_back(least.at);
+    const PivotSample least = least_root(a, b, c, root);
+    if (vanishes(a, least, c) && (found.empty() || least.at > found.back() + apart)) found.push_back(least.at);
   }
   const PivotSample &before = *(samples.end() - 2), &end = samples.back();
   const double fall = (before.root - end.root) / (end.at - before.at), beyond = end.root / fall;
@@ -367,17 +384,21 @@ std::vector<double> Crossing::poses_in_leap() {
 
 bool Crossing::look_back(double t, double h, const VectorXd& y) {
   if (!prepared_ || poses_.last() >= t - same_time * h) return false;
+  if (least_.at == t && least_.root < INFINITY) return poses_.pass(t, least_.root, y);
   const auto sample = dynamics_.watch().sample(t, same_time * h);
-  return sample && poses_.pass(t, sample->root, y);
+  if (!sample) return false;
+  const bool close = sample->root < looked_at * dynamics_.watch().root_of_level();
+  return poses_.pass(t, close ? poses_.root_at(t, y) : sample->root, y) || close;
 }
 
 void Crossing::look_into_leap(double until) {
-  if (poses_.last() < leap_.t) poses_.pass(leap_.t, poses_.root_at(leap_.t, leap_.y), leap_.y);
-  for (int i = 0; i < stages && leap_.t + gauss_.c[i] * leap_.h < until; ++i) {
-    interpolate(dynamics_.system(), gauss_.c[i], y_);
-    poses_.pass(leap_.t + gauss_.c[i] * leap_.h, root_[i], y_);
-  }
+  for (const double pose : leap_.poses)
+    if (pose > 0.0 && leap_.t + pose < until) {
+      interpolate(dynamics_.system(), pose / leap_.h, y_);
+      poses_.list(leap_.t + pose, y_);
+    }
   interpolate(dynamics_.system(), theta(until), y_);
+  poses_.restart();
   poses_.pass(until, poses_.root_at(until, y_), y_);
 }
 

@@ -13,10 +13,11 @@ namespace linkwork {
 /// A step by collocation, with everything in between.
 struct Leap {
   double t = 0.0, h = 0.0;
-  VectorXd y;       ///< at t, on the constraints
-  VectorXd y_new;   ///< at t + h, on the constraints
-  MatrixXd k;       ///< y_dot at the nodes
-  MatrixXd lambda;  ///< multipliers at the nodes
+  VectorXd y;                      ///< at t, on the constraints
+  VectorXd y_new;                  ///< at t + h, on the constraints
+  MatrixXd k;                      ///< y_dot at the nodes
+  MatrixXd lambda;                 ///< multipliers at the nodes
+  std::vector<double> poses = {};  ///< singular ones, times from t
 
   double end() const { return t + h; }
 };
@@ -70,7 +71,6 @@ class Crossing final : public Interpolant {
     double jump = 0.0;        ///< the same of their velocities, relative to them
     double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
-    double nearest = 0.0;     ///< root of the smallest pivot of the nodes
     bool good() const;
     bool fair() const;
     double badness() const;
@@ -83,8 +83,7 @@ class Crossing final : public Interpolant {
     std::vector<double> poses;  ///< foreseen, then found
     double least;               ///< length to begin with
     Leap best = {};
-    double badness = INFINITY;                                                     ///< of it
-    GaussCollocation::Weights root = GaussCollocation::Weights::Zero();  ///< of it
+    double badness = INFINITY;  ///< of it
   };
 
   bool starts_near(double t, const VectorXd& y);
@@ -115,12 +114,13 @@ class Crossing final : public Interpolant {
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool starting_ = false;    ///< the leap begins near the pose, not before it
-  bool fresh_ = true;        ///< no step was looked at yet
-  double rows_good_ = 0.0;   ///< root of the pivot from which on the redundant rows are looked at
-  double declined_ = 0.0;    ///< root of the pivot at which there was nothing to leap over
+  bool starting_ = false;   ///< the leap begins near the pose, not before it
+  bool in_pose_ = false;    ///< or in it
+  bool fresh_ = true;       ///< no step was looked at yet
+  PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
+  double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
+  double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
-  GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
   double correction_ = 0.0, jump_ = 0.0;
   double energy_before_ = 0.0;
   VectorXd y_, v_dot_, rates_, rates_before_;

@@ -8,13 +8,14 @@
 namespace linkwork {
 namespace {
 
-constexpr double passed = 0.9;        // of the usual root: a pose was passed only if the least is below
-constexpr double away = 1e-3;         // of the usual root: as far the motion has been from the last pose
-constexpr double vanishing = 0.1;     // root of the pivot in the pose, part of the least around it
-constexpr double found = 1e-6;        // the same, for the search to end
-constexpr double at_rest = 1e-4;      // of the usual root: at the end of the motion
-constexpr double golden = 0.381966;   // part of the larger side of a bracket
-constexpr double no_zero = 0.7;       // a guess that lowers the least by no more finds no zero
+constexpr double passed = 0.9;       // of the usual root: a pose was passed only if the least is below
+constexpr double away = 1e-3;        // of the usual root: as far the motion has been from the last pose
+constexpr double vanishing = 0.1;    // root of the pivot in the pose, part of the least around it
+constexpr double found = 1e-6;       // the same, for the search to end
+constexpr double at_rest = 1e-4;     // of the usual root: at the end of the motion
+constexpr double same_pose = 1e-2;   // relative to the time between states
+constexpr double golden = 0.381966;  // part of the larger side of a bracket
+constexpr double no_zero = 0.7;      // a guess that lowers the least by no more finds no zero
 constexpr int most_guesses = 24, few_guesses = 4;
 
 /// |log| of the ratio of two slopes.
@@ -70,59 +71,67 @@ bool SingularPoseSearch::pass(double t, double root, const VectorXd& y) {
   c.y = y;
   count_ = std::min(count_ + 1, 3);
   highest_ = std::max(highest_, root);
-  if (count_ == 2) return probe();
-  if (count_ < 3 || !(b.root <= a.root && b.root < c.root) || !worth_a_search(b.root)) return false;
-  search({a.t, a.root}, {b.t, b.root}, {c.t, c.root});
+  if (count_ < 2 || !worth_a_search(b.root)) return false;
+  if (count_ == 2) search_between(b, c);
+  else if (b.root <= a.root && b.root < c.root) search_around();
+  else return false;
   return true;
 }
 
-/// Between the last two states, of which none is before or behind.
-bool SingularPoseSearch::probe() {
-  const Mark &b = marks_[1], &c = marks_[2];
-  if (!worth_a_search(std::min(b.root, c.root)) || !(b.root > 0.0 && c.root > 0.0)) return false;
-  const double t = b.t + (c.t - b.t) * b.root / (b.root + c.root);
+/// The roots of pivots lead here, the singular values go on.
+void SingularPoseSearch::search_around() {
+  const auto& [a, b, c] = marks_;
+  const auto sample = [&](const Mark& mark) { return PivotSample{mark.t, root_at(mark.t, mark.y)}; };
+  const PivotSample from = sample(a), middle = sample(b), to = sample(c);
+  if (middle.root <= std::min(from.root, to.root)) search(from, middle, to);
+  else if (!search_between(a, b)) search_between(b, c);
+}
+
+/// Of states that follow each other; true where a pose was listed.
+bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
+  const PivotSample a{before.t, root_at(before.t, before.y)}, c{after.t, root_at(after.t, after.y)};
+  if (!(a.root > 0.0 && c.root > 0.0)) return false;
+  const double t = a.at + (c.at - a.at) * a.root / (a.root + c.root);
   interpolate(t, y_);
-  const double root = root_at(t, y_);
-  if (root < no_zero * std::min(b.root, c.root)) search({b.t, b.root}, {t, root}, {c.t, c.root});
-  return true;
+  const PivotSample b{t, root_at(t, y_)};
+  return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
 }
 
 void SingularPoseSearch::finish(double t, const VectorXd& y) {
   const double root = root_at(t, y);
   if (count_ == 0 || marks_[2].t < t) pass(t, root, y);
-  if (count_ > 1 && marks_[2].root < marks_[1].root) probe();
+  if (count_ > 1 && marks_[2].root < marks_[1].root && worth_a_search(root)) search_between(marks_[1], marks_[2]);
   const double level = dynamics_.watch().root_of_level();
   if (!(root < at_rest * level && highest_ > away * level)) return;
   root_at(t, y);
   if (dynamics_.cross(y, root * root)) highest_ = 0.0;
 }
 
-void SingularPoseSearch::begin_in_pose(double t, double root, const VectorXd& y) {
-  restart();
+void SingularPoseSearch::list(double t, const VectorXd& y) {
+  const double root = root_at(t, y);
   dynamics_.cross(y, root * root);
-  pass(t, 0.0, y);
+  restart();
+  last_listed_ = t;
 }
 
 double SingularPoseSearch::root_at(double t, const VectorXd& y) {
   const Unwatched unwatched(dynamics_);
-  try {
-    dynamics_.evaluate(t, y);
-    dynamics_.factorize();
-  } catch (const SingularSystemError&) {
-    return 0.0;
-  }
-  return dynamics_.root_of_pivot();
+  dynamics_.evaluate(t, y);
+  return dynamics_.least_singular_value();
 }
 
-void SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
+bool SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
   const auto root = [this](double t) {
     interpolate(t, y_);
     return root_at(t, y_);
   };
   const PivotSample least = least_root(a, b, c, root);
-  if (!vanishes(a, least, c)) return;
+  if (!vanishes(a, least, c) || least.at <= last_listed_ + same_pose * (c.at - a.at)) return false;
   const double there = root(least.at);
-  if (dynamics_.cross(y_, there * there)) highest_ = marks_[2].root;
+  if (!dynamics_.cross(y_, there * there)) return false;
+  highest_ = marks_[2].root;
+  last_listed_ = least.at;
+  return true;
 }
 
 // Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.

@@ -8,7 +8,7 @@
 
 namespace linkwork {
 
-/// A place on the way, in time or another parameter, and the root of the smallest pivot there.
+/// A time on the way, and the least singular value there.
 struct PivotSample {
   double at = 0.0, root = 0.0;
 };
@@ -21,24 +21,25 @@ bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample&
 
 /// Lists the singular poses that a motion passes, each once.
 ///
-/// Where the root of the smallest pivot, which goes linearly to zero and up again, has been less than before and after,
-/// its least is searched between the states of the motion; one that vanishes is a pose, if the rank says so, too.
+/// Where the least singular value of the constraint matrix, which goes linearly to zero and up again, has been less
+/// than before and after, its least is searched between the states of the motion; one that vanishes is a pose, if the
+/// rank says so, too. Far from poses the root of the smallest pivot, which is no less, does as well.
 class SingularPoseSearch {
  public:
   explicit SingularPoseSearch(Dynamics& dynamics) : dynamics_(dynamics) {}
 
   /// The motion begins anew.
   void restart();
-  /// A state of the motion with the root of its smallest pivot. True where `dynamics` was evaluated somewhere else.
+  /// A state of the motion with its least singular value. True where `dynamics` was evaluated somewhere else.
   bool pass(double t, double root, const VectorXd& y);
   /// The last one, for now. Leaves `dynamics` evaluated somewhere else.
   void finish(double t, const VectorXd& y);
-  /// The motion begins in a singular pose, where `dynamics` is evaluated.
-  void begin_in_pose(double t, double root, const VectorXd& y);
+  /// A pose that was found otherwise: the motion begins anew there. Leaves `dynamics` evaluated there.
+  void list(double t, const VectorXd& y);
 
   /// Time of the last state, -infinity where there is none.
   double last() const { return count_ > 0 ? marks_[2].t : -INFINITY; }
-  /// 0 where the matrix has no factorization. Leaves `dynamics` evaluated there.
+  /// The least singular value. Leaves `dynamics` evaluated there.
   double root_at(double t, const VectorXd& y);
 
  private:
@@ -48,14 +49,16 @@ class SingularPoseSearch {
   };
 
   bool worth_a_search(double root) const;
-  bool probe();
-  void search(PivotSample a, PivotSample b, PivotSample c);
+  void search_around();
+  bool search_between(const Mark& before, const Mark& after);
+  bool search(PivotSample a, PivotSample b, PivotSample c);
   void interpolate(double t, VectorXd& y) const;
 
   Dynamics& dynamics_;
   std::array<Mark, 3> marks_;  ///< the last ones
   int count_ = 0;              ///< of them
   double highest_ = 0.0;       ///< root since the last pose that was listed
+  double last_listed_ = -INFINITY;
   VectorXd y_;
 };
 
