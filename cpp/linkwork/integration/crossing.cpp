@@ -207,8 +207,8 @@ bool Crossing::try_lengths(Search& search, const VectorXd& y) {
     if (search.poses.empty()) break;
     const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
     const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
-    const bool good = quality.good() && clear;
-    if (good || (quality.fair() && nearest >= 0.5 * margin && quality.badness() < search.badness)) {
+    const bool good = quality.good() && clear, over = search.poses.front() <= leap_.h || leap_.h >= search.most;
+    if (good || (over && quality.fair() && nearest >= 0.5 * margin && quality.badness() < search.badness)) {
       search.best = leap_;
       search.badness = quality.badness();
     }
@@ -392,6 +392,7 @@ bool Crossing::look_back(double t, double h, const VectorXd& y) {
 }
 
 void Crossing::look_into_leap(double until) {
+  if (!starting_) poses_.finish(leap_.t, leap_.y);
   for (const double pose : leap_.poses)
     if (pose > 0.0 && leap_.t + pose < until) {
       interpolate(dynamics_.system(), pose / leap_.h, y_);

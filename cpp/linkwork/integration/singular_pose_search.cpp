@@ -100,7 +100,7 @@ bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
 void SingularPoseSearch::finish(double t, const VectorXd& y) {
   const double root = root_at(t, y);
   if (count_ == 0 || marks_[2].t < t) pass(t, root, y);
-  if (count_ > 1 && marks_[2].root < marks_[1].root && worth_a_search(root)) search_between(marks_[1], marks_[2]);
+  if (count_ > 1 && root < marks_[1].root && worth_a_search(root)) search_between(marks_[1], marks_[2]);
   const double level = dynamics_.watch().root_of_level();
   if (!(root < at_rest * level && highest_ > away * level)) return;
   root_at(t, y);
