@@ -620,8 +620,8 @@ class ForceMethods:
         """Spring and damper between a point of a and a point of b by their characteristics: the pull is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a linear one. The energy in the spring counts as work.
 
         at           a point of a and a point of b: a pair of (3,) [m]
-        spring       pull over the extension [m] [N], a characteristic, or a number for a linear one; 0
-        damper       pull over the rate [m/s] [N], a characteristic, or a number for a linear one; 0
+        spring       pull [N] over the extension [m], its slope [N/m], a characteristic, or a number for a linear one; 0
+        damper       pull [N] over the rate [m/s], its slope [N s/m], a characteristic, or a number for a linear one; 0
         free_length  where the spring is free [m], a number or a function of time, by default the initial distance
         breaks       times [s] at which Python functions are not smooth, see functions.with_breaks
         frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
@@ -650,8 +650,8 @@ class ForceMethods:
         at          its point (3,) [m]
         axis        the axis (3,), of any length
         x_axis      the frame's x axis (3,); without it a perpendicular to the axis
-        spring      torque over the angle [rad] [N m], a characteristic, or a number for a linear one; 0
-        damper      torque over the rate [rad/s] [N m], a characteristic, or a number for a linear one; 0
+        spring      torque [N m] over the angle [rad], its slope [N m/rad], a characteristic, or a number for a linear one; 0
+        damper      torque [N m] over the rate [rad/s], its slope [N m s/rad], a characteristic, or a number for a linear one; 0
         free_angle  where the spring is free [rad], a number or a function of time; 0
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
@@ -705,7 +705,7 @@ class ForceMethods:
         at        its point (3,) [m]
         axis      the axis (3,), of any length
         x_axis    the frame's x axis (3,); without it a perpendicular to the axis
-        curve     torque over the speed [rad/s] [N m], a characteristic, or a number for a linear one
+        curve     torque [N m] over the speed [rad/s], its slope [N m s/rad], a characteristic, or a number for a linear one
         throttle  factor of the curve, a number or a function of time; 1
         breaks    times [s] at which Python functions are not smooth, see functions.with_breaks
         frames    "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b

@@ -15,7 +15,7 @@ struct ErrorDetails {
   std::vector<std::string> forces;
   std::string subject;  ///< what the message begins with: "body 'crank'", say
   std::string field;    ///< which of its fields is wrong: "inertia", a parameter
-  int stage = 0;  ///< of the step in which it failed, from 1 on; 0: none
+  int stage = 0;        ///< of the step in which it failed, from 1 on; 0: none
   double time = std::numeric_limits<double>::quiet_NaN();
   double step = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::pair<std::string, double>> residuals;
