@@ -403,8 +403,9 @@ void Crossing::look_into_leap(double until) {
   poses_.pass(until, poses_.root_at(until, y_), y_);
 }
 
-void Crossing::finish(double t, const VectorXd& y) {
+bool Crossing::end(double t, const VectorXd& y) {
   if (prepared_) poses_.finish(t, y);
+  return prepared_;
 }
 
 void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {

@@ -48,12 +48,13 @@ class Crossing final : public Interpolant {
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
 
   // Poses that were passed are listed.
-  /// After a usual step h from (t, y). True where `dynamics` was evaluated somewhere else, as it is after the others.
+  // True, or nothing: `dynamics` was evaluated somewhere else.
+  /// After a usual step h from (t, y).
   bool look_back(double t, double h, const VectorXd& y);
   /// After a leap, of which the motion follows the part before `until`.
   void look_into_leap(double until);
   /// At the end of the motion, or of a part of it.
-  void finish(double t, const VectorXd& y);
+  bool end(double t, const VectorXd& y);
 
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.h; }
