@@ -101,6 +101,8 @@ class Crossing final : public Interpolant {
   void finish(Quality& quality);
   double energy(const VectorXd& y) const;
   void keep_rows_good();
+  double largest_rate(const ConstVector& v) const;
+  int parts_to(double t) const;
   bool try_lengths(Search& search, const VectorXd& y);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
@@ -119,6 +121,7 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;    ///< or in it
   bool fresh_ = true;       ///< no step was looked at yet
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
+  double fastest_ = 0.0;    ///< motion before the step [rad/s]
   double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
   double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
