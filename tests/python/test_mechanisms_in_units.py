@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from linkwork import _core, checks
 from linkwork.cli.checking import examine
+from linkwork.elements import KINDS
 from linkwork.mechanisms import MECHANISMS
 from linkwork.model_file import model_of, record_of
 from test_invariance import Units, factor
@@ -42,13 +43,13 @@ def function(value: Any, by: float, units: Units, of_speed: bool) -> Any:
 
 
 def element(record: dict[str, Any], units: Units) -> dict[str, Any]:
-    exponent = float(record.get("exponent", 0.0))
+    kind = KINDS["joint"].get(record["kind"]) or KINDS["force"][record["kind"]]
     out = dict(record)
     for name, value in record.items():
         if name == "attachment":
             out[name] = {**value, "origin": (units.m * np.array(value["origin"])).tolist()}
         elif name not in ("kind", "name", "a", "b"):
-            by = factor(units, record["kind"], name, exponent)
+            by = factor(units, kind.parameters[name].unit, record)
             out[name] = function(value, by, units, record["kind"] == "motor")
     return out
 
