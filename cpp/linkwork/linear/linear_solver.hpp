@@ -64,8 +64,4 @@ const std::vector<LinearSolverInfo>& linear_solvers();
 /// The solver with this name; an OptionError where it is unknown or not in this build.
 const LinearSolverInfo& linear_solver_info(const std::string& name);
 
-#define LINKWORK_SOLVER(NAME) LinearSolverInfo NAME##_solver();
-#include "linkwork/linear/solvers.def"
-#undef LINKWORK_SOLVER
-
 }  // namespace linkwork
