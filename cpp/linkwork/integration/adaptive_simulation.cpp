@@ -126,6 +126,7 @@ void AdaptiveSimulation::attempt() {
   if (leap()) return;
   sampling_.before(dynamics_, y_);
   double h = proposed_ = std::min(step_, schedule_.largest_step);
+  h = std::min(h, crossing_.most_step());
   t_new_ = end_of_step(h);
   Phi_ = dynamics_.evaluation().Phi;
   Phi_dot_ = dynamics_.evaluation().Phi_dot;
@@ -205,7 +206,7 @@ bool AdaptiveSimulation::leap() {
   const double h = std::min(step_, schedule_.largest_step);
   const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
   dated(t_, h, [&] {
-    if (!crossing_.due(t_, std::min(h, remaining), y_)) return;
+    if (!crossing_.due(t_, std::min(h, remaining), y_, true)) return;
     leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
     if (!leapt_) dynamics_.evaluate(clock(), y_);
   });

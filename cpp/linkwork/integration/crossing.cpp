@@ -22,7 +22,8 @@ constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do n
 constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
 constexpr double coarsest = 0.2, most_parts = 20;  // of the way between states that are looked at [rad]
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
-constexpr double steps_before = 15.0;              // so many steps before the pose a usual step is no longer taken
+constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
+constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
@@ -138,7 +139,8 @@ void Crossing::keep_rows_good() {
   dynamics_.improve_rows();
 }
 
-bool Crossing::due(double t, double h, const VectorXd& y) {
+bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
+  most_step_ = INFINITY;
   if (!prepared_) return false;
   starting_ = std::exchange(fresh_, false) && starts_near(t, y);
   if (starting_) return true;
@@ -152,7 +154,11 @@ bool Crossing::due(double t, double h, const VectorXd& y) {
   const double root = dynamics_.watch().trend()->last.root;
   if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
-  return tau < std::max(0.5 * usual_length(v, VectorXd::Zero(v.size())), steps_before * h) + h;
+  const double usual = usual_length(v, VectorXd::Zero(v.size()));
+  if (!adaptive) return tau < std::max(0.5 * usual, steps_before * h) + h;
+  if (tau <= 0.5 * usual) return true;
+  most_step_ = tau - before_pose * usual;
+  return false;
 }
 
 /// Of the nodes from the poses, relative to the length.
@@ -194,7 +200,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   if (!starting_) begin(t, y);
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double pose = starting_ ? 0.0 : foreseen(t);
-  Search search{t, h, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, h})};
+  Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
   leap_ = std::move(search.best);

@@ -36,7 +36,9 @@ class Crossing final : public Interpolant {
   explicit Crossing(Dynamics& dynamics);
 
   /// Before a step of size h from (t, y), where `dynamics` is evaluated: whether a pose may be too near for it.
-  bool due(double t, double h, const VectorXd& y);
+  bool due(double t, double h, const VectorXd& y, bool adaptive);
+  /// For an adaptive step where none is due: to where a leap over the pose ahead begins well.
+  double most_step() const { return most_step_; }
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() {
     fresh_ = true;
@@ -79,7 +81,7 @@ class Crossing final : public Interpolant {
 
   /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.
   struct Search {
-    double t, h, grid, most;
+    double t, grid, most;
     double usual;               ///< length for a smooth motion
     std::vector<double> poses;  ///< foreseen, then found
     double least;               ///< length to begin with
@@ -121,6 +123,7 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;    ///< or in it
   bool fresh_ = true;       ///< no step was looked at yet
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
+  double most_step_ = INFINITY;
   double fastest_ = 0.0;    ///< motion before the step [rad/s]
   double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
   double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
