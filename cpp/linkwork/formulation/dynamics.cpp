@@ -237,7 +237,7 @@ bool Dynamics::inspect(double pivot) {
       change_redundant_rows(std::move(found.better_choice));
       return false;
     }
-    watch_.begin();
+    watch_.begin(t_, pivot, std::move(found.joints));
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
