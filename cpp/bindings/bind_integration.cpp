@@ -49,9 +49,9 @@ class PythonIntegrator final : public Integrator {
 
 SecondTake second_take(const py::object& method, int order) {
   if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
-  if (py::isinstance<EmbeddedPair>(method)) return in_halves(make_runge_kutta(method.cast<EmbeddedPair>().method));
-  if (py::isinstance<py::function>(method)) return in_halves(std::make_unique<PythonIntegrator>(method, order));
-  return in_halves(make_integrator(method));
+  if (py::isinstance<EmbeddedPair>(method)) return in_parts(make_runge_kutta(method.cast<EmbeddedPair>().method));
+  if (py::isinstance<py::function>(method)) return in_parts(std::make_unique<PythonIntegrator>(method, order));
+  return in_parts(make_integrator(method));
 }
 
 /// One array for each number of what a run and its steps say.
@@ -101,7 +101,9 @@ py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int
   std::vector<RunPart> parts = run.sampling().parts();
   std::vector<StepError> errors;
   std::vector<int> part_of;
-  StepJudge steps(dynamics, second_take(method, order));
+  const std::vector<RunPart> broken = run.sampling().broken();
+  parts.insert(parts.end(), broken.begin(), broken.end());
+  StepJudge steps(dynamics, second_take(method, order), run.sampling().breaks());
   {
     const py::gil_scoped_release release;
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -237,6 +239,9 @@ void bind_runs(py::module_& module) {
             return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
           },
           "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
+      .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
+           "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
+           "again, too, if there are not many.")
       .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("order") = 0,
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
            "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "

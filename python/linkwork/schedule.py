@@ -78,9 +78,11 @@ class Fixed:
                 code="conflict",
             )
         compiled = method.compiled() if isinstance(method, Integrator) else None
-        return _core.Simulation(
+        run = _core.Simulation(
             system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
         )
+        run.expect_breaks(breaks)
+        return run
 
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
         """How many steps contain break points, inside or at their ends, where the last stage may be."""

@@ -121,7 +121,7 @@ TEST_CASE("a step taken again in halves gives its error, which falls with the or
     Dynamics dynamics(model, Options());
     Simulation run(dynamics, make_runge_kutta(rk4()), {0.4, h});
     run.advance(1000000, 1e9);
-    StepJudge judge(dynamics, in_halves(make_runge_kutta(rk4())));
+    StepJudge judge(dynamics, in_parts(make_runge_kutta(rk4())));
     double largest = 0.0;
     for (const RunPart& part : run.sampling().parts())
       for (const KeptStep* step : {&part.any, &part.steepest})
@@ -145,7 +145,7 @@ TEST_CASE("the halves hold the correction of the whole step") {
   dynamics.rates(free);
   dynamics.hold_correction(deadbeat_gains(0.5, 0.01));
   dynamics.rates(held);
-  dynamics.begin_parts(2);
+  dynamics.begin_parts(0.5);
   dynamics.hold_correction(deadbeat_gains(0.5, 0.005));
   dynamics.release_correction();
   dynamics.hold_correction(deadbeat_gains(0.5, 0.005));

@@ -10,18 +10,20 @@
 
 namespace linkwork {
 
-/// How the steps of a method are taken again: in so many parts by this integrator, and by which factor the difference
-/// is that of the step to the exact motion.
+/// How the steps of a method are taken again: in one or two parts by this integrator, the first of this share, and by
+/// which factor the difference is that of the step to the exact motion.
 struct SecondTake {
   std::unique_ptr<Integrator> integrator;
-  int parts = 2;
+  double share = 1.0;
   double factor = 1.0;
 };
 
-/// Two halves by the same one-step method, Richardson (1911): with a local error c h^(p+1) the halves are off by 2^-p
-/// of it, so it is (y_h - y_h/2,h/2) 2^p / (2^p - 1). An order of 0 is one that nobody knows: the factor is then 1.
-SecondTake in_halves(std::unique_ptr<Integrator> integrator);
-/// A method with memory cannot take its step in parts: it is compared with its one-step starter in two halves, whose
+/// Two parts a h and (1 - a) h by the same one-step method, Richardson (1911): with a local error c h^(p+1) the parts
+/// are off by b = a^(p+1) + (1 - a)^(p+1) of it, so it is the difference / (1 - b). Halves would see a force that
+/// oscillates, or a driver that turns, in step with h / 4 as the whole step does, at rest: a is the golden ratio, which
+/// is in step with nothing. An order of 0 is one that nobody knows: the factor is then 1.
+SecondTake in_parts(std::unique_ptr<Integrator> integrator);
+/// A method with memory cannot take its step in parts: it is compared with its one-step starter in two parts, whose
 /// error is small beside its own, from the same state and with the same correction of the violation.
 SecondTake by_starter(const MultistepCoefficients& method);
 
@@ -40,7 +42,8 @@ struct StepError {
 /// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.
 class StepJudge {
  public:
-  StepJudge(Dynamics& dynamics, SecondTake take);
+  /// `breaks`, ascending [s]: where something is not smooth; parts end there.
+  StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks = {});
 
   /// `reactions`: those, too; it takes two more evaluations.
   StepError judge(const KeptStep& step, bool reactions);
@@ -49,6 +52,10 @@ class StepJudge {
 
  private:
   void take_again(const KeptStep& step);
+  struct Span {
+    double from, to;
+  };
+  std::vector<Span> parts_of(const KeptStep& step) const;
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
@@ -57,6 +64,7 @@ class StepJudge {
 
   Dynamics& dynamics_;
   SecondTake take_;
+  std::vector<double> breaks_;
   Projection projection_;
   bool projects_;
   RelativeViolation violation_;

@@ -14,6 +14,8 @@ constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may ta
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
 constexpr std::size_t most_outliers = 4;
+constexpr std::size_t most_broken = 16;
+constexpr double same_time = 1e-9;  // relative to the step
 constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
 constexpr double energy_noise = 1e-13;
 constexpr double golden = 0.6180339887498949;  // spreads places evenly and in step with no period of the motion
@@ -123,6 +125,7 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
   RunPart& part = parts_.back();
   const double changed = change(h, y, y_new);
+  if (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) meet_break(t, h, y, y_new);
   if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
   if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
   else if (changed > steeper * std::max(part.steepest.change, part.any.change))
@@ -135,6 +138,18 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   part.seconds += h;
   part.sum_of_changes += changed;
   steps_ += 1;
+}
+
+/// A break at the end is met here, where the last stage may be, and not once more where the next step begins. Of many
+/// breaks those are kept that spread over all of them.
+void StepSampling::meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+  const std::size_t every = 1 + breaks_.size() / std::min(most_broken, most_parts_), first = next_break_;
+  while (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) ++next_break_;
+  if (breaks_[next_break_ - 1] < t - same_time * h) return;
+  steps_with_breaks_ += 1;
+  if ((first + every - 1) / every == (next_break_ + every - 1) / every) return;
+  broken_.emplace_back();
+  keep(broken_.back(), t, h, 0.0, y, y_new);
 }
 
 /// |(v_new - v)/h - (the same of the step before)|
@@ -189,6 +204,19 @@ std::vector<KeptStep> StepSampling::outliers(const std::vector<RunPart>& parts) 
       return (part.any.kept() && part.any.t == one.step.t) || (part.steepest.kept() && part.steepest.t == one.step.t);
     });
     if (!there) out.push_back(one.step);
+  }
+  return out;
+}
+
+std::vector<RunPart> StepSampling::broken() const {
+  std::vector<RunPart> out;
+  const std::int64_t each = broken_.empty() ? 0 : (steps_with_breaks_ - 1) / static_cast<std::int64_t>(broken_.size()) + 1;
+  for (const KeptStep& step : broken_) {
+    out.emplace_back();
+    out.back().steps = each;
+    out.back().t = step.t;
+    out.back().seconds = static_cast<double>(each) * step.h;
+    out.back().any = step;
   }
   return out;
 }

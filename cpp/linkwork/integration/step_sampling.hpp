@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "linkwork/formulation/dynamics.hpp"
@@ -52,6 +53,9 @@ class StepSampling {
 
   /// The run will have so many steps.
   void expect(std::int64_t steps);
+  /// Times [s], ascending, at which something is not smooth: steps that contain one are kept, too, if there are not many.
+  void expect_breaks(std::vector<double> times) { breaks_ = std::move(times); }
+  const std::vector<double>& breaks() const { return breaks_; }
 
   // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
@@ -68,6 +72,8 @@ class StepSampling {
   const EnergyRange& energies() const { return energies_; }
   /// The steps in which the balance of energy jumps far more than elsewhere, without those of `parts`.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
+  /// The steps that contain breaks: a part of the run of its own for each that was kept.
+  std::vector<RunPart> broken() const;
 
   /// How many of so many steps are taken again.
   static std::int64_t samples(std::int64_t steps, int bodies);
@@ -81,6 +87,7 @@ class StepSampling {
 
   void balance(const Dynamics& dynamics, const VectorXd& y);
   void keep_jump(double jump, const VectorXd& y_new);
+  void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
   double change(double h, const VectorXd& y, const VectorXd& y_new);
   void begin_part(double t);
   void keep(KeptStep& place, double t, double h, double change, const VectorXd& y, const VectorXd& y_new) const;
@@ -101,6 +108,10 @@ class StepSampling {
   double sum_of_jumps_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   std::vector<Balanced> worst_;
+  std::vector<double> breaks_;
+  std::size_t next_break_ = 0;
+  std::int64_t steps_with_breaks_ = 0;
+  std::vector<KeptStep> broken_;
 };
 
 /// Time that a run of so many steps spends on following them, without what they take themselves [s].
