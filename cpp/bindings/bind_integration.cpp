@@ -82,6 +82,8 @@ py::dict to_dict(const std::vector<RunPart>& parts, const std::vector<StepError>
                                                          {"torque", &E::torque},
                                                          {"speed", &E::speed},
                                                          {"spin", &E::spin},
+                                                         {"acceleration", &E::acceleration},
+                                                         {"spin_rate", &E::spin_rate},
                                                          {"largest_force", &E::largest_force},
                                                          {"largest_torque", &E::largest_torque},
                                                          {"violation", &E::violation}};
@@ -245,8 +247,8 @@ void bind_runs(py::module_& module) {
       .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("order") = 0,
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
            "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
-           "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, "
-           "largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. "
+           "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, "
+           "spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. "
            "`method`: data, or step(t, y, h), of this order where it is known.")
       .def("statistics", &statistics);
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from linkwork import _core, callbacks
+from linkwork import _core, callbacks, narrow
 from linkwork.errors import AccuracyError, warn
 from linkwork.header import Floats
 from linkwork.integrators import EmbeddedPair, Integrator
@@ -14,7 +14,7 @@ from linkwork.options import Options
 from linkwork.result import Result, Snapshot
 from linkwork.schedule import Adaptive, Fixed
 from linkwork.system import System
-from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, say, verified, without_steps
+from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, leaping, say, verified, without_steps
 from linkwork.verification import Finer, state_error
 
 __all__ = ["Judge", "heed"]
@@ -35,9 +35,10 @@ class Judge:
         start: Snapshot | None,
         plan: Fixed | Adaptive,
         *,
+        breaks: Sequence[float] = (),
         stops: bool = False,
     ) -> None:
-        """`stops`: the run, as soon as it is known to be inaccurate."""
+        """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate."""
         self._run, self._method, self._system = run, method, system
         self._options, self._stops, self._next_look = options, stops, FIRST_LOOK
         self._plan = plan
@@ -47,6 +48,10 @@ class Judge:
         if not isinstance(method, Integrator):
             self._functions = {**self._functions, "integrator": method}
         self._contents = callbacks.contents(self._functions)
+        t_start = start.t if start is not None else 0.0
+        evaluations = plan.evaluations(method, t_start)
+        self._moments = narrow.moments(system.model, t_start, plan.t_end, evaluations)
+        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._moments)}))
 
     def look(self, frames: Mapping[str, Floats]) -> None:
         """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""
@@ -100,7 +105,8 @@ class Judge:
             found = self._run.judge(system.compiled(), *self._compiled(system))
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
-        return estimate(found, self._energies, self._resolution(), statistics, self._before)
+        verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
+        return leaping(verdict, self._moments)
 
     def _by_balance(self, why: str, statistics: Mapping[str, Any]) -> Verdict:
         violation = self._run.relative_violation()

@@ -22,14 +22,14 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Energies", "Method", "StepEstimate", "Verdict", "estimate", "say", "without_steps"]
+__all__ = ["Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping", "say", "without_steps"]
 
 Floats = NDArray[np.float64]
 
@@ -157,8 +157,7 @@ class Method:
         else:
             step = (self.step or 0.0) * (AIM / error) ** (1 / max(self.order, 1))
             better, what = f"{_rounded(step):g} s", "the step is too long"
-        off = f"about {_percent(error)} off" if error < 1 else "the motion is another one"
-        return f"{what}: {off}; {better} would give {AIM:.0e}".replace("e-0", "e-")
+        return f"{what}: {_off(error)}; {better} would give {AIM:.0e}".replace("e-0", "e-")
 
 
 def estimate(
@@ -182,9 +181,8 @@ def estimate(
     poses = np.maximum(found["position"], L * found["rotation"]) / size
     velocities = np.maximum(found["velocity"], L * found["omega"]) / V
 
-    left = (parts.start + parts.seconds).max() - (parts.start + parts.seconds / 2)
-    growth = 1 + np.minimum(left * V / size, GROWTH)
-    accumulated = float(parts.sums(poses).sum() + (parts.sums(velocities) * growth).sum())
+    accelerations = np.maximum(found["acceleration"], L * found["spin_rate"])
+    accumulated = parts.accumulated(poses, velocities, V / size, accelerations * size / V**2)
     energy, replaced = energies.error()
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
     state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0)
@@ -228,6 +226,19 @@ def verified(verdict: Verdict, state: float, method: Method) -> Verdict:
     return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state)
 
 
+def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
+    """Says so where it is such a moment of a function of time that the worst step leaps over."""
+    if verdict.level == "good" or not verdict.steps:
+        return verdict
+    worst = max(verdict.steps, key=lambda step: step.error)
+    for t, what in moments:
+        if worst.t <= t <= worst.t + worst.h:
+            sentence = (f"steps leap over what {what} does at t = {t:.5g} s, {_off(verdict.error)}: give it its "
+                        "breaks (linkwork.functions.with_breaks), or a shorter step")  # fmt: skip
+            return replace(verdict, sentence=sentence)
+    return verdict
+
+
 def say(verdict: Verdict, name: str | None) -> str:
     """For messages: what is wrong with which run."""
     return f"{name or 'model'}: {verdict.sentence}"
@@ -256,6 +267,26 @@ class _Parts:
             share = mean / (found["change"][self._last] - found["change"][self._first])
         self._share = np.fmax(np.clip(share, 0.0, 1.0), 1 / self.steps)
         self._missed = float(found["part_steps"].sum() / self.steps.sum())  # parts of which no step is known
+
+    def accumulated(self, poses: Floats, velocities: Floats, rate: float, shake: Floats) -> float:
+        """Over the run, the larger of poses and velocities at any time.
+
+        rate   [1/s] at which an error of a velocity moves poses
+        shake  for each step: by how much larger an error of a pose is as one of the velocity there. In an
+               impact a body that is late by dt is off by the acceleration times dt
+        """
+        order = np.argsort(self.start, kind="stable")
+        time = (self.start + self.seconds / 2)[order]
+        of_poses, of_velocities = self.sums(poses)[order], self.sums(velocities)[order]
+        known = np.cumsum(of_velocities)
+
+        def moved(t: Any, upto: Any) -> Any:  # poses by velocities, until t
+            return np.minimum(rate * (t * known[upto] - np.cumsum(of_velocities * time)[upto]), GROWTH * known[upto])
+
+        end = moved((self.start + self.seconds).max(), -1) + known[-1] + of_poses.sum()
+        poses_then = np.cumsum(of_poses) + moved(time, slice(None))
+        shaken = poses_then * np.maximum(shake[self._first], shake[self._last])[order]
+        return float(max(end, shaken.max()))
 
     def sums(self, values: Floats) -> Floats:
         """Over the steps of each part."""
@@ -311,6 +342,10 @@ def _sentence(error: float, violation: float, state: float, method: Method) -> s
         size = f"{_percent(violation)} of the mechanism's size"
         return f"the constraints are violated by {size}: {method.advice(error)}"
     return method.advice(error)
+
+
+def _off(error: float) -> str:
+    return f"about {_percent(error)} off" if error < 1 else "the motion is another one"
 
 
 def _figure(error: float) -> str:

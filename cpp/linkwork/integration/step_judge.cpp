@@ -162,6 +162,8 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
     high_ = high_.max(a.segment<3>(r).array());
     raise(out.speed, a.segment<3>(v).norm());
     raise(out.spin, a.segment<3>(v + 3).norm());
+    raise(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
+    raise(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
   }
 }
 

@@ -34,6 +34,7 @@ struct StepError {
   double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
   double force = 0.0, torque = 0.0;                                    ///< of reactions [N, N m]; NaN: not looked at
   double speed = 0.0, spin = 0.0;                                      ///< m/s, rad/s
+  double acceleration = 0.0, spin_rate = 0.0;                          ///< mean over the step [m/s^2, rad/s^2]
   double largest_force = 0.0, largest_torque = 0.0;                    ///< NaN likewise
   double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
   bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
