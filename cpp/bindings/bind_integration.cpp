@@ -47,6 +47,9 @@ class PythonIntegrator final : public Integrator {
   int order_;
 };
 
+constexpr std::int64_t few_steps = 50;      // which are often long ones
+constexpr std::size_t every_reaction = 6;  // steps of which reactions are compared, too
+
 SecondTake second_take(const py::object& method, int order) {
   if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
   if (py::isinstance<EmbeddedPair>(method)) return in_parts(make_runge_kutta(method.cast<EmbeddedPair>().method));
@@ -106,12 +109,13 @@ py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int
   const std::vector<RunPart> broken = run.sampling().broken();
   parts.insert(parts.end(), broken.begin(), broken.end());
   StepJudge steps(dynamics, second_take(method, order), run.sampling().breaks());
+  if (run.sampling().steps() <= few_steps) steps.divide_parts();
   {
     const py::gil_scoped_release release;
     for (std::size_t k = 0; k < parts.size(); ++k)
       for (const KeptStep* step : {&parts[k].any, &parts[k].steepest}) {
         if (!step->kept()) continue;
-        errors.push_back(steps.judge(*step, errors.size() % 4 == 0));
+        errors.push_back(steps.judge(*step, errors.size() % every_reaction == 0));
         part_of.push_back(static_cast<int>(k));
       }
     for (const KeptStep& step : run.sampling().outliers(parts)) {  // each a part of its own

@@ -17,7 +17,7 @@ from linkwork.system import System
 from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, leaping, say, verified, without_steps
 from linkwork.verification import Finer, state_error
 
-__all__ = ["Judge", "heed"]
+__all__ = ["Judge", "heed", "strict"]
 
 #: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
 FIRST_LOOK = 200
@@ -40,7 +40,8 @@ class Judge:
     ) -> None:
         """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate."""
         self._run, self._method, self._system = run, method, system
-        self._options, self._stops, self._next_look = options, stops, FIRST_LOOK
+        self._stops, self._next_look = stops, FIRST_LOOK
+        self._options: Options = {**options, "stabilization": system.options["stabilization"]}
         self._plan = plan
         self._before = start.error if start is not None else 0.0
         self._energies = Energies()
@@ -102,11 +103,17 @@ class Judge:
             why = f"no step was taken again, as {names} may remember the calls before"
             return self._by_balance(why, statistics)
         try:
+            system = self._strict(system)
             found = self._run.judge(system.compiled(), *self._compiled(system))
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
         verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
         return leaping(verdict, self._moments)
+
+    def _strict(self, system: System) -> System:
+        """One that takes no account of tolerances or penalties, whose own errors halves of a step would share."""
+        options = strict(self._options)
+        return system if options == self._options else System(self._system.model, **options)
 
     def _by_balance(self, why: str, statistics: Mapping[str, Any]) -> Verdict:
         violation = self._run.relative_violation()
@@ -131,6 +138,20 @@ class Judge:
         """0 where nobody knows."""
         order = getattr(self._method, "order", 0)
         return int(order) if isinstance(order, int) else 0
+
+
+def strict(options: Options) -> Options:
+    """Those with which the equations of motion are solved exactly.
+
+    Penalties leave constraints violated and reactions wrong at any step, loose iterations likewise: the
+    augmented Lagrangian has the same right-hand side without that.
+    """
+    out = options.copy()
+    if options.get("formulation") == "penalty":
+        out["formulation"] = "augmented_lagrangian"
+    out.pop("tolerance", None)
+    out.pop("max_iterations", None)
+    return out
 
 
 def heed(result: Result, policy: str) -> None:

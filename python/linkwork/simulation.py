@@ -167,7 +167,8 @@ def simulate(
         again: dict[str, Any] = {"integrator": method, "events": events, "breaks": breaks, "start": start,
                                  "assemble": assemble}  # fmt: skip
         judge.verify(result, output, lambda finer: simulate(
-            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass", **options
+            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
+            **judging.strict(options),
         ))  # fmt: skip
     judging.heed(result, on_inaccurate)
     return result

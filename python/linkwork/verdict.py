@@ -43,7 +43,7 @@ AIM = 1e-4
 GROWTH = 5.0
 
 #: On the estimate: too large is better than too small.
-SAFETY = 1.5
+SAFETY = 2.0
 
 #: Below, relative to L or to L / duration, nothing moves: what is left is rounding.
 STILL = 1e-6
@@ -177,16 +177,17 @@ def estimate(
     L = max(float(found["diagonal"]) / 2, float(found["length"]))
     speeds = np.maximum(found["speed"], L * found["spin"])
     V = max(float(speeds[ok].max()), STILL * L / duration)
-    size = max(min(L, float(parts.integrals(speeds).sum())), STILL * L)
+    size = max(min(L, parts.path(speeds)), STILL * L)
     poses = np.maximum(found["position"], L * found["rotation"]) / size
     velocities = np.maximum(found["velocity"], L * found["omega"]) / V
 
+    local = np.maximum(poses, velocities)
     accelerations = np.maximum(found["acceleration"], L * found["spin_rate"])
-    accumulated = parts.accumulated(poses, velocities, V / size, accelerations * size / V**2)
+    of_poses, of_velocities, of_both = parts.sums(np.array([poses, velocities, local]))
+    accumulated = parts.accumulated(of_poses, of_velocities, V / size, accelerations * (size / V**2))
     energy, replaced = energies.error()
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
     state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0)
-    local = np.maximum(poses, velocities)
     reactions = _reactions(found, L, ok)
     known = ok & np.isfinite(reactions) & (local > 0)
     ratio = float(reactions[known].sum() / local[known].sum()) if known.any() else math.nan
@@ -197,7 +198,7 @@ def estimate(
         sentence=_sentence(error, violation, state, method),
         error=error,
         state=state,
-        local_error=float(parts.sums(local).sum()) / duration,
+        local_error=float(of_both.sum()) / duration,
         reactions=state * ratio if math.isfinite(ratio) else None,
         energy=energy,
         violation=violation,
@@ -256,8 +257,10 @@ class _Parts:
 
     def __init__(self, found: Mapping[str, Any], ok: NDArray[np.bool_]) -> None:
         known = np.flatnonzero(ok)
-        parts, first = np.unique(found["part"][known].astype(int), return_index=True)
-        last = np.append(first[1:], len(known)) - 1
+        part_of = found["part"][known].astype(int)  # ascending
+        last = np.append(np.flatnonzero(part_of[1:] != part_of[:-1]), len(known) - 1)
+        first = np.append(0, last[:-1] + 1)
+        parts = part_of[first]
         self._first, self._last = known[first], known[last]
         self.steps, self.seconds, self.start = (
             found[f"part_{name}"][parts] for name in ("steps", "seconds", "t")
@@ -269,7 +272,7 @@ class _Parts:
         self._missed = float(found["part_steps"].sum() / self.steps.sum())  # parts of which no step is known
 
     def accumulated(self, poses: Floats, velocities: Floats, rate: float, shake: Floats) -> float:
-        """Over the run, the larger of poses and velocities at any time.
+        """Over the run, of the sums of parts: the larger of poses and velocities at any time.
 
         rate   [1/s] at which an error of a velocity moves poses
         shake  for each step: by how much larger an error of a pose is as one of the velocity there. In an
@@ -277,29 +280,26 @@ class _Parts:
         """
         order = np.argsort(self.start, kind="stable")
         time = (self.start + self.seconds / 2)[order]
-        of_poses, of_velocities = self.sums(poses)[order], self.sums(velocities)[order]
-        known = np.cumsum(of_velocities)
-
-        def moved(t: Any, upto: Any) -> Any:  # poses by velocities, until t
-            return np.minimum(rate * (t * known[upto] - np.cumsum(of_velocities * time)[upto]), GROWTH * known[upto])
-
-        end = moved((self.start + self.seconds).max(), -1) + known[-1] + of_poses.sum()
-        poses_then = np.cumsum(of_poses) + moved(time, slice(None))
-        shaken = poses_then * np.maximum(shake[self._first], shake[self._last])[order]
-        return float(max(end, shaken.max()))
+        velocities = velocities[order]
+        of_poses, of_velocities = poses[order].cumsum(), velocities.cumsum()
+        of_moments = (velocities * time).cumsum()
+        moved = np.minimum(rate * (time * of_velocities - of_moments), GROWTH * of_velocities)
+        end = float((self.start + self.seconds).max())
+        at_end = min(rate * (end * of_velocities[-1] - of_moments[-1]), GROWTH * of_velocities[-1])
+        shaken = (of_poses + moved) * np.maximum(shake[self._first], shake[self._last])[order]
+        return float(max(of_poses[-1] + of_velocities[-1] + at_end, shaken.max()))
 
     def sums(self, values: Floats) -> Floats:
-        """Over the steps of each part."""
-        sums: Floats = self._means(values) * self.steps * self._missed
+        """Over the steps of each part; of values (..., steps)."""
+        sums: Floats = self._means(values) * (self.steps * self._missed)
         return sums
 
-    def integrals(self, values: Floats) -> Floats:
-        """Over the time of each part."""
-        integrals: Floats = self._means(values) * self.seconds * self._missed
-        return integrals
+    def path(self, speeds: Floats) -> float:
+        """Over the time of all parts."""
+        return float(self._means(speeds) @ self.seconds) * self._missed
 
     def _means(self, values: Floats) -> Floats:
-        first, last = values[self._first], values[self._last]
+        first, last = values[..., self._first], values[..., self._last]
         means: Floats = np.maximum(first + self._share * (last - first), first + (last - first) / self.steps)
         return means
 
@@ -317,8 +317,9 @@ def _steps(
     found: Mapping[str, Any], local: Floats, reactions: Floats, ok: NDArray[np.bool_]
 ) -> tuple[StepEstimate, ...]:
     known = np.where(np.isfinite(reactions), reactions, None)  # type: ignore[call-overload]
-    numbers = (found["t"][ok], found["h"][ok], local[ok], known[ok])
-    return tuple(sorted(itertools.starmap(StepEstimate, zip(*(it.tolist() for it in numbers), strict=True))))
+    by_time = np.flatnonzero(ok)[np.argsort(found["t"][ok], kind="stable")]
+    numbers = (found["t"], found["h"], local, known)
+    return tuple(map(StepEstimate, *(it[by_time].tolist() for it in numbers)))
 
 
 def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:

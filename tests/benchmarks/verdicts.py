@@ -13,7 +13,7 @@ false     runs less than 0.1 % off that warn
 bands     shares of the numbers recorded by a run with verify=True within three times Richardson's band
 
 Left out: mechanisms whose motion is chaotic, where a twin with perturbed velocities departs by more than GROWTH
-times the perturbation within the first second; and those of which two references disagree.
+times the perturbation within the first second; those that cannot move; and those of which two references disagree.
 """
 
 from __future__ import annotations
@@ -51,6 +51,9 @@ FACTOR, BAND = 30.0, 3.0
 
 #: Of a perturbation of velocities, relative, within the first second.
 PERTURBATION, GROWTH = 1e-7, 100.0
+
+#: Speed by length [1/s]: what is slower does not move.
+STILL = 1e-6
 
 #: Of the true error: what a reference must be better than.
 KNOWN = 0.1
@@ -306,6 +309,9 @@ def study(seed: int, count: int) -> tuple[str, list[Found]]:
         truth = Truth.of(made.model)
     except (LinkworkError, TimeoutError) as error:
         return f"no reference: {type(error).__name__}: {error}", []
+    scales = Scales.of(Sampled.of(truth.result), longest_arm(truth.result))
+    if not scales.speed > STILL * scales.length:
+        return "at rest", []
     if not truth.growth < GROWTH:
         return "chaotic", []
     found = []

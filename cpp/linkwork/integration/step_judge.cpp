@@ -55,16 +55,17 @@ double largest_column(const Eigen::Matrix3Xd& vectors) {
 SecondTake in_parts(std::unique_ptr<Integrator> integrator) {
   const int order = integrator->order();
   const double left = std::pow(golden, order + 1) + std::pow(1.0 - golden, order + 1);
-  return {std::move(integrator), golden, order > 0 ? 1.0 / (1.0 - left) : 1.0};
+  return {std::move(integrator), golden, order > 0 ? left : 0.0};
 }
 
 SecondTake by_starter(const MultistepCoefficients& method) {
-  return {std::make_unique<Starter>(method.starter), 1.0, 1.0};
+  return {std::make_unique<Starter>(method.starter), 1.0, 0.0};
 }
 
 StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks)
     : dynamics_(dynamics),
       take_(std::move(take)),
+      factor_(1.0 / (1.0 - take_.left)),
       breaks_(std::move(breaks)),
       projection_(dynamics),
       projects_(projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization())),
@@ -113,6 +114,18 @@ void StepJudge::take_again(const KeptStep& step) {
   dynamics_.end_parts();
 }
 
+void StepJudge::divide_parts() {
+  divisions_ = 2;
+  factor_ = 1.0 / (1.0 - take_.left * take_.left);
+}
+
+void StepJudge::divide(Span whole, int times, std::vector<Span>& parts) const {
+  if (times == 0) return parts.push_back(whole);
+  const double middle = whole.from + take_.share * (whole.to - whole.from);
+  divide({whole.from, middle}, times - 1, parts);
+  divide({middle, whole.to}, times - 1, parts);
+}
+
 /// What lies between breaks, on its own side of them, and the share of each.
 std::vector<StepJudge::Span> StepJudge::parts_of(const KeptStep& step) const {
   const double end = step.t + step.h;
@@ -120,10 +133,7 @@ std::vector<StepJudge::Span> StepJudge::parts_of(const KeptStep& step) const {
   std::vector<Span> parts;
   double from = step.t;
   const auto add = [&](double to) {
-    if (to - from <= 2.0 * side) return;
-    const double middle = from + take_.share * (to - from);
-    if (take_.share < 1.0) parts.insert(parts.end(), {{from, middle}, {middle, to}});
-    else parts.push_back({from, to});
+    if (to - from > 2.0 * side) divide({from, to}, take_.share < 1.0 ? divisions_ : 0, parts);
   };
   for (auto it = std::lower_bound(breaks_.begin(), breaks_.end(), from - side); it != breaks_.end(); ++it) {
     if (*it > end + side) break;
@@ -154,10 +164,10 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
     const Vec4<double> other = y_.segment<4>(p);
     const Vec4<double> turn =
         quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
-    raise(out.position, take_.factor * (a.segment<3>(r) - y_.segment<3>(r)).norm());
-    raise(out.rotation, take_.factor * 2.0 * turn.tail<3>().norm());
-    raise(out.velocity, take_.factor * (a.segment<3>(v) - y_.segment<3>(v)).norm());
-    raise(out.omega, take_.factor * (a.segment<3>(v + 3) - y_.segment<3>(v + 3)).norm());
+    raise(out.position, factor_ * (a.segment<3>(r) - y_.segment<3>(r)).norm());
+    raise(out.rotation, factor_ * 2.0 * turn.tail<3>().norm());
+    raise(out.velocity, factor_ * (a.segment<3>(v) - y_.segment<3>(v)).norm());
+    raise(out.omega, factor_ * (a.segment<3>(v + 3) - y_.segment<3>(v + 3)).norm());
     low_ = low_.min(a.segment<3>(r).array());
     high_ = high_.max(a.segment<3>(r).array());
     raise(out.speed, a.segment<3>(v).norm());
@@ -172,8 +182,8 @@ void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
   find_reactions(step.t + step.h, step.y_new, other_force_, other_torque_);
   out.largest_force = largest_column(force_);
   out.largest_torque = largest_column(torque_);
-  out.force = take_.factor * largest_column(force_ - other_force_);
-  out.torque = take_.factor * largest_column(torque_ - other_torque_);
+  out.force = factor_ * largest_column(force_ - other_force_);
+  out.torque = factor_ * largest_column(torque_ - other_torque_);
 }
 
 void StepJudge::find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque) {

@@ -10,18 +10,18 @@
 
 namespace linkwork {
 
-/// How the steps of a method are taken again: in one or two parts by this integrator, the first of this share, and by
-/// which factor the difference is that of the step to the exact motion.
+/// How the steps of a method are taken again: by this integrator in two parts, the first of this share, each of which
+/// may be divided likewise, or with a share of 1 at once; and which part of the error is left then in two parts.
 struct SecondTake {
   std::unique_ptr<Integrator> integrator;
   double share = 1.0;
-  double factor = 1.0;
+  double left = 0.0;
 };
 
 /// Two parts a h and (1 - a) h by the same one-step method, Richardson (1911): with a local error c h^(p+1) the parts
-/// are off by b = a^(p+1) + (1 - a)^(p+1) of it, so it is the difference / (1 - b). Halves would see a force that
+/// are off by b = a^(p+1) + (1 - a)^(p+1) of it, so it is the difference / (1 - b); in four parts / (1 - b^2). Halves would see a force that
 /// oscillates, or a driver that turns, in step with h / 4 as the whole step does, at rest: a is the golden ratio, which
-/// is in step with nothing. An order of 0 is one that nobody knows: the factor is then 1.
+/// is in step with nothing. An order of 0 is one that nobody knows: nothing is then taken to be left.
 SecondTake in_parts(std::unique_ptr<Integrator> integrator);
 /// A method with memory cannot take its step in parts: it is compared with its one-step starter in two parts, whose
 /// error is small beside its own, from the same state and with the same correction of the violation.
@@ -45,6 +45,8 @@ class StepJudge {
  public:
   /// `breaks`, ascending [s]: where something is not smooth; parts end there.
   StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks = {});
+  /// Each part in two: very long steps are far from what Richardson's extrapolation asks for.
+  void divide_parts();
 
   /// `reactions`: those, too; it takes two more evaluations.
   StepError judge(const KeptStep& step, bool reactions);
@@ -57,6 +59,7 @@ class StepJudge {
     double from, to;
   };
   std::vector<Span> parts_of(const KeptStep& step) const;
+  void divide(Span whole, int times, std::vector<Span>& parts) const;
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
@@ -65,6 +68,8 @@ class StepJudge {
 
   Dynamics& dynamics_;
   SecondTake take_;
+  int divisions_ = 1;
+  double factor_;
   std::vector<double> breaks_;
   Projection projection_;
   bool projects_;

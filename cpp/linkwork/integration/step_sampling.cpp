@@ -9,7 +9,7 @@
 namespace linkwork {
 namespace {
 
-constexpr std::size_t usual_parts = 50;                // with one or two steps each
+constexpr std::size_t usual_parts = 40;                // with one or two steps each
 constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may take
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
@@ -105,7 +105,7 @@ void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
   energies_.largest_potential = std::max(energies_.largest_potential, potential);
   const double noise = energy_noise * std::max({kinetic, std::abs(potential), std::abs(work)});
   const double made = std::abs(balance - balance_);
-  if (last_.kept() && made > noise) keep_jump(std::sqrt(kinetic_ + made) - std::sqrt(kinetic_), y);
+  if (last_.kept() && made > noise) keep_jump(made / std::sqrt(4.0 * kinetic_ + made), y);
   last_.h = 0.0;
   kinetic_ = kinetic;
   balance_ = balance;
@@ -113,12 +113,13 @@ void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
 
 void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
   sum_of_jumps_ += jump;
+  if (jump <= least_jump_) return;
+  const auto smaller = [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; };
   if (worst_.size() < most_outliers) worst_.emplace_back();
-  const auto least = std::min_element(worst_.begin(), worst_.end(),
-                                      [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; });
-  if (jump <= least->jump) return;
+  const auto least = std::min_element(worst_.begin(), worst_.end(), smaller);
   least->jump = jump;
   keep(least->step, last_.t, last_.h, last_.change, last_.y, y_new);
+  if (worst_.size() == most_outliers) least_jump_ = std::min_element(worst_.begin(), worst_.end(), smaller)->jump;
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
@@ -155,9 +156,10 @@ void StepSampling::meet_break(double t, double h, const VectorXd& y, const Vecto
 /// |(v_new - v)/h - (the same of the step before)|
 double StepSampling::change(double h, const VectorXd& y, const VectorXd& y_new) {
   double sum = 0.0;
+  const double per_second = 1.0 / h;
   for (int body = 0; body < body_count_; body += every_body_) {
     const Eigen::Index v = q_size_ + velocity_size * body, own = velocity_size * body;
-    const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) / h;
+    const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) * per_second;
     const Eigen::Matrix<double, 6, 1> other = rate - rates_.segment<6>(own);
     sum += other.head<3>().squaredNorm() + squared_length_ * other.tail<3>().squaredNorm();
     rates_.segment<6>(own) = rate;

@@ -45,8 +45,8 @@ struct RunPart {
 /// large models only some bodies are looked at.
 ///
 /// A single bad step, such as one beside a singular pose, shows in the balance of energy, which costs no evaluation:
-/// with T and B = T + V - W at the start of a step and B' at its end, speeds in the metric of the masses are off by at
-/// least (T + |B' - B|)^1/2 - T^1/2. The steps in which this is largest are kept, too.
+/// with T and B = T + V - W at the start of a step and B' at its end, d = |B' - B|, speeds in the metric of the masses
+/// are off by at least (T + d)^1/2 - T^1/2, about d / (4 T + d)^1/2. The steps in which this is largest are kept, too.
 class StepSampling {
  public:
   explicit StepSampling(const Dynamics& dynamics);
@@ -105,7 +105,7 @@ class StepSampling {
   const System& system_;
   double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
   EnergyRange energies_;
-  double sum_of_jumps_ = 0.0;
+  double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   std::vector<Balanced> worst_;
   std::vector<double> breaks_;
