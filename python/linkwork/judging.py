@@ -146,11 +146,13 @@ def strict(options: Options) -> Options:
     Penalties leave constraints violated and reactions wrong at any step, loose iterations likewise: the
     augmented Lagrangian has the same right-hand side without that.
     """
+    loose = "tolerance" in options or "max_iterations" in options
+    if options.get("formulation") != "penalty" and not loose:
+        return options
     out = options.copy()
-    if options.get("formulation") == "penalty":
-        out["formulation"] = "augmented_lagrangian"
-    out.pop("tolerance", None)
-    out.pop("max_iterations", None)
+    out["formulation"] = "augmented_lagrangian"
+    for name in ("penalty", "tolerance", "max_iterations"):
+        out.pop(name, None)  # type: ignore[misc]
     return out
 
 

@@ -76,7 +76,7 @@ class Verdict:
     violation    largest of position constraints, as a displacement relative to the size of the mechanism
     steps        what was taken again
     steps_total  of the run
-    left_out     why no step was taken again
+    left_out     why no step was taken again, or how many of them could not be
     singular_poses, contradictions, break_points
                  poses passed; joints whose redundant equations turned out to contradict the others; steps
                  that contain a time at which what acts on the mechanism is not smooth
@@ -203,6 +203,7 @@ def estimate(
         energy=energy,
         violation=violation,
         steps=_steps(found, local, reactions, ok),
+        left_out="" if ok.all() else f"{int((~ok).sum())} of {len(ok)} steps could not be taken again",
         before=before,
         **_counts(statistics),
     )
