@@ -1,7 +1,7 @@
 #include "bindings.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
+#include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/simulation.hpp"
-#include "linkwork/integration/step_judge.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork::python {
@@ -46,9 +46,6 @@ class PythonIntegrator final : public Integrator {
   py::object step_;
   int order_;
 };
-
-constexpr std::int64_t few_steps = 50;      // which are often long ones
-constexpr std::size_t every_reaction = 6;  // steps of which reactions are compared, too
 
 SecondTake second_take(const py::object& method, int order) {
   if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
@@ -103,31 +100,17 @@ double relative_violation(const Run& run, RelativeViolation measure) {
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int order) {
   RelativeViolation violation(dynamics.system());
   const double end_violation = relative_violation(run, violation);
-  std::vector<RunPart> parts = run.sampling().parts();
-  std::vector<StepError> errors;
-  std::vector<int> part_of;
-  const std::vector<RunPart> broken = run.sampling().broken();
-  parts.insert(parts.end(), broken.begin(), broken.end());
-  StepJudge steps(dynamics, second_take(method, order), run.sampling().breaks());
-  if (run.sampling().steps() <= few_steps) steps.divide_parts();
+  SecondTake take = second_take(method, order);
+  RunErrors found;
   {
     const py::gil_scoped_release release;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      for (const KeptStep* step : {&parts[k].any, &parts[k].steepest}) {
-        if (!step->kept()) continue;
-        errors.push_back(steps.judge(*step, errors.size() % every_reaction == 0));
-        part_of.push_back(static_cast<int>(k));
-      }
-    for (const KeptStep& step : run.sampling().outliers(parts)) {  // each a part of its own
-      errors.push_back(steps.judge(step, false));
-      part_of.push_back(static_cast<int>(parts.size()));
-      parts.push_back({1, step.t, step.h, step.change, {}, {}});
-    }
+    found = judge_run(run.sampling(), dynamics, std::move(take));
   }
-  py::dict out = to_dict(parts, errors, part_of);
+  py::dict out = to_dict(found.parts, found.steps, found.part_of);
   out["end_violation"] = end_violation;
   out["length"] = violation.length();
-  out["diagonal"] = steps.diagonal();
+  out["diagonal"] = found.diagonal;
+  out["resolved"] = found.resolved;
   return out;
 }
 
@@ -252,7 +235,8 @@ void bind_runs(py::module_& module) {
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
            "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
            "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, "
-           "spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. "
+           "spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation "
+           "and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. "
            "`method`: data, or step(t, y, h), of this order where it is known.")
       .def("statistics", &statistics);
 

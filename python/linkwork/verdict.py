@@ -42,6 +42,9 @@ AIM = 1e-4
 #: Characteristic times L / V in which an error of a velocity moves positions.
 GROWTH = 5.0
 
+#: A step whose accelerations change so many times as much as in the mean of its part is out of the ordinary.
+STEEP = 10.0
+
 #: On the estimate: too large is better than too small.
 SAFETY = 2.0
 
@@ -184,7 +187,9 @@ def estimate(
     local = np.maximum(poses, velocities)
     accelerations = np.maximum(found["acceleration"], L * found["spin_rate"])
     of_poses, of_velocities, of_both = parts.sums(np.array([poses, velocities, local]))
-    accumulated = parts.accumulated(of_poses, of_velocities, V / size, accelerations * (size / V**2))
+    accumulated = float(found["resolved"]) * parts.accumulated(
+        of_poses, of_velocities, V / size, accelerations * (size / V**2)
+    )
     energy, replaced = energies.error()
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
     state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0)
@@ -270,6 +275,10 @@ class _Parts:
         with np.errstate(divide="ignore", invalid="ignore"):
             share = mean / (found["change"][self._last] - found["change"][self._first])
         self._share = np.fmax(np.clip(share, 0.0, 1.0), 1 / self.steps)
+        alone = first == last  # far steeper than its part: it does not stand for all of it
+        with np.errstate(divide="ignore", invalid="ignore"):
+            typical = STEEP * found["part_change"][parts] / self.steps / found["change"][self._first]
+        self._weight = np.where(alone, np.fmax(np.fmin(typical, 1.0), 1 / self.steps), 1.0)
         self._missed = float(found["part_steps"].sum() / self.steps.sum())  # parts of which no step is known
 
     def accumulated(self, poses: Floats, velocities: Floats, rate: float, shake: Floats) -> float:
@@ -302,7 +311,7 @@ class _Parts:
     def _means(self, values: Floats) -> Floats:
         first, last = values[..., self._first], values[..., self._last]
         means: Floats = np.maximum(first + self._share * (last - first), first + (last - first) / self.steps)
-        return means
+        return means * self._weight
 
 
 def _reactions(found: Mapping[str, Any], L: float, ok: NDArray[np.bool_]) -> Floats:

@@ -114,9 +114,9 @@ void StepJudge::take_again(const KeptStep& step) {
   dynamics_.end_parts();
 }
 
-void StepJudge::divide_parts() {
-  divisions_ = 2;
-  factor_ = 1.0 / (1.0 - take_.left * take_.left);
+void StepJudge::divide_parts(int times) {
+  divisions_ = times;
+  factor_ = 1.0 / (1.0 - std::pow(take_.left, times));
 }
 
 void StepJudge::divide(Span whole, int times, std::vector<Span>& parts) const {

@@ -45,8 +45,9 @@ class StepJudge {
  public:
   /// `breaks`, ascending [s]: where something is not smooth; parts end there.
   StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks = {});
-  /// Each part in two: very long steps are far from what Richardson's extrapolation asks for.
-  void divide_parts();
+  /// Parts are divided so many times, which makes two, four, eight: very long steps are far from what Richardson's
+  /// extrapolation asks for.
+  void divide_parts(int times);
 
   /// `reactions`: those, too; it takes two more evaluations.
   StepError judge(const KeptStep& step, bool reactions);
