@@ -27,31 +27,13 @@ std::unique_ptr<Integrator> make_integrator(const py::object& method) {
                     "integrator must be a Tableau, a Multistep, a HalfExplicit, a SemiImplicitEuler or None");
 }
 
-/// An integrator of the user's own: step(t, y, h) -> y at t + h, y = (q, v).
-class PythonIntegrator final : public Integrator {
- public:
-  PythonIntegrator(py::object step, int order) : step_(std::move(step)), order_(order) {}
-
-  const std::string& name() const override { return name_; }
-  int order() const override { return order_; }
-  void start(int) override {}
-  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
-    dynamics.hold_correction(deadbeat_gains(0.5, h));
-    const py::gil_scoped_acquire acquire;
-    y.head(y.size() - 1) = step_(t, VectorXd(y.head(y.size() - 1)), h).cast<VectorXd>();
-  }
-
- private:
-  std::string name_ = "of the user's own";
-  py::object step_;
-  int order_;
-};
-
-SecondTake second_take(const py::object& method, int order) {
+/// `other`: it is not the method of the run, but one without an error beside it.
+SecondTake second_take(const py::object& method, bool other) {
   if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
   if (py::isinstance<EmbeddedPair>(method)) return in_parts(make_runge_kutta(method.cast<EmbeddedPair>().method));
-  if (py::isinstance<py::function>(method)) return in_parts(std::make_unique<PythonIntegrator>(method, order));
-  return in_parts(make_integrator(method));
+  SecondTake take = in_parts(make_integrator(method));
+  if (other) take.left = 0.0;
+  return take;
 }
 
 /// One array for each number of what a run and its steps say.
@@ -97,10 +79,10 @@ double relative_violation(const Run& run, RelativeViolation measure) {
   return measure.largest(run.t(), run.y(), run.dynamics().history());
 }
 
-py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int order) {
+py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
   RelativeViolation violation(dynamics.system());
   const double end_violation = relative_violation(run, violation);
-  SecondTake take = second_take(method, order);
+  SecondTake take = second_take(method, other);
   RunErrors found;
   {
     const py::gil_scoped_release release;
@@ -231,13 +213,13 @@ void bind_runs(py::module_& module) {
       .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
-      .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("order") = 0,
+      .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
            "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
            "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, "
            "spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation "
            "and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. "
-           "`method`: data, or step(t, y, h), of this order where it is known.")
+           "`method`: that of the run, or one that is much more accurate, and `other`.")
       .def("statistics", &statistics);
 
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")

@@ -9,7 +9,7 @@ from typing import Any
 from linkwork import _core, callbacks, narrow
 from linkwork.errors import AccuracyError, warn
 from linkwork.header import Floats
-from linkwork.integrators import EmbeddedPair, Integrator
+from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.options import Options
 from linkwork.result import Result, Snapshot
 from linkwork.schedule import Adaptive, Fixed
@@ -18,6 +18,9 @@ from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, leaping,
 from linkwork.verification import Finer, state_error
 
 __all__ = ["Judge", "heed", "strict"]
+
+#: Takes the steps of integrators of the user's own again.
+TRUSTED = "dop853"
 
 #: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
 FIRST_LOOK = 200
@@ -46,9 +49,9 @@ class Judge:
         self._before = start.error if start is not None else 0.0
         self._energies = Energies()
         self._functions = callbacks.of_model(system.model)
-        if not isinstance(method, Integrator):
-            self._functions = {**self._functions, "integrator": method}
         self._contents = callbacks.contents(self._functions)
+        self._own = {} if isinstance(method, Integrator) else {"integrator": method}
+        self._own_contents = callbacks.contents(self._own)
         t_start = start.t if start is not None else 0.0
         evaluations = plan.evaluations(method, t_start)
         self._moments = narrow.moments(system.model, t_start, plan.t_end, evaluations)
@@ -76,6 +79,7 @@ class Judge:
         LinkworkWarning: there is none, as a function of the user's remembers calls.
         """
         remembering = callbacks.changed(self._contents, self._functions)
+        remembering += callbacks.changed(self._own_contents, self._own)
         if remembering:
             return warn(
                 f"verify: no second run was made, as '{remembering[0]}' may remember the calls before"
@@ -104,7 +108,7 @@ class Judge:
             return self._by_balance(why, statistics)
         try:
             system = self._strict(system)
-            found = self._run.judge(system.compiled(), *self._compiled(system))
+            found = self._run.judge(system.compiled(), *self._compiled())
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
         verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
@@ -125,14 +129,17 @@ class Judge:
             return Method(order, rtol=self._plan.rtol)
         return Method(order, step=min(self._plan.step, self._run.t))
 
-    def _compiled(self, system: System) -> tuple[Any, int]:
-        """The method as it takes steps again, and its order."""
+    def _compiled(self) -> tuple[Any, bool]:
+        """What takes the steps again, and whether that is another method.
+
+        It is for integrators of the user's own: whoever makes a mistake in a step makes it in its parts, too.
+        """
         method = self._method
         if isinstance(method, EmbeddedPair) and isinstance(self._run, _core.AdaptiveSimulation):
-            return method.compiled_pair(), method.order
+            return method.compiled_pair(), False
         if isinstance(method, Integrator):
-            return method.compiled(), method.order
-        return (lambda t, y, h: method(system, t, y, h)), self._order()
+            return method.compiled(), False
+        return METHODS[TRUSTED].compiled(), True
 
     def _order(self) -> int:
         """0 where nobody knows."""

@@ -215,7 +215,7 @@ def _solved(
     made = solved_reference(model, t_end, times, processes, beat=lambda _: report(0, "reference solution"))
     if made.error is not None and made.error["state_error"] > GOOD_ENOUGH:
         warn(
-            f"reference of {model.name or 'the model'}: two runs at tight tolerances differ by "
+            f"reference of {model.name or 'the model'}: it is only known to "
             f"{made.error['state_error']:.1e} of the motion; smaller errors cannot be told from it: shorten "
             "the run, or give a known solution as reference"
         )
