@@ -1,6 +1,6 @@
 """What runs say of their own accuracy, beside the truth: random mechanisms, five steps, every method.
 
-python tests/benchmarks/verdicts.py [--mechanisms 300] [--seed 0] [--methods 3] [--processes 1] [--json FILE]
+python tests/benchmarks/verdicts.py [--mechanisms 300] [--seed 0] [--methods 3] [--minutes 30] [--json FILE]
 
 Each mechanism is one of eight families (open trees, loops, redundant equations, springs, forces that depend
 on speed, contacts and stops, drivers, all together). It runs by rk4 with five steps from 0.1 s to 1 ms, and by
@@ -378,6 +378,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0, help="the first")
     parser.add_argument("--methods", type=int, default=3, help="of each mechanism, beside rk4")
     parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--minutes", type=float, default=np.inf, help="after which no mechanism is begun")
     parser.add_argument("--json", help="write every run to this file")
     given = parser.parse_args()
     found: list[Found] = []
@@ -385,7 +386,7 @@ def main() -> None:
     count, began = 0, time.perf_counter()
     with ProcessPoolExecutor(given.processes) as pool:
         seed = given.seed
-        while count < given.mechanisms:
+        while count < given.mechanisms and time.perf_counter() - began < 60 * given.minutes:
             seeds = range(seed, seed + min(8 * given.processes, given.mechanisms - count))
             seed = seeds.stop
             for why, runs in pool.map(study, seeds, [given.methods] * len(seeds)):
