@@ -115,7 +115,7 @@ class Judge:
         return leaping(verdict, self._moments)
 
     def _strict(self, system: System) -> System:
-        """One that takes no account of tolerances or penalties, whose own errors halves of a step would share."""
+        """One without loose tolerances or penalties, whose errors the parts of a step would share."""
         options = strict(self._options)
         return system if options == self._options else System(self._system.model, **options)
 

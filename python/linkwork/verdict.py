@@ -240,9 +240,9 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
     worst = max(verdict.steps, key=lambda step: step.error)
     for t, what in moments:
         if worst.t <= t <= worst.t + worst.h:
-            sentence = (f"steps leap over what {what} does at t = {t:.5g} s, {_off(verdict.error)}: give it its "
-                        "breaks (linkwork.functions.with_breaks), or a shorter step")  # fmt: skip
-            return replace(verdict, sentence=sentence)
+            leapt = f"steps leap over what {what} does at t = {t:.5g} s, {_off(verdict.error)}"
+            remedy = "give it its breaks (linkwork.functions.with_breaks), or a shorter step"
+            return replace(verdict, sentence=f"{leapt}: {remedy}")
     return verdict
 
 

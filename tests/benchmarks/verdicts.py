@@ -2,18 +2,19 @@
 
 python tests/benchmarks/verdicts.py [--mechanisms 300] [--seed 0] [--methods 3] [--minutes 30] [--json FILE]
 
-Each mechanism is one of eight families (open trees, loops, redundant equations, springs, forces that depend
-on speed, contacts and stops, drivers, all together). It runs by rk4 with five steps from 0.1 s to 1 ms, and by
-further methods, drawn from all integrators, formulations, stabilizations and systems, with five steps or
-tolerances each. The truth is DOP853 with projection at rtol 1e-11.
+Each mechanism is one of eight families (open trees, loops, redundant equations, springs, forces that
+depend on speed, contacts and stops, drivers, all together). It runs by rk4 with five steps from 0.1 s to
+1 ms, and by further methods, drawn from all integrators, formulations, stabilizations and systems, with five
+steps or tolerances each. The truth is DOP853 with projection at rtol 1e-11.
 
 local     of up to four steps of each run: the estimated error of the step by the true one, from its start
 silent    runs more than 1 % off in their first second, without a warning or an error
 false     runs less than 0.1 % off that warn
 bands     shares of the numbers recorded by a run with verify=True within three times Richardson's band
 
-Left out: mechanisms whose motion is chaotic, where a twin with perturbed velocities departs by more than GROWTH
-times the perturbation within the first second; those that cannot move; and those of which two references disagree.
+Left out: mechanisms whose motion is chaotic, where a twin with perturbed velocities departs by more than
+GROWTH times the perturbation within the first second; those that cannot move; and those of which two
+references disagree.
 """
 
 from __future__ import annotations
@@ -64,9 +65,10 @@ ROUNDING = 1e-11
 #: Steps of a run that are compared with the truth, and what one run may take [s].
 LOOKED_AT, PATIENCE = 4, 20
 
-JOINTS = ("revolute", "spherical", "universal", "cylindrical", "translational", "planar", "revolute_spherical",
-          "screw", "constant_velocity", "distance")  # fmt: skip
-SPRINGS = ("spring_damper", "rotational_spring_damper", "bushing", "nonlinear_spring_damper", "bending_spring")
+JOINTS = ("revolute", "spherical", "universal", "cylindrical", "translational", "planar",
+          "revolute_spherical", "screw", "constant_velocity", "distance")  # fmt: skip
+SPRINGS = ("spring_damper", "rotational_spring_damper", "bushing", "nonlinear_spring_damper",
+           "bending_spring")  # fmt: skip
 SPEEDS = ("drag", "linear_damping", "rotational_friction", "translational_friction", "motor")
 STOPS = ("sphere_plane_contact", "sphere_sphere_contact", "rotational_stop", "translational_stop")
 FAMILIES = ("tree", "loops", "redundant", "springs", "speeds", "stops", "drivers", "mixed")
@@ -227,10 +229,7 @@ def run(seed: int, truth: Truth, family: str, how: dict[str, Any], size: float) 
             found.failure = f"{type(error).__name__}: {error}"
             return found
     found.warned = any(issubclass(it.category, LinkworkWarning) for it in caught)
-    if "adaptive" in how:
-        best = truth.result
-    else:
-        best = exact(truth.model, 1.0, result.t)
+    best = truth.result if "adaptive" in how else exact(truth.model, 1.0, result.t)
     found.true = float(difference(result, best).max())
     verdict = result.verdict
     assert verdict is not None
@@ -255,8 +254,8 @@ def local_errors(
         if k + 1 >= len(result.t):
             continue
         try:
-            end = exact(model, float(result.t[k + 1]), result.t[k + 1 : k + 2], 1e-12, start=result.snapshot(k),
-                        assemble=False, **_same_return(given))  # fmt: skip
+            end = exact(model, float(result.t[k + 1]), result.t[k + 1 : k + 2], 1e-12,
+                        start=result.snapshot(k), assemble=False, **_same_return(given))  # fmt: skip
         except (LinkworkError, TimeoutError):
             continue
         apart = Differences.between(_frame(Sampled.of(result), k + 1), _frame(Sampled.of(end), -1))
@@ -396,10 +395,14 @@ def main() -> None:
                 count += 1
                 found += runs
     print(table(found))
-    print(f"{count} mechanisms, left out {left_out}; {len(found)} runs in {time.perf_counter() - began:.0f} s")
+    print(
+        f"{count} mechanisms, left out {left_out}; {len(found)} runs in {time.perf_counter() - began:.0f} s"
+    )
     for it in found:
         if it.silent:
-            print(f"silent: {it.seed} {it.family} {it.how} {it.size:g}: {it.true:.2g} off, said {it.error:.2g}")
+            print(
+                f"silent: {it.seed} {it.family} {it.how} {it.size:g}: {it.true:.2g} off, said {it.error:.2g}"
+            )
     if given.json:
         Path(given.json).write_text(json.dumps([asdict(it) for it in found], default=float))
 

@@ -1,5 +1,7 @@
-"""What a run says of itself beside the truth: a seeded part of the table of tests/benchmarks, and runs that are wrong
-in ways that a look at some of their steps could miss."""
+"""What a run says of itself beside the truth: a seeded part of the table of tests/benchmarks.
+
+And runs that are wrong in ways that a look at some of their steps could miss.
+"""
 
 from __future__ import annotations
 
@@ -69,9 +71,10 @@ def test_a_force_that_is_in_step_with_the_run_is_seen(integrator: str, periods: 
     h = 0.04
     model = mass(functions.harmonic(10.0, 2 * math.pi * periods / h, math.pi / 2))
     result, said = runs(model, step=h, integrator=integrator)
-    exact = 0.1 * result.t + 10.0 * (1 - np.cos(2 * math.pi * periods / h * result.t)) * (
-        h / (2 * math.pi * periods)
-    ) ** 2
+    exact = (
+        0.1 * result.t
+        + 10.0 * (1 - np.cos(2 * math.pi * periods / h * result.t)) * (h / (2 * math.pi * periods)) ** 2
+    )
     assert np.abs(result.position[:, 0, 0] - exact).max() < 0.01 * 0.1 or said
 
 
@@ -88,9 +91,14 @@ def test_a_pulse_inside_a_step_is_seen_where_its_times_are_known(step: float) ->
 @pytest.mark.parametrize("how", [{"step": 0.1}, {"step": 0.02}, {"rtol": 1e-6}])
 @pytest.mark.parametrize(
     "force",
-    [functions.expression("50*exp(-((t-0.6153)/0.001)**2)"), lambda t: 50.0 * math.exp(-(((t - 0.6153) / 1e-3) ** 2))],
+    [
+        functions.expression("50*exp(-((t-0.6153)/0.001)**2)"),
+        lambda t: 50.0 * math.exp(-(((t - 0.6153) / 1e-3) ** 2)),
+    ],
 )
-def test_a_pulse_that_no_step_sees_is_told_with_its_function_and_time(force: Any, how: dict[str, Any]) -> None:
+def test_a_pulse_that_no_step_sees_is_told_with_its_function_and_time(
+    force: Any, how: dict[str, Any]
+) -> None:
     result, said = runs(mass(force), **how)
     exact = 0.1 + 50.0 * 1e-3 * math.sqrt(math.pi)
     assert abs(result.velocity[-1, 0, 0] - exact) > 0.01
@@ -115,7 +123,9 @@ def test_a_stop_makes_velocities_of_what_is_late() -> None:
     model = lw.Model(gravity=(0, 0, 0))
     body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), velocity=(1, 0, 0))
     model.translational(model.ground, body, at=(0, 0, 0), axis=(1, 0, 0))
-    model.translational_stop(model.ground, body, at=(0, 0, 0), axis=(1, 0, 0), lower=-0.1, upper=0.1, stiffness=1e6)
+    model.translational_stop(
+        model.ground, body, at=(0, 0, 0), axis=(1, 0, 0), lower=-0.1, upper=0.1, stiffness=1e6
+    )
     result, said = runs(model, step=1e-4, record_every=1)
     best = verdicts.exact(model, 1.0, result.t)
     assert verdicts.difference(result, best).max() > 0.01 and said

@@ -180,7 +180,7 @@ def _made(result: Result, description: str, tighter: Result | None) -> Reference
 
 
 def _of_both(*results: Result) -> float:
-    """The error that two runs may share, such as a pulse that both leap over, where they say so themselves."""
+    """The error that two runs may share, such as a pulse that both leap over, where they say so."""
     verdicts = [it.verdict for it in results if it.verdict is not None and it.verdict.level != "good"]
     return max((it.error for it in verdicts), default=0.0)
 

@@ -247,7 +247,7 @@ class Comparison:
         return found
 
     def _noise(self) -> list[list[str]]:
-        """The errors of each cell from which no order follows: noise, or what rounding makes of it with smaller steps."""
+        """The errors of each cell from which no order follows: noise, also what smaller steps make of it."""
         found: list[list[str]] = [[e for e in ERRORS if self.is_noise(it, e)] for it in self.outcomes]
         places = {id(it): place for place, it in enumerate(self.outcomes)}
         for cells in self.methods.values():
