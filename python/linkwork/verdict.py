@@ -1,21 +1,24 @@
 """How accurate a run is, estimated from the run itself.
 
-Some of its steps are taken again in two halves, see `linkwork/integration/step_sampling.hpp`: about 100,
-spread over the run and more where accelerations change most; fewer of less than 2000 steps, all of few.
-Each difference is the local error of that step, by Richardson's extrapolation, in four lengths of every
-body: its position, rotation, velocity, angular velocity. Methods with memory are compared with a one-step
-method. Errors are relative: of poses to L, half of the box in which centers of mass move or the longest
-arm, or to the path where that is shorter; of velocities to V, the largest speed.
+Some of its steps are taken again in parts, see `linkwork/integration/step_judge.hpp` and `run_judge.hpp`:
+about 80, spread over the run and more where accelerations change most; fewer of less than 2000 steps, all of
+few; those in which the balance of energy jumps, and those that contain break points, at which parts end; the
+worst once more in eight parts. Each difference is the local error of that step, by Richardson's
+extrapolation, in four lengths of every body: its position, rotation, velocity, angular velocity. Methods with
+memory and integrators of the user's own are compared with another one-step method, penalties and loose
+iterations with equations that are solved exactly. Functions of time of the user's own are looked at between
+steps, too, see `linkwork.narrow`. Errors are relative: of poses to L, half of the box in which centers of mass
+move or the longest arm, or to the path where that is shorter; of velocities to V, the largest speed.
 
 Over the run local errors add up. An error of a velocity is also one of positions later: it grows with time,
-as far as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. What does grow on is the
-error of the energy, as that of the speed along the path. The estimate is meant to be large rather than
-small: of 637 runs of 158 random mechanisms 90 % had one of 1 to 45 times the true error, 8 times in the
-median.
+as far as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. An error of a pose is a
+delay, which in an impact is one of the velocity. What does grow on is the error of the energy, as that of the
+speed along the path. The estimate is meant to be large rather than small, see `tests/benchmarks/verdicts.py`:
+BENCH
 
-The steps are taken again when the run is over, and change nothing in it. That takes 1 to 3 % of its time
-from 10 000 steps on, about 4 % at 1000, up to half of it below 100; at least half a millisecond, more than
-3 % of runs that are over within 15 ms.
+The steps are taken again when the run is over, and change nothing in it. That takes 1 to 2 % of its time
+from 10 000 steps on, following its steps up to 1 %; about 4 % at 1000 steps, up to half of it below 100; at
+least half a millisecond, more than 3 % of runs that are over within 15 ms.
 """
 
 from __future__ import annotations

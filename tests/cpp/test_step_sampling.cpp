@@ -172,7 +172,8 @@ double largest_error(const Model& model, double h, std::vector<double> breaks) {
   return largest;
 }
 
-TEST_CASE("a force in step with the parts of a step is seen, and a pulse between its stages where its times are known") {
+TEST_CASE(
+    "a force in step with the parts of a step is seen, and a pulse between its stages where its times are known") {
   const double h = 0.04, two_pi = 6.283185307179586;
   const auto pushed = [](TimeFunctionPtr force) {
     Model model;

@@ -7,9 +7,9 @@
 namespace linkwork {
 namespace {
 
-constexpr std::int64_t few_steps = 50;      // which are often long ones
-constexpr std::size_t every_reaction = 6;   // steps of which reactions are compared, too
-constexpr std::size_t worst = 3;            // steps that are looked at once more, in so many parts:
+constexpr std::int64_t few_steps = 50;     // which are often long ones
+constexpr std::size_t every_reaction = 6;  // steps of which reactions are compared, too
+constexpr std::size_t worst = 3;           // steps that are looked at once more, in so many parts:
 constexpr int usual_divisions = 1, few_divisions = 2, worst_divisions = 3;  // powers of two
 
 class RunJudge {
@@ -19,6 +19,7 @@ class RunJudge {
     judge_.divide_parts(sampling.steps() <= few_steps ? few_divisions : usual_divisions);
     out_.parts = sampling.parts();
     for (RunPart& part : sampling.broken()) out_.parts.push_back(std::move(part));
+    for (RunPart& part : sampling.contacts()) out_.parts.push_back(std::move(part));
     const std::vector<KeptStep> outliers = sampling.outliers(out_.parts);
     for (const KeptStep& step : outliers) {  // each a part of its own
       out_.parts.push_back({1, step.t, step.h, step.change, {}, {}});

@@ -89,6 +89,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions) {
   try {
     take_again(step);
     compare(step, out);
+    if (step.history_new.size() > 0) compare_history(step, out);
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
     if (reactions && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
     out.failed = !y_.allFinite();
@@ -175,6 +176,15 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
     raise(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
     raise(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
   }
+}
+
+/// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.
+void StepJudge::compare_history(const KeptStep& step, StepError& out) {
+  dynamics_.evaluate(step.t + step.h, y_);
+  dynamics_.advance_history();
+  const VectorXd& found = dynamics_.history();
+  for (Eigen::Index k = 0; k < found.size(); ++k)
+    if (const double apart = std::abs(found[k] - step.history_new[k]); apart > out.velocity) out.velocity = apart;
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {

@@ -19,9 +19,10 @@ struct SecondTake {
 };
 
 /// Two parts a h and (1 - a) h by the same one-step method, Richardson (1911): with a local error c h^(p+1) the parts
-/// are off by b = a^(p+1) + (1 - a)^(p+1) of it, so it is the difference / (1 - b); in four parts / (1 - b^2). Halves would see a force that
-/// oscillates, or a driver that turns, in step with h / 4 as the whole step does, at rest: a is the golden ratio, which
-/// is in step with nothing. An order of 0 is one that nobody knows: nothing is then taken to be left.
+/// are off by b = a^(p+1) + (1 - a)^(p+1) of it, so it is the difference / (1 - b); in four parts / (1 - b^2). Halves
+/// would see a force that oscillates, or a driver that turns, in step with h / 4 as the whole step does, at rest: a is
+/// the golden ratio, which is in step with nothing. An order of 0 is one that nobody knows: nothing is then taken to be
+/// left.
 SecondTake in_parts(std::unique_ptr<Integrator> integrator);
 /// A method with memory cannot take its step in parts: it is compared with its one-step starter in two parts, whose
 /// error is small beside its own, from the same state and with the same correction of the violation.
@@ -64,6 +65,7 @@ class StepJudge {
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
+  void compare_history(const KeptStep& step, StepError& out);
   void compare_reactions(const KeptStep& step, StepError& out);
   void find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque);
 

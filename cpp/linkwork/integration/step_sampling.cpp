@@ -16,7 +16,7 @@ constexpr double steeper = 1.1;                        // than the steepest so f
 constexpr std::size_t most_outliers = 4;
 constexpr std::size_t most_broken = 16;
 constexpr double same_time = 1e-9;  // relative to the step
-constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
+constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
 constexpr double energy_noise = 1e-13;
 constexpr double golden = 0.6180339887498949;  // spreads places evenly and in step with no period of the motion
 
@@ -90,9 +90,24 @@ void StepSampling::expect(std::int64_t steps) {
 }
 
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
+  const VectorXd& history = dynamics.history();
+  if (history.size() > 0) look_for_contacts(history, y);
   balance(dynamics, y);
-  if (dynamics.history().size() > 0) history_ = dynamics.history();
+  if (history.size() > 0) history_ = history;
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
+}
+
+/// A variable that was zero is the speed of a contact that has begun. Of many the last ones are kept.
+void StepSampling::look_for_contacts(const VectorXd& now, const VectorXd& y) {
+  const bool begun =
+      last_.kept() && history_.size() == now.size() && ((history_.array() == 0.0) && (now.array() != 0.0)).any();
+  if (begun) {
+    const std::size_t place = static_cast<std::size_t>(steps_with_contacts_) % std::min(most_broken, most_parts_);
+    steps_with_contacts_ += 1;
+    if (place == contacts_.size()) contacts_.emplace_back();
+    keep(contacts_[place], last_.t, last_.h, last_.change, last_.y, y);
+    contacts_[place].history_new = now;
+  }
 }
 
 void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
@@ -210,10 +225,13 @@ std::vector<KeptStep> StepSampling::outliers(const std::vector<RunPart>& parts) 
   return out;
 }
 
-std::vector<RunPart> StepSampling::broken() const {
+namespace {
+
+/// One for each of these steps, of which there were so many.
+std::vector<RunPart> parts_of(const std::vector<KeptStep>& kept, std::int64_t count) {
   std::vector<RunPart> out;
-  const std::int64_t each = broken_.empty() ? 0 : (steps_with_breaks_ - 1) / static_cast<std::int64_t>(broken_.size()) + 1;
-  for (const KeptStep& step : broken_) {
+  const std::int64_t each = kept.empty() ? 0 : (count - 1) / static_cast<std::int64_t>(kept.size()) + 1;
+  for (const KeptStep& step : kept) {
     out.emplace_back();
     out.back().steps = each;
     out.back().t = step.t;
@@ -222,6 +240,12 @@ std::vector<RunPart> StepSampling::broken() const {
   }
   return out;
 }
+
+}  // namespace
+
+std::vector<RunPart> StepSampling::broken() const { return parts_of(broken_, steps_with_breaks_); }
+
+std::vector<RunPart> StepSampling::contacts() const { return parts_of(contacts_, steps_with_contacts_); }
 
 double time_sampling(const Dynamics& dynamics, std::int64_t steps) {
   StepSampling sampling(dynamics);

@@ -15,6 +15,7 @@ struct KeptStep {
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
   VectorXd y, y_new;
   VectorXd history;           ///< variables of the elements, at t
+  VectorXd history_new;       ///< at t + h, of a step in which contacts begin; else empty
   std::vector<int> left_out;  ///< redundant rows, at t
 
   bool kept() const { return h > 0.0; }
@@ -53,7 +54,8 @@ class StepSampling {
 
   /// The run will have so many steps.
   void expect(std::int64_t steps);
-  /// Times [s], ascending, at which something is not smooth: steps that contain one are kept, too, if there are not many.
+  /// Times [s], ascending, at which something is not smooth: steps that contain one are kept, too, if there are not
+  /// many.
   void expect_breaks(std::vector<double> times) { breaks_ = std::move(times); }
   const std::vector<double>& breaks() const { return breaks_; }
 
@@ -74,6 +76,8 @@ class StepSampling {
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
   std::vector<RunPart> broken() const;
+  /// The steps in which contacts begin likewise: at which speed is found one step late, and held from there on.
+  std::vector<RunPart> contacts() const;
 
   /// How many of so many steps are taken again.
   static std::int64_t samples(std::int64_t steps, int bodies);
@@ -85,6 +89,7 @@ class StepSampling {
     KeptStep step;
   };
 
+  void look_for_contacts(const VectorXd& now, const VectorXd& y);
   void balance(const Dynamics& dynamics, const VectorXd& y);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
@@ -110,8 +115,8 @@ class StepSampling {
   std::vector<Balanced> worst_;
   std::vector<double> breaks_;
   std::size_t next_break_ = 0;
-  std::int64_t steps_with_breaks_ = 0;
-  std::vector<KeptStep> broken_;
+  std::int64_t steps_with_breaks_ = 0, steps_with_contacts_ = 0;
+  std::vector<KeptStep> broken_, contacts_;
 };
 
 /// Time that a run of so many steps spends on following them, without what they take themselves [s].
