@@ -174,13 +174,13 @@ def test_adaptive_runs_with_events_have_a_verdict_and_keep_their_steps() -> None
 
 
 @pytest.mark.parametrize(
-    ("steps", "least", "most"), [(5, 5, 5), (20, 20, 20), (300, 11, 22), (10**4, 36, 96)]
+    ("steps", "least", "most"), [(5, 5, 5), (20, 20, 20), (300, 11, 22), (10**4, 22, 66), (2 * 10**4, 36, 96)]
 )
 def test_about_a_hundred_steps_are_taken_again_and_all_of_five(steps: int, least: int, most: int) -> None:
     result = quick(mechanisms.pendulum(), steps * 1e-4, step=1e-4)
     assert result.verdict is not None and result.verdict.steps_total == steps
     assert least <= len(result.verdict.steps) <= most
-    assert result.statistics["evaluations"] == 4 * steps + 1
+    assert 1 <= result.statistics["evaluations"] - 4 * steps <= 2  # taking them again counts for nothing
 
 
 def test_a_long_run_takes_steps_again_where_accelerations_change_most() -> None:

@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t usual_parts = 40;                // with one or two steps each
 constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may take
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
+constexpr std::int64_t affordable = 50;                // steps, of 10 000
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
 constexpr std::size_t most_outliers = 4;
 constexpr std::size_t most_broken = 16;
@@ -74,13 +75,14 @@ StepSampling::StepSampling(const Dynamics& dynamics)
   parts_.reserve(2 * most_parts_ + 2);
 }
 
-// A step costs two when it is taken again: 2 % of 10 000 steps. Of shorter runs more than a hundredth is needed to say
-// something: all of a few, then 20, which takes no time in a small mechanism and up to 40 % in a large one of 100
-// steps.
+// A step costs three when it is taken again with all that belongs to it: 1.5 % of 10 000 steps. Of shorter runs more
+// than a hundredth is needed to say something: all of a few, then 20, which takes no time in a small mechanism and up
+// to 40 % in a large one of 100 steps.
 std::int64_t StepSampling::samples(std::int64_t steps, int bodies) {
   const std::int64_t few = bodies <= small_model ? 20 : std::clamp<std::int64_t>(steps / 10, 5, 20);
   if (steps <= few) return steps;
-  return std::clamp<std::int64_t>(steps / 20, few, 2 * static_cast<std::int64_t>(usual_parts));
+  return std::clamp<std::int64_t>(std::min(steps / 20, std::max(affordable, steps / 200)), few,
+                                  2 * static_cast<std::int64_t>(usual_parts));
 }
 
 void StepSampling::expect(std::int64_t steps) {
