@@ -436,8 +436,7 @@ void AdaptiveSimulation::finish_step() {
 void AdaptiveSimulation::list_singular_poses() {
   if (!leapt_ && crossing_.look_back(t_, t_new_ - t_, y_)) evaluated_ = false;
   if (!stop_ && t_new_ < schedule_.t_end) return;
-  crossing_.finish(t_new_, y_new_);
-  evaluated_ = false;
+  if (crossing_.end(t_new_, y_new_)) evaluated_ = false;
 }
 
 /// The step as the method made it, on its own side of breaks.

@@ -48,12 +48,13 @@ class Crossing final : public Interpolant {
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
 
   // Poses that were passed are listed.
-  /// After a usual step h from (t, y). True where `dynamics` was evaluated somewhere else, as it is after the others.
+  // True, or nothing: `dynamics` was evaluated somewhere else.
+  /// After a usual step h from (t, y).
   bool look_back(double t, double h, const VectorXd& y);
   /// After a leap, of which the motion follows the part before `until`.
   void look_into_leap(double until);
   /// At the end of the motion, or of a part of it.
-  void finish(double t, const VectorXd& y);
+  bool end(double t, const VectorXd& y);
 
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.h; }
@@ -100,6 +101,8 @@ class Crossing final : public Interpolant {
   void finish(Quality& quality);
   double energy(const VectorXd& y) const;
   void keep_rows_good();
+  double largest_rate(const ConstVector& v) const;
+  int parts_to(double t) const;
   bool try_lengths(Search& search, const VectorXd& y);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
@@ -118,6 +121,7 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;    ///< or in it
   bool fresh_ = true;       ///< no step was looked at yet
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
+  double fastest_ = 0.0;    ///< motion before the step [rad/s]
   double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
   double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
   Leap leap_;

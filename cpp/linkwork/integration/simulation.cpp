@@ -106,8 +106,7 @@ double Simulation::begin_step() {
 
 void Simulation::finish() {
   sampling_.before(dynamics_, y_);
-  crossing_.finish(t(), y_);
-  dynamics_.evaluate(t(), y_);
+  if (crossing_.end(t(), y_)) dynamics_.evaluate(t(), y_);
 }
 
 /// Where a singular pose is ahead.
