@@ -56,6 +56,9 @@ SAFETY = 2.0
 #: Below, relative to L or to L / duration, nothing moves: what is left is rounding.
 STILL = 1e-6
 
+#: By how much more than constraints are violated poses may be off, along motions that they hold weakly.
+VIOLATED = 10.0
+
 #: Of energies, relative to the largest.
 ROUNDING = 1e-12
 
@@ -195,14 +198,14 @@ def estimate(
     accumulated = float(found["resolved"]) * parts.accumulated(
         of_poses, of_velocities, V / size, accelerations * (size / V**2)
     )
+    violation = float(max(found["violation"][ok].max(), found["end_violation"]))
     energy, replaced = energies.error()
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
-    state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0)
+    state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0, VIOLATED * violation)
     reactions = _reactions(found, L, ok)
     known = ok & np.isfinite(reactions) & (local > 0)
     ratio = float(reactions[known].sum() / local[known].sum()) if known.any() else math.nan
-    violation = float(max(found["violation"][ok].max(), found["end_violation"]))
-    error = max(state, energy, violation)
+    error = max(state, energy)
     return Verdict(
         level=_level(error),
         sentence=_sentence(error, violation, state, method),
@@ -354,7 +357,7 @@ def _sentence(error: float, violation: float, state: float, method: Method) -> s
         return "the motion is lost: use a much smaller step"
     if error <= GOOD:
         return f"accurate to about {_figure(error)}"
-    if violation == error and violation > 10 * state:
+    if VIOLATED * violation >= error:
         size = f"{_percent(violation)} of the mechanism's size"
         return f"the constraints are violated by {size}: {method.advice(error)}"
     return method.advice(error)
