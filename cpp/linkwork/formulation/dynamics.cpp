@@ -453,8 +453,8 @@ Gains Dynamics::gains_or(Gains defaults) const {
 }
 
 void Dynamics::hold_correction(Gains gains) {
-  if (!sampled() || (held_ && parts_ > 0)) return;
-  if (parts_ > 0) gains = {gains.alpha / parts_, gains.beta / parts_};
+  if (!sampled() || (held_ && first_part_ > 0.0)) return;
+  if (first_part_ > 0.0) gains = {gains.alpha * first_part_, gains.beta * first_part_};
   gains = gains_or(gains);
   held_u_ = -2.0 * gains.alpha * at_.Phi_dot - gains.beta * gains.beta * at_.Phi;
   held_ = true;
