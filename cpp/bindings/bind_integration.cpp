@@ -1,7 +1,7 @@
 #include "bindings.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
+#include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/simulation.hpp"
-#include "linkwork/integration/step_judge.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork::python {
@@ -27,31 +27,13 @@ std::unique_ptr<Integrator> make_integrator(const py::object& method) {
                     "integrator must be a Tableau, a Multistep, a HalfExplicit, a SemiImplicitEuler or None");
 }
 
-/// An integrator of the user's own: step(t, y, h) -> y at t + h, y = (q, v).
-class PythonIntegrator final : public Integrator {
- public:
-  PythonIntegrator(py::object step, int order) : step_(std::move(step)), order_(order) {}
-
-  const std::string& name() const override { return name_; }
-  int order() const override { return order_; }
-  void start(int) override {}
-  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
-    dynamics.hold_correction(deadbeat_gains(0.5, h));
-    const py::gil_scoped_acquire acquire;
-    y.head(y.size() - 1) = step_(t, VectorXd(y.head(y.size() - 1)), h).cast<VectorXd>();
-  }
-
- private:
-  std::string name_ = "of the user's own";
-  py::object step_;
-  int order_;
-};
-
-SecondTake second_take(const py::object& method, int order) {
+/// `other`: it is not the method of the run, but one without an error beside it.
+SecondTake second_take(const py::object& method, bool other) {
   if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
-  if (py::isinstance<EmbeddedPair>(method)) return in_halves(make_runge_kutta(method.cast<EmbeddedPair>().method));
-  if (py::isinstance<py::function>(method)) return in_halves(std::make_unique<PythonIntegrator>(method, order));
-  return in_halves(make_integrator(method));
+  if (py::isinstance<EmbeddedPair>(method)) return in_parts(make_runge_kutta(method.cast<EmbeddedPair>().method));
+  SecondTake take = in_parts(make_integrator(method));
+  if (other) take.left = 0.0;
+  return take;
 }
 
 /// One array for each number of what a run and its steps say.
@@ -82,6 +64,8 @@ py::dict to_dict(const std::vector<RunPart>& parts, const std::vector<StepError>
                                                          {"torque", &E::torque},
                                                          {"speed", &E::speed},
                                                          {"spin", &E::spin},
+                                                         {"acceleration", &E::acceleration},
+                                                         {"spin_rate", &E::spin_rate},
                                                          {"largest_force", &E::largest_force},
                                                          {"largest_torque", &E::largest_torque},
                                                          {"violation", &E::violation}};
@@ -95,31 +79,20 @@ double relative_violation(const Run& run, RelativeViolation measure) {
   return measure.largest(run.t(), run.y(), run.dynamics().history());
 }
 
-py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, int order) {
+py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
   RelativeViolation violation(dynamics.system());
   const double end_violation = relative_violation(run, violation);
-  std::vector<RunPart> parts = run.sampling().parts();
-  std::vector<StepError> errors;
-  std::vector<int> part_of;
-  StepJudge steps(dynamics, second_take(method, order));
+  SecondTake take = second_take(method, other);
+  RunErrors found;
   {
     const py::gil_scoped_release release;
-    for (std::size_t k = 0; k < parts.size(); ++k)
-      for (const KeptStep* step : {&parts[k].any, &parts[k].steepest}) {
-        if (!step->kept()) continue;
-        errors.push_back(steps.judge(*step, errors.size() % 4 == 0));
-        part_of.push_back(static_cast<int>(k));
-      }
-    for (const KeptStep& step : run.sampling().outliers(parts)) {  // each a part of its own
-      errors.push_back(steps.judge(step, false));
-      part_of.push_back(static_cast<int>(parts.size()));
-      parts.push_back({1, step.t, step.h, step.change, {}, {}});
-    }
+    found = judge_run(run.sampling(), dynamics, std::move(take));
   }
-  py::dict out = to_dict(parts, errors, part_of);
+  py::dict out = to_dict(found.parts, found.steps, found.part_of);
   out["end_violation"] = end_violation;
   out["length"] = violation.length();
-  out["diagonal"] = steps.diagonal();
+  out["diagonal"] = found.diagonal;
+  out["resolved"] = found.resolved;
   return out;
 }
 
@@ -237,12 +210,16 @@ void bind_runs(py::module_& module) {
             return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
           },
           "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
-      .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("order") = 0,
+      .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
+           "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
+           "again, too, if there are not many.")
+      .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
            "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
-           "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, "
-           "largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. "
-           "`method`: data, or step(t, y, h), of this order where it is known.")
+           "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, "
+           "spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation "
+           "and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. "
+           "`method`: that of the run, or one that is much more accurate, and `other`.")
       .def("statistics", &run_statistics);
 
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")

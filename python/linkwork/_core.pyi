@@ -845,11 +845,15 @@ class Run:
         """
         Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, history.
         """
-    def judge(
-        self, dynamics: Dynamics, method: typing.Any, order: typing.SupportsInt | typing.SupportsIndex = 0
-    ) -> dict:
+    def expect_breaks(
+        self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
+    ) -> None:
         """
-        Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. `method`: data, or step(t, y, h), of this order where it is known.
+        Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken again, too, if there are not many.
+        """
+    def judge(self, dynamics: Dynamics, method: typing.Any, other: bool = False) -> dict:
+        """
+        Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. `method`: that of the run, or one that is much more accurate, and `other`.
         """
     def relative_violation(self) -> float:
         """

@@ -20,7 +20,7 @@ import numpy as np
 if TYPE_CHECKING:
     from linkwork.model import Model
 
-__all__ = ["changed", "contents", "of_model"]
+__all__ = ["changed", "contents", "of_model", "reaches_no_memory"]
 
 #: What cannot be looked into counts as changed.
 UNKNOWN = b""
@@ -67,6 +67,32 @@ def _digest(function: Any) -> bytes:
             seen.add(id(it))
             todo += inside
     return digest.digest()
+
+
+#: What cannot change; arrays can, but functions keep tables in them.
+_CONSTANT = (type(None), bool, int, float, complex, str, bytes, np.generic, np.ndarray)
+
+
+def reaches_no_memory(function: Any) -> bool:
+    """Whether all that a function reaches is constant, so that a call more or less makes no difference."""
+    seen, todo = set[int](), [function]
+    while todo:
+        it = todo.pop()
+        if id(it) in seen or isinstance(it, _CONSTANT) or (_opaque(it) and not _chance(it)):
+            continue
+        seen.add(id(it))
+        inside = list(it) if isinstance(it, tuple | frozenset) else _inside(it)
+        if inside is None or isinstance(it, types.MethodType):
+            return False
+        todo += inside
+    return not any(isinstance(it, types.FunctionType) and "random" in " ".join(_names(it.__code__))
+                   for it in [function])  # fmt: skip
+
+
+def _chance(it: Any) -> bool:
+    """Random numbers have a state of their own."""
+    name = getattr(it, "__name__", "")
+    return "random" in f"{getattr(it, '__module__', '')} {name if isinstance(it, types.ModuleType) else ''}"
 
 
 def _opaque(it: Any) -> bool:

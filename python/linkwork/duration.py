@@ -14,8 +14,8 @@ from linkwork.system import System
 
 __all__ = ["announce"]
 
-#: Runs of fewer steps are not worth a look.
-MANY_STEPS = 1e6
+#: Runs of fewer steps, and of fewer steps times bodies, are not worth a look.
+MANY_STEPS, MANY_BODY_STEPS = 1e6, 1e9
 
 #: Of evaluations: so many at least, for so long [s].
 EVALUATIONS, WATCHED = 3, 5e-3
@@ -32,7 +32,7 @@ def announce(
     start: Snapshot | None,
 ) -> None:
     """LinkworkWarning: the run will take hours. OptionError: months."""
-    if steps < MANY_STEPS:
+    if steps < MANY_STEPS and steps * model.body_count < MANY_BODY_STEPS:
         return
     evaluation = _evaluation(System(model, **options), start)
     seconds = steps * max(1, len(getattr(method, "A", ()))) * evaluation

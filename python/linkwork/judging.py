@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from linkwork import _core, callbacks
+from linkwork import _core, callbacks, narrow
 from linkwork.errors import AccuracyError, warn
 from linkwork.header import Floats
-from linkwork.integrators import EmbeddedPair, Integrator
+from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.options import Options
 from linkwork.result import Result, Snapshot
 from linkwork.schedule import Adaptive, Fixed
 from linkwork.system import System
-from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, say, verified, without_steps
+from linkwork.verdict import GOOD, Energies, Method, Verdict, estimate, leaping, say, verified, without_steps
 from linkwork.verification import Finer, state_error
 
-__all__ = ["Judge", "heed"]
+__all__ = ["Judge", "heed", "strict"]
+
+#: Takes the steps of integrators of the user's own again.
+TRUSTED = "dop853"
 
 #: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
 FIRST_LOOK = 200
@@ -35,18 +38,24 @@ class Judge:
         start: Snapshot | None,
         plan: Fixed | Adaptive,
         *,
+        breaks: Sequence[float] = (),
         stops: bool = False,
     ) -> None:
-        """`stops`: the run, as soon as it is known to be inaccurate."""
+        """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate."""
         self._run, self._method, self._system = run, method, system
-        self._options, self._stops, self._next_look = options, stops, FIRST_LOOK
+        self._stops, self._next_look = stops, FIRST_LOOK
+        self._options: Options = {**options, "stabilization": system.options["stabilization"]}
         self._plan = plan
         self._before = start.error if start is not None else 0.0
         self._energies = Energies()
         self._functions = callbacks.of_model(system.model)
-        if not isinstance(method, Integrator):
-            self._functions = {**self._functions, "integrator": method}
         self._contents = callbacks.contents(self._functions)
+        self._own = {} if isinstance(method, Integrator) else {"integrator": method}
+        self._own_contents = callbacks.contents(self._own)
+        t_start = start.t if start is not None else 0.0
+        evaluations = plan.evaluations(method, t_start)
+        self._moments = narrow.moments(system.model, t_start, plan.t_end, evaluations)
+        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._moments)}))
 
     def look(self, frames: Mapping[str, Floats]) -> None:
         """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""
@@ -70,6 +79,7 @@ class Judge:
         LinkworkWarning: there is none, as a function of the user's remembers calls.
         """
         remembering = callbacks.changed(self._contents, self._functions)
+        remembering += callbacks.changed(self._own_contents, self._own)
         if remembering:
             return warn(
                 f"verify: no second run was made, as '{remembering[0]}' may remember the calls before"
@@ -97,10 +107,17 @@ class Judge:
             why = f"no step was taken again, as {names} may remember the calls before"
             return self._by_balance(why, statistics)
         try:
-            found = self._run.judge(system.compiled(), *self._compiled(system))
+            system = self._strict(system)
+            found = self._run.judge(system.compiled(), *self._compiled())
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
-        return estimate(found, self._energies, self._resolution(), statistics, self._before)
+        verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
+        return leaping(verdict, self._moments)
+
+    def _strict(self, system: System) -> System:
+        """One without loose tolerances or penalties, whose errors the parts of a step would share."""
+        options = strict(self._options)
+        return system if options == self._options else System(self._system.model, **options)
 
     def _by_balance(self, why: str, statistics: Mapping[str, Any]) -> Verdict:
         violation = self._run.relative_violation()
@@ -112,19 +129,38 @@ class Judge:
             return Method(order, rtol=self._plan.rtol)
         return Method(order, step=min(self._plan.step, self._run.t))
 
-    def _compiled(self, system: System) -> tuple[Any, int]:
-        """The method as it takes steps again, and its order."""
+    def _compiled(self) -> tuple[Any, bool]:
+        """What takes the steps again, and whether that is another method.
+
+        It is for integrators of the user's own: whoever makes a mistake in a step makes it in its parts, too.
+        """
         method = self._method
         if isinstance(method, EmbeddedPair) and isinstance(self._run, _core.AdaptiveSimulation):
-            return method.compiled_pair(), method.order
+            return method.compiled_pair(), False
         if isinstance(method, Integrator):
-            return method.compiled(), method.order
-        return (lambda t, y, h: method(system, t, y, h)), self._order()
+            return method.compiled(), False
+        return METHODS[TRUSTED].compiled(), True
 
     def _order(self) -> int:
         """0 where nobody knows."""
         order = getattr(self._method, "order", 0)
         return int(order) if isinstance(order, int) else 0
+
+
+def strict(options: Options) -> Options:
+    """Those with which the equations of motion are solved exactly.
+
+    Penalties leave constraints violated and reactions wrong at any step, loose iterations likewise: the
+    augmented Lagrangian has the same right-hand side without that.
+    """
+    loose = "tolerance" in options or "max_iterations" in options
+    if options.get("formulation") != "penalty" and not loose:
+        return options
+    out = options.copy()
+    out["formulation"] = "augmented_lagrangian"
+    for name in ("penalty", "tolerance", "max_iterations"):
+        out.pop(name, None)  # type: ignore[misc]
+    return out
 
 
 def heed(result: Result, policy: str) -> None:

@@ -298,6 +298,8 @@ class Result:
         verdict = self.verdict
         if verdict is None or verdict.state is None:
             return 0.0
+        if not np.isfinite(verdict.state):
+            return verdict.state
         share = (self.t[frame] - self.t[0]) / ((self.t[-1] - self.t[0]) or 1.0)
         return float(verdict.before + share * (verdict.state - verdict.before))
 

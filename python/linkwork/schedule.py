@@ -24,6 +24,9 @@ __all__ = ["Adaptive", "Fixed", "plan"]
 #: Frames recorded where nothing is said about them, and the memory they may take [bytes].
 FRAMES, FRAME_BYTES = 1000, 2**30
 
+#: Of a run with steps that follow tolerances, where something must be assumed.
+ADAPTIVE_EVALUATIONS = 5e4
+
 #: Beyond, a run is refused by the driver.
 MOST_STEPS = 1e15
 
@@ -54,6 +57,10 @@ class Fixed:
     def least_steps(self, t_start: float) -> float:
         return (self.t_end - t_start) / self.step
 
+    def evaluations(self, method: Any, t_start: float) -> float:
+        """About so many."""
+        return self.least_steps(t_start) * max(1, len(getattr(method, "A", ())))
+
     def chosen(self) -> dict[str, Any]:
         return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
 
@@ -81,6 +88,10 @@ class Fixed:
         return _core.Simulation(
             system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
         )
+
+    def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
+        """Those at which no step ends: all of them, for all that is known."""
+        return breaks
 
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
         """How many steps contain break points, inside or at their ends, where the last stage may be."""
@@ -112,6 +123,10 @@ class Adaptive:
 
     def least_steps(self, t_start: float) -> float:
         return (self.t_end - t_start) / self.largest_step
+
+    def evaluations(self, method: Any, t_start: float) -> float:
+        """Nobody knows: as of a run of some thousand steps."""
+        return ADAPTIVE_EVALUATIONS
 
     def chosen(self) -> dict[str, Any]:
         return {
@@ -157,6 +172,10 @@ class Adaptive:
             *(_from(start) or (0.0, np.zeros(0))),
             list(breaks),
         )
+
+    def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
+        """Those at which no step ends: none."""
+        return ()
 
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
         """None: steps end at each."""

@@ -148,7 +148,9 @@ def simulate(
     with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total, t_start) as report:
         pieces = recording.pieces(run, interrupts, method, system)
         labels, warns = facts["events"], system.options["on_singular"] == "warn"
-        judge = judging.Judge(run, method, system, options, start, plan, stops=on_inaccurate == "stop")
+        judge = judging.Judge(
+            run, method, system, options, start, plan, breaks=known, stops=on_inaccurate == "stop"
+        )
         driver_seconds = recording.record(run, pieces, recorder, report, labels, judge, warns=warns)
         statistics = {**run.statistics(), **plan.steps_with_breaks(known, t_start)}
         driven = time.perf_counter()
@@ -165,7 +167,8 @@ def simulate(
         again: dict[str, Any] = {"integrator": method, "events": events, "breaks": breaks, "start": start,
                                  "assemble": assemble}  # fmt: skip
         judge.verify(result, output, lambda finer: simulate(
-            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass", **options
+            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
+            **judging.strict(options),
         ))  # fmt: skip
     judging.heed(result, on_inaccurate)
     return result

@@ -158,7 +158,8 @@ def verdict_text(result: Result) -> str:
              "violation": verdict.violation}  # fmt: skip
     numbers = ", ".join(f"{name} {value:.0e}{'/s' if name == 'local error' else ''}".replace("e-0", "e-")
                         for name, value in found.items() if value is not None)  # fmt: skip
-    return f"{verdict.sentence} ({numbers}; {len(verdict.steps)} of {verdict.steps_total:,} steps)"
+    told = f"; {verdict.left_out}" if verdict.left_out else ""
+    return f"{verdict.sentence} ({numbers}; {len(verdict.steps)} of {verdict.steps_total:,} steps{told})"
 
 
 def _verdict(result: Result) -> dict[str, Any] | None:

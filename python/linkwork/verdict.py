@@ -1,35 +1,40 @@
 """How accurate a run is, estimated from the run itself.
 
-Some of its steps are taken again in two halves, see `linkwork/integration/step_sampling.hpp`: about 100,
-spread over the run and more where accelerations change most; fewer of less than 2000 steps, all of few.
-Each difference is the local error of that step, by Richardson's extrapolation, in four lengths of every
-body: its position, rotation, velocity, angular velocity. Methods with memory are compared with a one-step
-method. Errors are relative: of poses to L, half of the box in which centers of mass move or the longest
-arm, or to the path where that is shorter; of velocities to V, the largest speed.
+Some of its steps are taken again in parts, see `linkwork/integration/step_judge.hpp` and `run_judge.hpp`:
+about 80, spread over the run and more where accelerations change most; fewer of less than 2000 steps, all of
+few; those in which the balance of energy jumps, and those that contain break points, at which parts end; the
+worst once more in eight parts. Each difference is the local error of that step, by Richardson's
+extrapolation, in four lengths of every body: its position, rotation, velocity, angular velocity. Methods with
+memory and integrators of the user's own are compared with another one-step method, penalties and loose
+iterations with equations that are solved exactly. Functions of time of the user's own are looked at between
+steps, too, see `linkwork.narrow`. Errors are relative: of poses to L, half of the box in which centers of
+mass move or the longest arm, or to the path where that is shorter; of velocities to V, the largest speed.
 
 Over the run local errors add up. An error of a velocity is also one of positions later: it grows with time,
-as far as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. What does grow on is the
-error of the energy, as that of the speed along the path. The estimate is meant to be large rather than
-small: of 637 runs of 158 random mechanisms 90 % had one of 1 to 45 times the true error, 8 times in the
-median.
+as far as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. An error of a pose is a
+delay, which in an impact is one of the velocity. What does grow on is the error of the energy, as that of the
+speed along the path. The estimate is meant to be large rather than small: of 3600 runs of 300 random
+mechanisms by all integrators, see `tests/benchmarks/verdicts.py`, 90 % had one of 2 to 150 times the true
+error, 10 times in the median. It is much too large where errors die out, as in friction that sticks, with
+steps that are long for it, and where drivers leave nothing to go wrong.
 
-The steps are taken again when the run is over, and change nothing in it. That takes 1 to 3 % of its time
-from 10 000 steps on, about 4 % at 1000, up to half of it below 100; at least half a millisecond, more than
-3 % of runs that are over within 15 ms.
+The steps are taken again when the run is over, and change nothing in it. That takes 1 to 2 % of its time
+from 10 000 steps on, following its steps up to 1 %; about 4 % at 1000 steps, up to half of it below 100; at
+least half a millisecond, more than 3 % of runs that are over within 15 ms.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Energies", "Method", "StepEstimate", "Verdict", "estimate", "say", "without_steps"]
+__all__ = ["Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping", "say", "without_steps"]
 
 Floats = NDArray[np.float64]
 
@@ -42,11 +47,17 @@ AIM = 1e-4
 #: Characteristic times L / V in which an error of a velocity moves positions.
 GROWTH = 5.0
 
+#: A step whose accelerations change so many times as much as in the mean of its part is out of the ordinary.
+STEEP = 10.0
+
 #: On the estimate: too large is better than too small.
-SAFETY = 1.5
+SAFETY = 2.0
 
 #: Below, relative to L or to L / duration, nothing moves: what is left is rounding.
 STILL = 1e-6
+
+#: By how much more than constraints are violated poses may be off, along motions that they hold weakly.
+VIOLATED = 10.0
 
 #: Of energies, relative to the largest.
 ROUNDING = 1e-12
@@ -76,7 +87,7 @@ class Verdict:
     violation    largest of position constraints, as a displacement relative to the size of the mechanism
     steps        what was taken again
     steps_total  of the run
-    left_out     why no step was taken again
+    left_out     why no step was taken again, or how many of them could not be
     singular_poses, contradictions, break_points
                  poses passed; joints whose redundant equations turned out to contradict the others; steps
                  that contain a time at which what acts on the mechanism is not smooth
@@ -157,8 +168,7 @@ class Method:
         else:
             step = (self.step or 0.0) * (AIM / error) ** (1 / max(self.order, 1))
             better, what = f"{_rounded(step):g} s", "the step is too long"
-        off = f"about {_percent(error)} off" if error < 1 else "the motion is another one"
-        return f"{what}: {off}; {better} would give {AIM:.0e}".replace("e-0", "e-")
+        return f"{what}: {_off(error)}; {better} would give {AIM:.0e}".replace("e-0", "e-")
 
 
 def estimate(
@@ -178,32 +188,35 @@ def estimate(
     L = max(float(found["diagonal"]) / 2, float(found["length"]))
     speeds = np.maximum(found["speed"], L * found["spin"])
     V = max(float(speeds[ok].max()), STILL * L / duration)
-    size = max(min(L, float(parts.integrals(speeds).sum())), STILL * L)
+    size = max(min(L, parts.path(speeds)), STILL * L)
     poses = np.maximum(found["position"], L * found["rotation"]) / size
     velocities = np.maximum(found["velocity"], L * found["omega"]) / V
 
-    left = (parts.start + parts.seconds).max() - (parts.start + parts.seconds / 2)
-    growth = 1 + np.minimum(left * V / size, GROWTH)
-    accumulated = float(parts.sums(poses).sum() + (parts.sums(velocities) * growth).sum())
+    local = np.maximum(poses, velocities)
+    accelerations = np.maximum(found["acceleration"], L * found["spin_rate"])
+    of_poses, of_velocities, of_both = parts.sums(np.array([poses, velocities, local]))
+    accumulated = float(found["resolved"]) * parts.accumulated(
+        of_poses, of_velocities, V / size, accelerations * (size / V**2)
+    )
+    violation = float(max(found["violation"][ok].max(), found["end_violation"]))
     energy, replaced = energies.error()
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
-    state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0)
-    local = np.maximum(poses, velocities)
+    state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0, VIOLATED * violation)
     reactions = _reactions(found, L, ok)
     known = ok & np.isfinite(reactions) & (local > 0)
     ratio = float(reactions[known].sum() / local[known].sum()) if known.any() else math.nan
-    violation = float(max(found["violation"][ok].max(), found["end_violation"]))
-    error = max(state, energy, violation)
+    error = max(state, energy)
     return Verdict(
         level=_level(error),
         sentence=_sentence(error, violation, state, method),
         error=error,
         state=state,
-        local_error=float(parts.sums(local).sum()) / duration,
+        local_error=float(of_both.sum()) / duration,
         reactions=state * ratio if math.isfinite(ratio) else None,
         energy=energy,
         violation=violation,
         steps=_steps(found, local, reactions, ok),
+        left_out="" if ok.all() else f"{int((~ok).sum())} of {len(ok)} steps could not be taken again",
         before=before,
         **_counts(statistics),
     )
@@ -228,6 +241,19 @@ def verified(verdict: Verdict, state: float, method: Method) -> Verdict:
     return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state)
 
 
+def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
+    """Says so where it is such a moment of a function of time that the worst step leaps over."""
+    if verdict.level == "good" or not verdict.steps:
+        return verdict
+    worst = max(verdict.steps, key=lambda step: step.error)
+    for t, what in moments:
+        if worst.t <= t <= worst.t + worst.h:
+            leapt = f"steps leap over what {what} does at t = {t:.5g} s, {_off(verdict.error)}"
+            remedy = "give it its breaks (linkwork.functions.with_breaks), or a shorter step"
+            return replace(verdict, sentence=f"{leapt}: {remedy}")
+    return verdict
+
+
 def say(verdict: Verdict, name: str | None) -> str:
     """For messages: what is wrong with which run."""
     return f"{name or 'model'}: {verdict.sentence}"
@@ -245,8 +271,10 @@ class _Parts:
 
     def __init__(self, found: Mapping[str, Any], ok: NDArray[np.bool_]) -> None:
         known = np.flatnonzero(ok)
-        parts, first = np.unique(found["part"][known].astype(int), return_index=True)
-        last = np.append(first[1:], len(known)) - 1
+        part_of = found["part"][known].astype(int)  # ascending
+        last = np.append(np.flatnonzero(part_of[1:] != part_of[:-1]), len(known) - 1)
+        first = np.append(0, last[:-1] + 1)
+        parts = part_of[first]
         self._first, self._last = known[first], known[last]
         self.steps, self.seconds, self.start = (
             found[f"part_{name}"][parts] for name in ("steps", "seconds", "t")
@@ -255,22 +283,43 @@ class _Parts:
         with np.errstate(divide="ignore", invalid="ignore"):
             share = mean / (found["change"][self._last] - found["change"][self._first])
         self._share = np.fmax(np.clip(share, 0.0, 1.0), 1 / self.steps)
+        alone = first == last  # far steeper than its part: it does not stand for all of it
+        with np.errstate(divide="ignore", invalid="ignore"):
+            typical = STEEP * found["part_change"][parts] / self.steps / found["change"][self._first]
+        self._weight = np.where(alone, np.fmax(np.fmin(typical, 1.0), 1 / self.steps), 1.0)
         self._missed = float(found["part_steps"].sum() / self.steps.sum())  # parts of which no step is known
 
+    def accumulated(self, poses: Floats, velocities: Floats, rate: float, shake: Floats) -> float:
+        """Over the run, of the sums of parts: the larger of poses and velocities at any time.
+
+        rate   [1/s] at which an error of a velocity moves poses
+        shake  for each step: by how much larger an error of a pose is as one of the velocity there. In an
+               impact a body that is late by dt is off by the acceleration times dt
+        """
+        order = np.argsort(self.start, kind="stable")
+        time = (self.start + self.seconds / 2)[order]
+        velocities = velocities[order]
+        of_poses, of_velocities = poses[order].cumsum(), velocities.cumsum()
+        of_moments = (velocities * time).cumsum()
+        moved = np.minimum(rate * (time * of_velocities - of_moments), GROWTH * of_velocities)
+        end = float((self.start + self.seconds).max())
+        at_end = min(rate * (end * of_velocities[-1] - of_moments[-1]), GROWTH * of_velocities[-1])
+        shaken = (of_poses + moved) * np.maximum(shake[self._first], shake[self._last])[order]
+        return float(max(of_poses[-1] + of_velocities[-1] + at_end, shaken.max()))
+
     def sums(self, values: Floats) -> Floats:
-        """Over the steps of each part."""
-        sums: Floats = self._means(values) * self.steps * self._missed
+        """Over the steps of each part; of values (..., steps)."""
+        sums: Floats = self._means(values) * (self.steps * self._missed)
         return sums
 
-    def integrals(self, values: Floats) -> Floats:
-        """Over the time of each part."""
-        integrals: Floats = self._means(values) * self.seconds * self._missed
-        return integrals
+    def path(self, speeds: Floats) -> float:
+        """Over the time of all parts."""
+        return float(self._means(speeds) @ self.seconds) * self._missed
 
     def _means(self, values: Floats) -> Floats:
-        first, last = values[self._first], values[self._last]
+        first, last = values[..., self._first], values[..., self._last]
         means: Floats = np.maximum(first + self._share * (last - first), first + (last - first) / self.steps)
-        return means
+        return means * self._weight
 
 
 def _reactions(found: Mapping[str, Any], L: float, ok: NDArray[np.bool_]) -> Floats:
@@ -286,8 +335,9 @@ def _steps(
     found: Mapping[str, Any], local: Floats, reactions: Floats, ok: NDArray[np.bool_]
 ) -> tuple[StepEstimate, ...]:
     known = np.where(np.isfinite(reactions), reactions, None)  # type: ignore[call-overload]
-    numbers = (found["t"][ok], found["h"][ok], local[ok], known[ok])
-    return tuple(sorted(itertools.starmap(StepEstimate, zip(*(it.tolist() for it in numbers), strict=True))))
+    by_time = np.flatnonzero(ok)[np.argsort(found["t"][ok], kind="stable")]
+    numbers = (found["t"], found["h"], local, known)
+    return tuple(map(StepEstimate, *(it[by_time].tolist() for it in numbers)))
 
 
 def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:
@@ -307,10 +357,14 @@ def _sentence(error: float, violation: float, state: float, method: Method) -> s
         return "the motion is lost: use a much smaller step"
     if error <= GOOD:
         return f"accurate to about {_figure(error)}"
-    if violation == error and violation > 10 * state:
+    if VIOLATED * violation >= error:
         size = f"{_percent(violation)} of the mechanism's size"
         return f"the constraints are violated by {size}: {method.advice(error)}"
     return method.advice(error)
+
+
+def _off(error: float) -> str:
+    return f"about {_percent(error)} off" if error < 1 else "the motion is another one"
 
 
 def _figure(error: float) -> str:

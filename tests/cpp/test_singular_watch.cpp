@@ -80,9 +80,10 @@ TEST_CASE("pivots are compared with the largest of the run") {
 
 TEST_CASE("suspicion lasts until the pivots have recovered; poses are listed with what led up to them") {
   SingularWatch watch;
+  watch.list_evaluations(false);
   CHECK(watch.usual(1.0));
   CHECK_FALSE(watch.usual(1e-6));
-  watch.begin();
+  watch.begin(1.0, 1e-6, {3});
   for (const double pivot : {1e-7, 1e-6, 1e-5}) {
     CHECK_FALSE(watch.usual(pivot));
     watch.go_on(pivot);
@@ -102,6 +103,11 @@ TEST_CASE("suspicion lasts until the pivots have recovered; poses are listed wit
   CHECK(watch.passages()[0].taken_over == 2);
   CHECK(watch.passages()[1].taken_over == 0);
   CHECK(watch.singular_poses() == 2);
+  watch.list_evaluations(true);
+  watch.begin(3.0, 1e-7, {3});
+  watch.take_over();
+  REQUIRE(watch.passages().size() == 3);
+  CHECK(watch.passages()[2].taken_over == 1);
 }
 
 TEST_CASE("the least singular value falls linearly to zero toward a singular pose, whatever the formulation") {

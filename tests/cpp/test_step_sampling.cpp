@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/simulation.hpp"
-#include "linkwork/integration/step_judge.hpp"
 #include "support.hpp"
 
 using namespace support;
@@ -96,6 +96,30 @@ TEST_CASE("the step in which accelerations change most is kept") {
     }
 }
 
+TEST_CASE("steps with breaks are kept once each, of many those that stand for all") {
+  Dynamics dynamics(pendulum(), Options());
+  StepSampling few(dynamics);
+  few.expect_breaks({0.25, 0.75, 7.0, 1234.5});
+  follow(few, dynamics, 5000, -1);
+  std::vector<double> starts;
+  for (const RunPart& part : few.broken()) {
+    starts.push_back(part.any.t);
+    CHECK(part.steps == 1);
+  }
+  CHECK(starts == std::vector<double>{0.0, 6.0, 1234.0});  // of 7.0 the step that ends there
+  StepSampling many(dynamics);
+  std::vector<double> times;
+  for (int k = 0; k < 1000; ++k) times.push_back(5.0 * k + 0.5);
+  many.expect_breaks(times);
+  follow(many, dynamics, 5000, -1);
+  std::int64_t covered = 0;
+  for (const RunPart& part : many.broken()) covered += part.steps;
+  CHECK(many.broken().size() <= 17);
+  CHECK(many.broken().back().any.t > 4500.0);
+  CHECK(covered >= 1000);
+  CHECK(covered < 1030);
+}
+
 TEST_CASE("a single step that makes energy is kept, an even loss in all of them is not") {
   Dynamics dynamics(pendulum(), Options());
   for (const int bad : {-1, 1234}) {
@@ -121,7 +145,7 @@ TEST_CASE("a step taken again in halves gives its error, which falls with the or
     Dynamics dynamics(model, Options());
     Simulation run(dynamics, make_runge_kutta(rk4()), {0.4, h});
     run.advance(1000000, 1e9);
-    StepJudge judge(dynamics, in_halves(make_runge_kutta(rk4())));
+    StepJudge judge(dynamics, in_parts(make_runge_kutta(rk4())));
     double largest = 0.0;
     for (const RunPart& part : run.sampling().parts())
       for (const KeptStep* step : {&part.any, &part.steepest})
@@ -136,6 +160,44 @@ TEST_CASE("a step taken again in halves gives its error, which falls with the or
   }
 }
 
+/// Accelerations of the model by rk4 with step h, whose largest difference in a second take is that of the error.
+double largest_error(const Model& model, double h, std::vector<double> breaks) {
+  Dynamics dynamics(model, Options());
+  Simulation run(dynamics, make_runge_kutta(rk4()), {20.0 * h, h});
+  run.expect_breaks(std::move(breaks));
+  run.advance(1000000, 1e9);
+  double largest = 0.0;
+  for (const StepError& step : judge_run(run.sampling(), dynamics, in_parts(make_runge_kutta(rk4()))).steps)
+    largest = std::max(largest, step.velocity);
+  return largest;
+}
+
+TEST_CASE(
+    "a force in step with the parts of a step is seen, and a pulse between its stages where its times are known") {
+  const double h = 0.04, two_pi = 6.283185307179586;
+  const auto pushed = [](TimeFunctionPtr force) {
+    Model model;
+    Body body;
+    body.mass = 1.0;
+    body.inertia = 0.1 * Mat3<double>::Identity();
+    model.add_body("ball", body);
+    Attachment<double> at;
+    at.s_i.setZero();
+    at.s_j.setZero();
+    at.C_i = at.C_j = Mat3<double>::Identity();
+    std::vector<Parameter> parameters(6);
+    parameters[0].signal = model.add_signal(std::move(force));
+    model.add_force("applied", "push", ground, 0, at, parameters);
+    return model;
+  };
+  for (const int periods : {1, 2, 4, 8, 12})
+    CHECK(largest_error(pushed(harmonic(10.0, two_pi * periods / h, 0.25 * two_pi, 0.0)), h, {}) > 1e-2);
+  const auto pulse = [](double t) { return t >= 0.3701 && t < 0.3711 ? 50.0 : 0.0; };
+  const Model model = pushed(callback(pulse));
+  CHECK(largest_error(model, h, {}) < 1e-12);
+  CHECK(largest_error(model, h, {0.3701, 0.3711}) == doctest::Approx(0.05).epsilon(1e-3));
+}
+
 TEST_CASE("the halves hold the correction of the whole step") {
   const Model model = pendulum();
   Dynamics dynamics(model, Options());
@@ -145,7 +207,7 @@ TEST_CASE("the halves hold the correction of the whole step") {
   dynamics.rates(free);
   dynamics.hold_correction(deadbeat_gains(0.5, 0.01));
   dynamics.rates(held);
-  dynamics.begin_parts(2);
+  dynamics.begin_parts(0.5);
   dynamics.hold_correction(deadbeat_gains(0.5, 0.005));
   dynamics.release_correction();
   dynamics.hold_correction(deadbeat_gains(0.5, 0.005));

@@ -88,7 +88,8 @@ def test_figures_are_those_of_a_separate_run() -> None:
     comparison = slider_crank()
     cell = next(it for it in comparison if it.label == "standard, none, rk4" and it.step == 5e-3)
     model = mechanisms.spatial_slider_crank()
-    result = lw.simulate(model, 2.0, 5e-3, "rk4", stabilization="none", record_every=2, progress=False)
+    result = lw.simulate(model, 2.0, 5e-3, "rk4", stabilization="none", record_every=2, progress=False,
+                         on_inaccurate="pass")  # fmt: skip
     assert cell.position_violation == result.violation[:, 0].max()
     assert cell.velocity_violation == result.violation[:, 1].max()
     assert cell.energy_error == np.abs(result.energy_error).max()

@@ -242,7 +242,7 @@ bool Dynamics::inspect(double pivot) {
       change_redundant_rows(std::move(found.better_choice));
       return false;
     }
-    watch_.begin();
+    watch_.begin(t_, pivot, std::move(found.joints));
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
@@ -458,8 +458,8 @@ Gains Dynamics::gains_or(Gains defaults) const {
 }
 
 void Dynamics::hold_correction(Gains gains) {
-  if (!sampled() || (held_ && parts_ > 0)) return;
-  if (parts_ > 0) gains = {gains.alpha / parts_, gains.beta / parts_};
+  if (!sampled() || (held_ && first_part_ > 0.0)) return;
+  if (first_part_ > 0.0) gains = {gains.alpha * first_part_, gains.beta * first_part_};
   gains = gains_or(gains);
   held_u_ = -2.0 * gains.alpha * at_.Phi_dot - gains.beta * gains.beta * at_.Phi;
   held_ = true;

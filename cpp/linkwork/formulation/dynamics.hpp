@@ -78,6 +78,8 @@ class Dynamics {
   bool watches() const { return watched_ && system_.row_count() > 0; }
   /// Evaluations from here on serve a step that knows of singular poses: they are not looked at by the watch.
   void watch_evaluations(bool on) { watching_ = on; }
+  /// See SingularWatch.
+  void list_evaluations(bool on) { watch_.list_evaluations(on); }
   /// The least singular value of the constraint matrix here, in the metric of the masses and relative to its rows
   /// (which have unit length at the start), by inverse iteration: it goes linearly to zero toward a singular pose,
   /// whatever the order of elimination. 0 where the matrix has no factorization.
@@ -149,11 +151,11 @@ class Dynamics {
   bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
   /// Computes u from the current state with these gains (the user's, where given) and holds it for `rates`.
   void hold_correction(Gains gains);
-  void release_correction() { held_ = held_ && parts_ > 0; }
-  /// From here to end_parts a step is taken in so many equal parts: the correction that its first part holds is that of
+  void release_correction() { held_ = held_ && first_part_ > 0.0; }
+  /// From here to end_parts a step is taken in parts, the first of this share: the correction that it holds is that of
   /// the whole, and stays.
-  void begin_parts(int parts) { held_ = false, parts_ = parts; }
-  void end_parts() { held_ = false, parts_ = 0; }
+  void begin_parts(double share) { held_ = false, first_part_ = share; }
+  void end_parts() { held_ = false, first_part_ = 0.0; }
   /// For methods with memory: adds to `y` the two terms of u where they belong, h (-2 alpha Phi_dot) to v and
   /// h^2 (-beta^2 Phi) to q, both through the response of the mechanism; the default alpha = 1/(2h), beta = 1/h annuls
   /// both violations to first order.
@@ -216,7 +218,7 @@ class Dynamics {
   bool traces_ = false;
   VectorXd y_;  ///< the state of the last evaluate
   bool held_ = false, factorized_ = false;
-  int parts_ = 0;  ///< of a step that is taken in parts, else 0
+  double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
 };

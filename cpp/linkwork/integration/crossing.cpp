@@ -49,6 +49,7 @@ double Crossing::Quality::badness() const { return std::max(resolution, energy);
 
 Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics), poses_(dynamics) {
   const System& system = dynamics.system();
+  dynamics.list_evaluations(false);
   if (!dynamics.watches()) return;
   const LoopCore core(system, dynamics.evaluation(), rank_tolerance);
   in_loops_.resize(static_cast<std::size_t>(system.body_count()));

@@ -34,6 +34,9 @@ struct Leap {
 class Crossing final : public Interpolant {
  public:
   explicit Crossing(Dynamics& dynamics);
+  ~Crossing() override { dynamics_.list_evaluations(true); }
+  Crossing(const Crossing&) = delete;
+  Crossing& operator=(const Crossing&) = delete;
 
   /// Before a step of size h from (t, y), where `dynamics` is evaluated: whether a pose may be too near for it.
   bool due(double t, double h, const VectorXd& y, bool adaptive);

@@ -11,7 +11,10 @@
 namespace linkwork {
 namespace {
 
-/// One step of a one-step method in two halves, with the correction that a method with memory adds.
+constexpr double golden = 0.6180339887498949;
+constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
+
+/// One step of a one-step method in two parts, with the correction that a method with memory adds.
 class Starter final : public Integrator {
  public:
   explicit Starter(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
@@ -26,15 +29,18 @@ class Starter final : public Integrator {
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     correction_.setZero();
     dynamics.add_correction(h, correction_);
-    for (int half = 0; half < 2; ++half) {
-      if (half > 0) dynamics.evaluate(t + 0.5 * h, y);
-      evaluate_free_stages(tableau_, dynamics, {t + 0.5 * half * h, 0.5 * h}, y, k_, stage_);
-      add_combination(0.5 * h, tableau_.b, k_, y);
-    }
+    advance(dynamics, t, golden * h, y);
+    dynamics.evaluate(t + golden * h, y);
+    advance(dynamics, t + golden * h, (1.0 - golden) * h, y);
     y += correction_;
   }
 
  private:
+  void advance(Dynamics& dynamics, double t, double h, VectorXd& y) {
+    evaluate_free_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
+    add_combination(h, tableau_.b, k_, y);
+  }
+
   ButcherTableau tableau_;
   MatrixXd k_;
   VectorXd stage_, correction_;
@@ -46,18 +52,21 @@ double largest_column(const Eigen::Matrix3Xd& vectors) {
 
 }  // namespace
 
-SecondTake in_halves(std::unique_ptr<Integrator> integrator) {
-  const double gain = std::pow(2.0, integrator->order());
-  return {std::move(integrator), 2, gain > 1.0 ? gain / (gain - 1.0) : 1.0};
+SecondTake in_parts(std::unique_ptr<Integrator> integrator) {
+  const int order = integrator->order();
+  const double left = std::pow(golden, order + 1) + std::pow(1.0 - golden, order + 1);
+  return {std::move(integrator), golden, order > 0 ? left : 0.0};
 }
 
 SecondTake by_starter(const MultistepCoefficients& method) {
-  return {std::make_unique<Starter>(method.starter), 1, 1.0};
+  return {std::make_unique<Starter>(method.starter), 1.0, 0.0};
 }
 
-StepJudge::StepJudge(Dynamics& dynamics, SecondTake take)
+StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks)
     : dynamics_(dynamics),
       take_(std::move(take)),
+      factor_(1.0 / (1.0 - take_.left)),
+      breaks_(std::move(breaks)),
       projection_(dynamics),
       projects_(projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization())),
       violation_(dynamics.system()),
@@ -80,6 +89,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions) {
   try {
     take_again(step);
     compare(step, out);
+    if (step.history_new.size() > 0) compare_history(step, out);
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
     if (reactions && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
     out.failed = !y_.allFinite();
@@ -91,19 +101,49 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions) {
 }
 
 void StepJudge::take_again(const KeptStep& step) {
-  const double h = step.h / take_.parts;
+  const std::vector<Span> parts = parts_of(step);
   y_ = step.y;
   dynamics_.set_history(step.history);
-  dynamics_.begin_parts(take_.parts);
-  for (int part = 0; part < take_.parts; ++part) {
-    const double t = step.t + part * h;
-    dynamics_.evaluate(t, y_);
-    if (part == 0) leave_out(step.left_out);
+  dynamics_.begin_parts((parts.front().to - parts.front().from) / step.h);
+  for (const Span& part : parts) {
+    dynamics_.evaluate(part.from, y_);
+    if (&part == &parts.front()) leave_out(step.left_out);
     else dynamics_.advance_history();
-    take_.integrator->step(dynamics_, t, h, y_);
-    finish(t + h);
+    take_.integrator->step(dynamics_, part.from, part.to - part.from, y_);
+    finish(part.to);
   }
   dynamics_.end_parts();
+}
+
+void StepJudge::divide_parts(int times) {
+  divisions_ = times;
+  factor_ = 1.0 / (1.0 - std::pow(take_.left, times));
+}
+
+void StepJudge::divide(Span whole, int times, std::vector<Span>& parts) const {
+  if (times == 0) return parts.push_back(whole);
+  const double middle = whole.from + take_.share * (whole.to - whole.from);
+  divide({whole.from, middle}, times - 1, parts);
+  divide({middle, whole.to}, times - 1, parts);
+}
+
+/// What lies between breaks, on its own side of them, and the share of each.
+std::vector<StepJudge::Span> StepJudge::parts_of(const KeptStep& step) const {
+  const double end = step.t + step.h;
+  const double side = std::max(beside * step.h, 4.0 * std::numeric_limits<double>::epsilon() * std::abs(end));
+  std::vector<Span> parts;
+  double from = step.t;
+  const auto add = [&](double to) {
+    if (to - from > 2.0 * side) divide({from, to}, take_.share < 1.0 ? divisions_ : 0, parts);
+  };
+  for (auto it = std::lower_bound(breaks_.begin(), breaks_.end(), from - side); it != breaks_.end(); ++it) {
+    if (*it > end + side) break;
+    add(*it - side);
+    from = *it + side;
+  }
+  add(end);
+  if (parts.empty()) parts.push_back({step.t, end});
+  return parts;
 }
 
 /// The rows that the run left out in this step; others have become redundant since, or were before.
@@ -125,15 +165,26 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
     const Vec4<double> other = y_.segment<4>(p);
     const Vec4<double> turn =
         quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
-    raise(out.position, take_.factor * (a.segment<3>(r) - y_.segment<3>(r)).norm());
-    raise(out.rotation, take_.factor * 2.0 * turn.tail<3>().norm());
-    raise(out.velocity, take_.factor * (a.segment<3>(v) - y_.segment<3>(v)).norm());
-    raise(out.omega, take_.factor * (a.segment<3>(v + 3) - y_.segment<3>(v + 3)).norm());
+    raise(out.position, factor_ * (a.segment<3>(r) - y_.segment<3>(r)).norm());
+    raise(out.rotation, factor_ * 2.0 * turn.tail<3>().norm());
+    raise(out.velocity, factor_ * (a.segment<3>(v) - y_.segment<3>(v)).norm());
+    raise(out.omega, factor_ * (a.segment<3>(v + 3) - y_.segment<3>(v + 3)).norm());
     low_ = low_.min(a.segment<3>(r).array());
     high_ = high_.max(a.segment<3>(r).array());
     raise(out.speed, a.segment<3>(v).norm());
     raise(out.spin, a.segment<3>(v + 3).norm());
+    raise(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
+    raise(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
   }
+}
+
+/// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.
+void StepJudge::compare_history(const KeptStep& step, StepError& out) {
+  dynamics_.evaluate(step.t + step.h, y_);
+  dynamics_.advance_history();
+  const VectorXd& found = dynamics_.history();
+  for (Eigen::Index k = 0; k < found.size(); ++k)
+    if (const double apart = std::abs(found[k] - step.history_new[k]); apart > out.velocity) out.velocity = apart;
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
@@ -141,8 +192,8 @@ void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
   find_reactions(step.t + step.h, step.y_new, other_force_, other_torque_);
   out.largest_force = largest_column(force_);
   out.largest_torque = largest_column(torque_);
-  out.force = take_.factor * largest_column(force_ - other_force_);
-  out.torque = take_.factor * largest_column(torque_ - other_torque_);
+  out.force = factor_ * largest_column(force_ - other_force_);
+  out.torque = factor_ * largest_column(torque_ - other_torque_);
 }
 
 void StepJudge::find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque) {

@@ -10,18 +10,21 @@
 
 namespace linkwork {
 
-/// How the steps of a method are taken again: in so many parts by this integrator, and by which factor the difference
-/// is that of the step to the exact motion.
+/// How the steps of a method are taken again: by this integrator in two parts, the first of this share, each of which
+/// may be divided likewise, or with a share of 1 at once; and which part of the error is left then in two parts.
 struct SecondTake {
   std::unique_ptr<Integrator> integrator;
-  int parts = 2;
-  double factor = 1.0;
+  double share = 1.0;
+  double left = 0.0;
 };
 
-/// Two halves by the same one-step method, Richardson (1911): with a local error c h^(p+1) the halves are off by 2^-p
-/// of it, so it is (y_h - y_h/2,h/2) 2^p / (2^p - 1). An order of 0 is one that nobody knows: the factor is then 1.
-SecondTake in_halves(std::unique_ptr<Integrator> integrator);
-/// A method with memory cannot take its step in parts: it is compared with its one-step starter in two halves, whose
+/// Two parts a h and (1 - a) h by the same one-step method, Richardson (1911): with a local error c h^(p+1) the parts
+/// are off by b = a^(p+1) + (1 - a)^(p+1) of it, so it is the difference / (1 - b); in four parts / (1 - b^2). Halves
+/// would see a force that oscillates, or a driver that turns, in step with h / 4 as the whole step does, at rest: a is
+/// the golden ratio, which is in step with nothing. An order of 0 is one that nobody knows: nothing is then taken to be
+/// left.
+SecondTake in_parts(std::unique_ptr<Integrator> integrator);
+/// A method with memory cannot take its step in parts: it is compared with its one-step starter in two parts, whose
 /// error is small beside its own, from the same state and with the same correction of the violation.
 SecondTake by_starter(const MultistepCoefficients& method);
 
@@ -32,6 +35,7 @@ struct StepError {
   double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
   double force = 0.0, torque = 0.0;                                    ///< of reactions [N, N m]; NaN: not looked at
   double speed = 0.0, spin = 0.0;                                      ///< m/s, rad/s
+  double acceleration = 0.0, spin_rate = 0.0;                          ///< mean over the step [m/s^2, rad/s^2]
   double largest_force = 0.0, largest_torque = 0.0;                    ///< NaN likewise
   double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
   bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
@@ -40,7 +44,11 @@ struct StepError {
 /// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.
 class StepJudge {
  public:
-  StepJudge(Dynamics& dynamics, SecondTake take);
+  /// `breaks`, ascending [s]: where something is not smooth; parts end there.
+  StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks = {});
+  /// Parts are divided so many times, which makes two, four, eight: very long steps are far from what Richardson's
+  /// extrapolation asks for.
+  void divide_parts(int times);
 
   /// `reactions`: those, too; it takes two more evaluations.
   StepError judge(const KeptStep& step, bool reactions);
@@ -49,14 +57,23 @@ class StepJudge {
 
  private:
   void take_again(const KeptStep& step);
+  struct Span {
+    double from, to;
+  };
+  std::vector<Span> parts_of(const KeptStep& step) const;
+  void divide(Span whole, int times, std::vector<Span>& parts) const;
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
+  void compare_history(const KeptStep& step, StepError& out);
   void compare_reactions(const KeptStep& step, StepError& out);
   void find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque);
 
   Dynamics& dynamics_;
   SecondTake take_;
+  int divisions_ = 1;
+  double factor_;
+  std::vector<double> breaks_;
   Projection projection_;
   bool projects_;
   RelativeViolation violation_;

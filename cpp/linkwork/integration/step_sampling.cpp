@@ -9,12 +9,15 @@
 namespace linkwork {
 namespace {
 
-constexpr std::size_t usual_parts = 50;                // with one or two steps each
+constexpr std::size_t usual_parts = 40;                // with one or two steps each
 constexpr std::size_t most_bytes = 1u << 27;           // that kept steps may take
 constexpr int small_model = 50, most_looked_at = 500;  // bodies
+constexpr std::int64_t affordable = 50;                // steps, of 10 000
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
 constexpr std::size_t most_outliers = 4;
-constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
+constexpr std::size_t most_broken = 16;
+constexpr double same_time = 1e-9;  // relative to the step
+constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
 constexpr double energy_noise = 1e-13;
 constexpr double golden = 0.6180339887498949;  // spreads places evenly and in step with no period of the motion
 
@@ -72,13 +75,14 @@ StepSampling::StepSampling(const Dynamics& dynamics)
   parts_.reserve(2 * most_parts_ + 2);
 }
 
-// A step costs two when it is taken again: 2 % of 10 000 steps. Of shorter runs more than a hundredth is needed to say
-// something: all of a few, then 20, which takes no time in a small mechanism and up to 40 % in a large one of 100
-// steps.
+// A step costs three when it is taken again with all that belongs to it: 1.5 % of 10 000 steps. Of shorter runs more
+// than a hundredth is needed to say something: all of a few, then 20, which takes no time in a small mechanism and up
+// to 40 % in a large one of 100 steps.
 std::int64_t StepSampling::samples(std::int64_t steps, int bodies) {
   const std::int64_t few = bodies <= small_model ? 20 : std::clamp<std::int64_t>(steps / 10, 5, 20);
   if (steps <= few) return steps;
-  return std::clamp<std::int64_t>(steps / 20, few, 2 * static_cast<std::int64_t>(usual_parts));
+  return std::clamp<std::int64_t>(std::min(steps / 20, std::max(affordable, steps / 200)), few,
+                                  2 * static_cast<std::int64_t>(usual_parts));
 }
 
 void StepSampling::expect(std::int64_t steps) {
@@ -88,9 +92,24 @@ void StepSampling::expect(std::int64_t steps) {
 }
 
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
+  const VectorXd& history = dynamics.history();
+  if (history.size() > 0) look_for_contacts(history, y);
   balance(dynamics, y);
-  if (dynamics.history().size() > 0) history_ = dynamics.history();
+  if (history.size() > 0) history_ = history;
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
+}
+
+/// A variable that was zero is the speed of a contact that has begun. Of many the last ones are kept.
+void StepSampling::look_for_contacts(const VectorXd& now, const VectorXd& y) {
+  const bool begun =
+      last_.kept() && history_.size() == now.size() && ((history_.array() == 0.0) && (now.array() != 0.0)).any();
+  if (begun) {
+    const std::size_t place = static_cast<std::size_t>(steps_with_contacts_) % std::min(most_broken, most_parts_);
+    steps_with_contacts_ += 1;
+    if (place == contacts_.size()) contacts_.emplace_back();
+    keep(contacts_[place], last_.t, last_.h, last_.change, last_.y, y);
+    contacts_[place].history_new = now;
+  }
 }
 
 void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
@@ -103,7 +122,7 @@ void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
   energies_.largest_potential = std::max(energies_.largest_potential, potential);
   const double noise = energy_noise * std::max({kinetic, std::abs(potential), std::abs(work)});
   const double made = std::abs(balance - balance_);
-  if (last_.kept() && made > noise) keep_jump(std::sqrt(kinetic_ + made) - std::sqrt(kinetic_), y);
+  if (last_.kept() && made > noise) keep_jump(made / std::sqrt(4.0 * kinetic_ + made), y);
   last_.h = 0.0;
   kinetic_ = kinetic;
   balance_ = balance;
@@ -111,18 +130,20 @@ void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
 
 void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
   sum_of_jumps_ += jump;
+  if (jump <= least_jump_) return;
+  const auto smaller = [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; };
   if (worst_.size() < most_outliers) worst_.emplace_back();
-  const auto least = std::min_element(worst_.begin(), worst_.end(),
-                                      [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; });
-  if (jump <= least->jump) return;
+  const auto least = std::min_element(worst_.begin(), worst_.end(), smaller);
   least->jump = jump;
   keep(least->step, last_.t, last_.h, last_.change, last_.y, y_new);
+  if (worst_.size() == most_outliers) least_jump_ = std::min_element(worst_.begin(), worst_.end(), smaller)->jump;
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
   if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
   RunPart& part = parts_.back();
   const double changed = change(h, y, y_new);
+  if (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) meet_break(t, h, y, y_new);
   if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
   if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
   else if (changed > steeper * std::max(part.steepest.change, part.any.change))
@@ -137,12 +158,25 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   steps_ += 1;
 }
 
+/// A break at the end is met here, where the last stage may be, and not once more where the next step begins. Of many
+/// breaks those are kept that spread over all of them.
+void StepSampling::meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+  const std::size_t every = 1 + breaks_.size() / std::min(most_broken, most_parts_), first = next_break_;
+  while (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) ++next_break_;
+  if (breaks_[next_break_ - 1] < t - same_time * h) return;
+  steps_with_breaks_ += 1;
+  if ((first + every - 1) / every == (next_break_ + every - 1) / every) return;
+  broken_.emplace_back();
+  keep(broken_.back(), t, h, 0.0, y, y_new);
+}
+
 /// |(v_new - v)/h - (the same of the step before)|
 double StepSampling::change(double h, const VectorXd& y, const VectorXd& y_new) {
   double sum = 0.0;
+  const double per_second = 1.0 / h;
   for (int body = 0; body < body_count_; body += every_body_) {
     const Eigen::Index v = q_size_ + velocity_size * body, own = velocity_size * body;
-    const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) / h;
+    const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) * per_second;
     const Eigen::Matrix<double, 6, 1> other = rate - rates_.segment<6>(own);
     sum += other.head<3>().squaredNorm() + squared_length_ * other.tail<3>().squaredNorm();
     rates_.segment<6>(own) = rate;
@@ -192,6 +226,28 @@ std::vector<KeptStep> StepSampling::outliers(const std::vector<RunPart>& parts) 
   }
   return out;
 }
+
+namespace {
+
+/// One for each of these steps, of which there were so many.
+std::vector<RunPart> parts_of(const std::vector<KeptStep>& kept, std::int64_t count) {
+  std::vector<RunPart> out;
+  const std::int64_t each = kept.empty() ? 0 : (count - 1) / static_cast<std::int64_t>(kept.size()) + 1;
+  for (const KeptStep& step : kept) {
+    out.emplace_back();
+    out.back().steps = each;
+    out.back().t = step.t;
+    out.back().seconds = static_cast<double>(each) * step.h;
+    out.back().any = step;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<RunPart> StepSampling::broken() const { return parts_of(broken_, steps_with_breaks_); }
+
+std::vector<RunPart> StepSampling::contacts() const { return parts_of(contacts_, steps_with_contacts_); }
 
 double time_sampling(const Dynamics& dynamics, std::int64_t steps) {
   StepSampling sampling(dynamics);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "linkwork/formulation/dynamics.hpp"
@@ -14,6 +15,7 @@ struct KeptStep {
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
   VectorXd y, y_new;
   VectorXd history;           ///< variables of the elements, at t
+  VectorXd history_new;       ///< at t + h, of a step in which contacts begin; else empty
   std::vector<int> left_out;  ///< redundant rows, at t
 
   bool kept() const { return h > 0.0; }
@@ -44,14 +46,18 @@ struct RunPart {
 /// large models only some bodies are looked at.
 ///
 /// A single bad step, such as one beside a singular pose, shows in the balance of energy, which costs no evaluation:
-/// with T and B = T + V - W at the start of a step and B' at its end, speeds in the metric of the masses are off by at
-/// least (T + |B' - B|)^1/2 - T^1/2. The steps in which this is largest are kept, too.
+/// with T and B = T + V - W at the start of a step and B' at its end, d = |B' - B|, speeds in the metric of the masses
+/// are off by at least (T + d)^1/2 - T^1/2, about d / (4 T + d)^1/2. The steps in which this is largest are kept, too.
 class StepSampling {
  public:
   explicit StepSampling(const Dynamics& dynamics);
 
   /// The run will have so many steps.
   void expect(std::int64_t steps);
+  /// Times [s], ascending, at which something is not smooth: steps that contain one are kept, too, if there are not
+  /// many.
+  void expect_breaks(std::vector<double> times) { breaks_ = std::move(times); }
+  const std::vector<double>& breaks() const { return breaks_; }
 
   // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
@@ -68,6 +74,10 @@ class StepSampling {
   const EnergyRange& energies() const { return energies_; }
   /// The steps in which the balance of energy jumps far more than elsewhere, without those of `parts`.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
+  /// The steps that contain breaks: a part of the run of its own for each that was kept.
+  std::vector<RunPart> broken() const;
+  /// The steps in which contacts begin likewise: at which speed is found one step late, and held from there on.
+  std::vector<RunPart> contacts() const;
 
   /// How many of so many steps are taken again.
   static std::int64_t samples(std::int64_t steps, int bodies);
@@ -79,8 +89,10 @@ class StepSampling {
     KeptStep step;
   };
 
+  void look_for_contacts(const VectorXd& now, const VectorXd& y);
   void balance(const Dynamics& dynamics, const VectorXd& y);
   void keep_jump(double jump, const VectorXd& y_new);
+  void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
   double change(double h, const VectorXd& y, const VectorXd& y_new);
   void begin_part(double t);
   void keep(KeptStep& place, double t, double h, double change, const VectorXd& y, const VectorXd& y_new) const;
@@ -98,9 +110,13 @@ class StepSampling {
   const System& system_;
   double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
   EnergyRange energies_;
-  double sum_of_jumps_ = 0.0;
+  double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   std::vector<Balanced> worst_;
+  std::vector<double> breaks_;
+  std::size_t next_break_ = 0;
+  std::int64_t steps_with_breaks_ = 0, steps_with_contacts_ = 0;
+  std::vector<KeptStep> broken_, contacts_;
 };
 
 /// Time that a run of so many steps spends on following them, without what they take themselves [s].

@@ -45,6 +45,7 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
     ("reference_error", float, "Its own error, as state errors are measured, where it is known."),
     ("processes", click.IntRange(min=1), "Runs at the same time; without it one a processor."),
     ("time_limit", float, "Of one run, wall time [s]."),
+    ("on_inaccurate", str, "A run that estimates to be more than 1 % off: pass, warn or stop."),
     ("resume", click.Path(), "Folder that keeps every finished run, and from which a comparison goes on."),
 )
 

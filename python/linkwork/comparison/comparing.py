@@ -21,7 +21,7 @@ from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError, warn
 from linkwork.manifest import platform_facts
 from linkwork.model import Model
-from linkwork.options import TABLE, check_number, check_option
+from linkwork.options import TABLE, check_name, check_number, check_option, names
 from linkwork.progress import ShowOption, counting
 from linkwork.recording import frame_bytes
 from linkwork.result import Result
@@ -53,6 +53,7 @@ def compare(
     processes: int | None = None,
     time_limit: float | None = None,
     resume: str | os.PathLike[str] | None = None,
+    on_inaccurate: str = "pass",
     progress: ShowOption = None,
     **options: Any,
 ) -> Comparison:
@@ -76,6 +77,8 @@ def compare(
     time_limit      of one cell [s]; beyond it the cell is lost
     resume          a folder in which every finished cell is kept at once, and from which an interrupted
                     comparison goes on, also with more cells
+    on_inaccurate   what a run's own estimate of more than 1 % means to its cell, see simulate: "warn" adds a
+                    remark, "stop" ends the run, which counts as failed. The errors of cells are measured
     progress        None: a line on a terminal after two seconds; False: nothing
     options         further options of every cell, see linkwork.options.Options
 
@@ -88,6 +91,7 @@ def compare(
     """
     model, t_end, recommended = _resolved(model, t_end)
     _check(processes, time_limit, reference, reference_error, options)
+    check_name("on_inaccurate", on_inaccurate, names()["on_inaccurate"])
     axes = (formulations, stabilizations, integrators, linear_solvers)
     rtols, asked = _numbers("tolerances", tolerances) or [], _numbers("steps", steps)
     methods = choices(*axes, options, adaptive=bool(rtols) and not asked)
@@ -108,7 +112,7 @@ def compare(
         else:
             exact = _solved(model, t_end, sampling.times(asked or []), store, count, report)
         times = exact.motion.t if reference is not None else None
-        task = Runs(model, t_end, sampling, exact, times)
+        task = Runs(model, t_end, sampling, exact, times, on_inaccurate)
         found = _run(task, grid, known, store, count, time_limit, report)
     manifest = {"model": model.name, "model_hash": model.hash(), "processes": count, **platform_facts()}
     outcomes = [it for it in found if isinstance(it, Outcome)]
@@ -210,7 +214,7 @@ def _solved(
     made = solved_reference(model, t_end, times, processes, beat=lambda _: report(0, "reference solution"))
     if made.error is not None and made.error["state_error"] > GOOD_ENOUGH:
         warn(
-            f"reference of {model.name or 'the model'}: two runs at tight tolerances differ by "
+            f"reference of {model.name or 'the model'}: it is only known to "
             f"{made.error['state_error']:.1e} of the motion; smaller errors cannot be told from it: shorten "
             "the run, or give a known solution as reference"
         )

@@ -72,7 +72,8 @@ class Outcome:
                another error; lost: the process died or was too slow
     reason     of a cell that did not finish
     t_reached  [s]
-    errors     see linkwork.comparison.measures; `reaction_error` of joints with unique reactions alone
+    errors     see linkwork.comparison.measures; `reaction_error` of joints with unique reactions alone;
+               `estimated_error` is what the run says of itself, see Result.verdict
     seconds    wall time of the steps, without the setup; the shortest of up to nine for short runs
     """
 
@@ -90,6 +91,7 @@ class Outcome:
     velocity_error: float | None = None
     state_error: float | None = None
     reaction_error: float | None = None
+    estimated_error: float | None = None
     position_violation: float | None = None
     velocity_violation: float | None = None
     acceleration_violation: float | None = None
@@ -184,6 +186,7 @@ class Runs:
     sampling: Sampling
     reference: Reference
     times: Floats | None  #: of a reference that was given
+    on_inaccurate: str = "pass"
 
     def __call__(self, item: Cell | order.Study) -> Outcome | order.OrderStudy:
         return self.cell(item) if isinstance(item, Cell) else self.study(item)
@@ -249,7 +252,9 @@ class Runs:
     def _timed(self, given: Mapping[str, Any]) -> tuple[Result, float]:
         spent: list[float] = []
         while not spent or (sum(spent) < SHORT_SECONDS and len(spent) < REPEATS):
-            result = simulate(self.model, self.t_end, progress=False, on_inaccurate="pass", **given)
+            result = simulate(
+                self.model, self.t_end, progress=False, on_inaccurate=self.on_inaccurate, **given
+            )
             spent.append(float(result.statistics["driver_seconds"]))
         return result, min(spent)
 
@@ -265,7 +270,10 @@ class Runs:
             differences.t.tolist(), _list(state), result.violation[compared].tolist(),
             _list(result.energy_error[compared]),
         )  # fmt: skip
-        figures: dict[str, Any] = {**_numbers(errors), **_observed(result), **counted, "seconds": seconds}
+        own = {"estimated_error": result.verdict.error if result.verdict is not None else np.nan}
+        figures: dict[str, Any] = {
+            **_numbers({**errors, **own}), **_observed(result), **counted, "seconds": seconds,
+        }  # fmt: skip
         return Outcome(
             **_identity(cell, result.manifest["options"]),
             status="finished",

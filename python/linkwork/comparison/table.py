@@ -64,7 +64,7 @@ class Comparison:
 
     def rows(self) -> list[dict[str, Any]]:
         """The table: the figures of each cell, and its observed orders."""
-        orders = self._orders()
+        orders, noise = self._orders(), self._noise()
         asymptotic = self.orders()
         return [
             {
@@ -72,7 +72,7 @@ class Comparison:
                 **orders[place],
                 "asymptotic_order": asymptotic[it.label] if it.step else None,
                 "work": self.work(it),
-                "noise": [error for error in ERRORS if self.is_noise(it, error)],
+                "noise": noise[place],
             }
             for place, it in enumerate(self.outcomes)
         ]
@@ -244,6 +244,16 @@ class Comparison:
                 found[places[id(fine)]] = {
                     name: self._order(coarse, fine, error) for error, name in ORDERS.items()
                 }
+        return found
+
+    def _noise(self) -> list[list[str]]:
+        """The errors of each cell from which no order follows: noise, also what smaller steps make of it."""
+        found: list[list[str]] = [[e for e in ERRORS if self.is_noise(it, e)] for it in self.outcomes]
+        places = {id(it): place for place, it in enumerate(self.outcomes)}
+        for cells in self.methods.values():
+            for coarse, fine in pairwise(_stepped(cells)):
+                before, own = found[places[id(coarse)]], found[places[id(fine)]]
+                own += [error for error in before if error not in own]
         return found
 
     def _order(self, coarse: Outcome, fine: Outcome, error: str) -> float | None:

@@ -48,7 +48,7 @@ COLUMNS: tuple[Column, ...] = (
     Column("constraints\nacceleration", _figure("acceleration_violation", "{:.0e}"), 8),
     Column("energy\nerror [J]", _figure("energy_error", "{:.1e}"), 6),
     Column("evalua-\ntions", _figure("evaluations", "{:,}"), 10),
-    Column("time\n[s]", _figure("seconds", "{:.3f}")),
+    Column("time\n[s]", _figure("seconds", "{:.2g}")),
     Column("status", lambda outcome, row: outcome.verdict, 1, text=True),
 )
 
@@ -99,7 +99,8 @@ def notes(comparison: Comparison) -> list[str]:
 
 def _noise(comparison: Comparison) -> list[str]:
     """Which errors say nothing about the order."""
-    count = sum(comparison.is_noise(it, "pose_error") and it.step is not None for it in comparison.outcomes)
+    noisy = ("pose_error" in row["noise"] for row in comparison.rows() if row["step"] is not None)
+    count = sum(noisy)
     if not count:
         return []
     own = (comparison.reference.error or {})["pose_error"]
