@@ -76,7 +76,7 @@ CHOICES = [
     {"rtol": 1e-8},
     {"step": 1e-3, "formulation": "penalty"},
     {"step": 1e-3, "formulation": "augmented_lagrangian"},
-    {"step": 1e-3, "linear_solver": "cholmod"},
+    {"step": 1e-3, "linear_solver": "eigen_ldlt"},
 ]
 
 

@@ -43,8 +43,8 @@ REFUSED: dict[str, tuple[dict[str, Any], list[str]]] = {
         ["frequency", "baumgarte_alpha"],
     ),
     "a solver that cannot factorize the system": (
-        {"system": "kkt", "linear_solver": "cholmod"},
-        ["'cholmod'", "kkt", "'schur'"],
+        {"system": "kkt", "linear_solver": "eigen_ldlt"},
+        ["'eigen_ldlt'", "kkt", "'schur'"],
     ),
     "a system that the formulation does not have": (
         {"formulation": "penalty", "system": "schur"},

@@ -109,7 +109,7 @@ RUNS = [
     {"integrator": "hem4", "stabilization": "projection"},
     {"integrator": "phem56", "stabilization": "none"},
     {"integrator": "abm4"},
-    {"system": "schur", "linear_solver": "cholmod"},
+    {"system": "schur", "linear_solver": "eigen_ldlt"},
     {"system": "schur", "linear_solver": "dense"},
 ]
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "linkwork/constraints/constraint_kernel.hpp"
@@ -230,8 +231,9 @@ std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
     for (SparseRows::InnerIterator it(A, row); it; ++it)
       if (const int body = static_cast<int>(it.col()) / velocity_size; bodies.empty() || bodies.back() != body)
         bodies.push_back(body);
-    groups.push_back(groups.empty() ? 0 : groups.back() + (bodies != last));
-    last = bodies;
+    const bool same = std::equal(bodies.begin(), bodies.end(), last.begin(), last.end(), std::equal_to<>());
+    groups.push_back(groups.empty() ? 0 : groups.back() + !same);
+    if (!same) last.swap(bodies);
   }
   return groups;
 }
@@ -239,7 +241,9 @@ std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
 }  // namespace
 
 Places dependent_rows(const SparseRows& A, double tolerance) {
-  return dependent_columns(A.transpose(), tolerance, neighbors_on_same_bodies(A));
+  const Eigen::Map<const Eigen::SparseMatrix<double>> transposed(A.cols(), A.rows(), A.nonZeros(), A.outerIndexPtr(),
+                                                                 A.innerIndexPtr(), A.valuePtr());
+  return dependent_columns(transposed, tolerance, neighbors_on_same_bodies(A));
 }
 
 CorePose::CorePose(const System& system, const LoopCore& core, const TimedPose& pose, double tolerance)

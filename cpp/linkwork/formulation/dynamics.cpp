@@ -29,11 +29,6 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-bool available(const std::string& solver) {
-  const auto& all = linear_solvers();
-  return std::any_of(all.begin(), all.end(), [&](const auto& info) { return info.name == solver && info.available(); });
-}
-
 /// The matrix of the formulation: as asked for, or the first that the linear solver can factorize.
 std::string choose_form(const FormulationInfo& info, const Options& options, bool redundant) {
   const bool given = options.system != "auto";
@@ -58,8 +53,7 @@ std::string choose_solver(const std::string& form, const Options& options, const
   if (form != "schur" && regular) return "block";
   const int size = form == "schur" ? system.row_count() : system.v_size() + (form == "kkt" ? system.row_count() : 0);
   if (size <= dense_rows) return "dense";
-  if (form == "kkt") return available("umfpack") ? "umfpack" : "klu";
-  return "cholmod";
+  return form == "kkt" ? first_available({"umfpack", "klu"}) : first_available({"cholmod", "eigen_ldlt"});
 }
 
 }  // namespace

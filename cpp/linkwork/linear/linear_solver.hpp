@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -55,6 +56,8 @@ struct LinearSolverInfo {
   std::unique_ptr<LinearSolver> (*make)(Storage) = nullptr;
   /// Instead of `make`: a solver that works on the blocks of the equations themselves, without a sparse matrix.
   std::unique_ptr<SaddleSolver> (*make_saddle)() = nullptr;
+  /// Why there is neither in this build; empty where there is one.
+  std::string missing;
 
   bool available() const { return make || make_saddle; }  ///< in this build
 };
@@ -63,6 +66,8 @@ struct LinearSolverInfo {
 const std::vector<LinearSolverInfo>& linear_solvers();
 /// The solver with this name; an OptionError where it is unknown or not in this build.
 const LinearSolverInfo& linear_solver_info(const std::string& name);
+/// The first of these names that is in this build.
+std::string first_available(std::initializer_list<const char*> names);
 
 #define LINKWORK_SOLVER(NAME) LinearSolverInfo NAME##_solver();
 #include "linkwork/linear/solvers.def"

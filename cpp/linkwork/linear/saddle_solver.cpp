@@ -15,11 +15,13 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const 
   if (!can_solve(form, solver) && solver.make_saddle)
     throw OptionError("linear_solver", "linear solver '" + solver.name +
                                            "' works on the blocks of the kkt matrix and forms no other; use system "
-                                           "'kkt' or 'auto', or linear solver 'cholmod'");
+                                           "'kkt' or 'auto', or linear solver '" +
+                                           first_available({"cholmod", "eigen_ldlt"}) + "'");
   if (!can_solve(form, solver))
     throw OptionError("linear_solver", "linear solver '" + solver.name +
                                            "' needs a positive definite matrix and the kkt matrix is indefinite; use "
-                                           "system 'schur', or linear solver 'umfpack'");
+                                           "system 'schur', or linear solver '" +
+                                           first_available({"umfpack", "klu"}) + "'");
   if (solver.make_saddle) return solver.make_saddle();
   if (form == "kkt") return detail::make_kkt(solver.make(Storage::full));
   const bool symmetric = solver.positive_definite || solver.name == "dense";
