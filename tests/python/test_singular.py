@@ -385,4 +385,6 @@ def test_a_policy_that_nothing_could_watch_for_is_refused() -> None:
     with pytest.raises(
         lw.OptionError, match=r"on_singular 'stop'.*'penalty'.*'eigen_ldlt'.*use linear solver 'block'"
     ):
-        lw.System(mechanisms.four_bar(), formulation="penalty", linear_solver="eigen_ldlt", on_singular="stop")
+        lw.System(
+            mechanisms.four_bar(), formulation="penalty", linear_solver="eigen_ldlt", on_singular="stop"
+        )
