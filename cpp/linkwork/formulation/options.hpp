@@ -16,7 +16,7 @@ struct Options {
   std::optional<double> baumgarte_alpha, baumgarte_beta;  ///< [1/s]
   std::optional<double> penalty;        ///< the same for all rows; without it penalty_scale / (D M^-1 D^T)_ii
   std::optional<double> penalty_scale;  ///< without it the formulation chooses
-  double tolerance = 1e-12;             ///< of augmented_lagrangian: ||d v_dot|| <= tolerance (1 + ||v_dot||)
+  double tolerance = 1e-12;             ///< of augmented_lagrangian: |d v_dot| <= tolerance (|v_dot| + |M^-1 g|)
   int max_iterations = 100;
   std::string on_singular = "pass";  ///< at a singular pose: "pass", "warn" or "stop"
   /// Of the largest |Phi|, |Phi_dot|, |D v_dot - gamma| at the ends of steps, and what to do beyond: "record",
