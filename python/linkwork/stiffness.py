@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import _core
 from linkwork.errors import LinkworkError
 from linkwork.extent import extent
 from linkwork.system import System

@@ -199,7 +199,7 @@ def eigenvalues(model: lw.Model, units: Units) -> Any:
 @pytest.mark.parametrize(
     ("analysis", "name"),
     [
-        *((rest, name) for name in ("pendulum", "four_bar", "flyball_governor", "double_wishbone")),
+        *((rest, name) for name in ("pendulum", "double_wishbone")),
         *((driven_motion, name) for name in ("stewart_platform", "delta_robot")),
         (eigenvalues, "double_wishbone"),
     ],

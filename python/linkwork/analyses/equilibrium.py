@@ -27,7 +27,7 @@ ACCEPTED, WANTED = 1e-9, 1e-13
 #: Steps below this part of the size of the mechanism are rounding.
 ROUNDING = 1e-13
 
-#: Violations of joints, relative to the size of the mechanism: what is none, and what may be left of rounding.
+#: Violations of joints, relative to the size of the mechanism: none, and what rounding may leave.
 MET, NEARLY_MET = 1e-13, 1e-10
 
 #: The most a step may move a body [rad, sizes of the mechanism].

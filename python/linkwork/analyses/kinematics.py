@@ -298,7 +298,7 @@ class _Follower:
 
     def _closed(self, Phi: Floats) -> bool:
         """Whether redundant equations hold as well as the others."""
-        return self.equations.violation(Phi) < CLOSED + self.equations.rounding
+        return bool(self.equations.violation(Phi) < CLOSED + self.equations.rounding)
 
     def _moment(self, t: float, q: Floats, last: _Moment | None) -> _Moment:
         """With velocities and accelerations; what a singular pose leaves open goes on as before."""
