@@ -48,6 +48,7 @@ std::vector<int> fill_reducing_order(const NumberLists& graph) {
 #include <amd.h>
 
 #include <new>
+#include <numeric>
 
 namespace linkwork::block {
 namespace {
@@ -65,6 +66,8 @@ auto& at(Container& container, int k) {
 
 Numbers minimum_degree(const NumberLists& graph) {
   Numbers order(graph.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (graph.numbers().empty()) return order;  // which AMD does not take
   if (amd_order(static_cast<int>(graph.size()), graph.begins().data(), graph.numbers().data(), order.data(), nullptr,
                 nullptr) < AMD_OK)
     throw std::bad_alloc();
@@ -80,7 +83,7 @@ class Dissection {
 
   Numbers run() {
     Numbers all(graph_.size());
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
+    std::iota(all.begin(), all.end(), 0);
     stack_.push_back({std::move(all), 0});
     while (!stack_.empty()) {
       Part part = std::move(stack_.back());
