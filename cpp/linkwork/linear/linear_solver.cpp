@@ -35,7 +35,7 @@ const LinearSolverInfo& linear_solver_info(const std::string& name) {
   }
   if (!found->available())
     throw OptionError("linear_solver_not_built", "linear solver '" + name + "' is not in this build: " +
-                                                     found->missing + "; there are: " + joined_available());
+                                                     found->missing + "; choose from: " + joined_available());
   return *found;
 }
 
