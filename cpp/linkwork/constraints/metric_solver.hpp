@@ -22,7 +22,7 @@ class MetricSolver {
 
   /// False where the matrix is singular; `e` as in SaddleSolver.
   bool factorize(const Evaluation& at, const VectorXd& e);
-  const SaddleSolver& saddle() const { return *saddle_; }
+  SaddleSolver& saddle() const { return *saddle_; }
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
  private:

@@ -49,7 +49,7 @@ class AugmentedLagrangian final : public Formulation {
     if (!raise_penalties(a, b, v_dot, lambda)) throw_not_converged();
   }
 
-  const SaddleSolver& saddle() const override { return *saddle_; }
+  SaddleSolver& saddle() const override { return *saddle_; }
 
  private:
   /// Tries scales on the initial state until the iteration is quick.

@@ -18,8 +18,11 @@ constexpr int timed_bodies = 20;     // below, a look at the clock takes as long
 constexpr int timed_evaluations = 17;   // the first ones, then one in so many: not always the same stage of a step
 constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
 constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
+constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
 constexpr int most_refinements = 20;
-constexpr double broken = -1.0;    // for a pivot of a factorization that broke down
+constexpr int first_iterations = 4, more_iterations = 2;  // toward the least singular value
+constexpr double news = 0.1;                              // part of a vector in any direction
+constexpr double broken = -1.0;                           // for a pivot of a factorization that broke down
 constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
@@ -83,6 +86,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
   dropped_.take_out(at_);
+  scale_rows(rows.mobility);
   formulation_->analyze(system_, at_, rows);
   rank_needed_ = info.needs_full_rank;
   watched_ = rank_needed_ || linear_solver_info(options_.linear_solver).make_saddle;
@@ -215,7 +219,7 @@ PoseExamination Dynamics::examine_here(double pivot) const {
 /// A small pivot, or any inside a passage. False where the factorization is another one than before.
 bool Dynamics::inspect(double pivot) {
   if (watch_.open()) {
-    watch_.go_on(t_, pivot);
+    watch_.go_on(pivot);
   } else {
     PoseExamination found = examine_here(pivot);
     if (found.rows.empty()) {
@@ -227,7 +231,7 @@ bool Dynamics::inspect(double pivot) {
       change_redundant_rows(std::move(found.better_choice));
       return false;
     }
-    watch_.begin(t_, pivot, std::move(found.joints));
+    watch_.begin();
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
@@ -235,28 +239,70 @@ bool Dynamics::inspect(double pivot) {
   return false;
 }
 
-/// Takes the choice where it is one, and better than the present one.
-bool Dynamics::choose_rows(PoseExamination& found, double pivot) {
-  if (found.better_choice.empty()) return false;
-  const std::vector<int> before = dropped_.rows();
+void Dynamics::scale_rows(const VectorXd& mobility) {
+  row_scale_ = mobility.cwiseSqrt();
+  dropped_.take_from(row_scale_);
+  some_.resize(row_scale_.size());
+  for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = std::cos(1.0 + 2.4 * static_cast<double>(k));
+  least_singular_.resize(0);
+}
+
+// With S = D M^-1 D^T, scaled by s = diag(S)^1/2 of the start, u <- s S^-1 s u; the quotient u^T s^-1 S s^-1 u =
+// lambda^T D x, where lambda = S^-1 s u and x = M^-1 D^T lambda, is not touched by penalties in the factorization. The
+// last u may be without any part of a vector that has become the least one: a little of all is added.
+double Dynamics::least_singular_value() {
+  VectorXd& u = least_singular_;
+  const bool begins = u.size() == 0;
+  if (begins) u.setZero(row_scale_.size());
+  u += news / std::sqrt(static_cast<double>(u.size())) * some_;
+  const VectorXd none = VectorXd::Zero(system_.v_size());
+  double quotient = 0.0;
   try {
-    change_redundant_rows(std::move(found.better_choice));
+    factorize();
+    for (int k = 0; k < (begins ? first_iterations : more_iterations); ++k) {
+      b_ = row_scale_.cwiseProduct(u);
+      formulation_->saddle().solve(none, b_, x_, lambda_);
+      u = row_scale_.cwiseProduct(lambda_);
+      const double length = u.norm();
+      u /= length;
+      system_.multiply_mass(x_, v_dot_);
+      quotient = x_.dot(v_dot_) / (length * length);
+    }
+  } catch (const SingularSystemError&) {
+    quotient = 0.0;
+  }
+  if (u.allFinite() && std::isfinite(quotient)) return std::sqrt(std::max(quotient, 0.0));
+  u.resize(0);
+  return 0.0;
+}
+
+/// Takes the choice where it makes the root of the smallest pivot at least so large.
+bool Dynamics::choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root) {
+  const std::vector<int> before = dropped_.rows();
+  if (rows.empty() || rows == before) return false;
+  const double pivot = formulation_->saddle().smallest_pivot();
+  try {
+    change_redundant_rows(std::move(rows));
   } catch (const SingularSystemError&) {
   }
-  if (!(root_of_pivot() >= well_chosen * watch_.root_of_level())) {
+  if (!(root_of_pivot() >= least_root)) {
     change_redundant_rows(before);
     return false;
   }
-  watch_.change_rows(t_, pivot, std::move(found.joints));
+  watch_.change_rows(t_, pivot, std::move(joints));
   return true;
 }
 
 bool Dynamics::improve_rows() {
   if (dropped_.empty()) return false;
   factorize();
-  const double pivot = formulation_->saddle().smallest_pivot();
-  PoseExamination found = examine_here(pivot);
-  if (!choose_rows(found, pivot)) return false;
+  const VectorXd q = y_.head(system_.q_size());
+  std::vector<int> rows = choose_redundant_rows(system_, {t_, q, history_}, dropped_.rows()), joints;
+  for (const int row : dropped_.rows())
+    if (!std::binary_search(rows.begin(), rows.end(), row))
+      if (const int joint = system_.model().joint_of_row(row); joints.empty() || joints.back() != joint)
+        joints.push_back(joint);
+  if (!choose_rows(std::move(rows), std::move(joints), better * root_of_pivot())) return false;
   watch_.forget_trend();
   return true;
 }
@@ -265,7 +311,9 @@ bool Dynamics::cross(const VectorXd& y, double pivot) {
   const VectorXd q = y.head(system_.q_size());
   PoseExamination found =
       examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
-  if (found.rows.empty() || choose_rows(found, pivot) || !found.singular) return false;
+  if (found.rows.empty()) return false;
+  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * watch_.root_of_level())) return false;
+  if (!found.singular) return false;
   watch_.cross(t_, pivot, std::move(found.joints));
   return true;
 }
@@ -276,6 +324,7 @@ void Dynamics::change_redundant_rows(std::vector<int> rows) {
   const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
   dropped_.take_out(at_);
+  scale_rows(now.mobility);
   formulation_->analyze(system_, at_, now);
   formulation_->factorize(at_);
 }

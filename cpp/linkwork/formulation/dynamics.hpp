@@ -78,6 +78,10 @@ class Dynamics {
   bool watches() const { return watched_ && system_.row_count() > 0; }
   /// Evaluations from here on serve a step that knows of singular poses: they are not looked at by the watch.
   void watch_evaluations(bool on) { watching_ = on; }
+  /// The least singular value of the constraint matrix here, in the metric of the masses and relative to its rows
+  /// (which have unit length at the start), by inverse iteration: it goes linearly to zero toward a singular pose,
+  /// whatever the order of elimination. 0 where the matrix has no factorization.
+  double least_singular_value();
   /// Of the last factorization: the root of the smallest pivot, see SingularWatch.
   double root_of_pivot() const { return std::sqrt(std::max(formulation_->saddle().smallest_pivot(), 0.0)); }
   /// At a pose that was stepped over, the state of the last evaluation: whether it is singular. It is listed then; and
@@ -171,7 +175,8 @@ class Dynamics {
   PoseExamination examine_here(double pivot) const;
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
-  bool choose_rows(PoseExamination& found, double pivot);
+  void scale_rows(const VectorXd& mobility);
+  bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
   void take_over();
   bool look_at(double pivot);
   void look_for_switches();
@@ -203,6 +208,9 @@ class Dynamics {
   std::function<void()> observer_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
+  VectorXd row_scale_;       ///< roots of the mobilities of kept rows, 0 of dropped ones
+  VectorXd least_singular_;  ///< the last left singular vector; empty: none yet
+  VectorXd some_;            ///< a vector with a part in all directions
   double t_ = 0.0;
   int stage_ = 1, clocked_ = 1;
   bool traces_ = false;
@@ -211,6 +219,18 @@ class Dynamics {
   int parts_ = 0;  ///< of a step that is taken in parts, else 0
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
+};
+
+/// While it is there the watch does not look at evaluations.
+class Unwatched {
+ public:
+  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.watch_evaluations(false); }
+  ~Unwatched() { dynamics_.watch_evaluations(true); }
+  Unwatched(const Unwatched&) = delete;
+  Unwatched& operator=(const Unwatched&) = delete;
+
+ private:
+  Dynamics& dynamics_;
 };
 
 /// The error for y = (q, v, work) that is not finite, or from which nothing finite follows. It names what comes first:

@@ -46,7 +46,7 @@ class Formulation : public ConstrainedSolver {
     solve(a, b, v_dot, lambda);
   }
 
-  virtual const SaddleSolver& saddle() const = 0;
+  virtual SaddleSolver& saddle() const = 0;
   const IterationStatistics& iterations() const { return iterations_; }
 
  protected:

@@ -26,7 +26,7 @@ class Penalty final : public Formulation {
                            MutableVector lambda) override {
     saddle_->factorize_and_solve(at, compliance_, a, b, v_dot, lambda);
   }
-  const SaddleSolver& saddle() const override { return *saddle_; }
+  SaddleSolver& saddle() const override { return *saddle_; }
 
  private:
   std::unique_ptr<SaddleSolver> saddle_;

@@ -21,7 +21,7 @@ class RankTolerant final : public Formulation {
   /// SingularSystemError: there is no factorization whatever is left out.
   void factorize(const Evaluation& at) override;
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override;
-  const SaddleSolver& saddle() const override { return solver_.saddle(); }
+  SaddleSolver& saddle() const override { return solver_.saddle(); }
 
  private:
   bool factorize(const Evaluation& at, double tolerance);

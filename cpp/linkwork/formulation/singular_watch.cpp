@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "linkwork/constraints/constraint_kernel.hpp"
 #include "linkwork/constraints/row_selection.hpp"
@@ -63,9 +64,9 @@ std::vector<int> involved_joints(MetricSolver& solver, const LoopCore& core, con
   return joints_of(model, rows);
 }
 
-/// The redundant rows as they would be chosen in this pose; none where it is singular.
+/// The redundant rows as they would be chosen in this pose; none where their number would be another.
 std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const CorePose& pose,
-                             const std::vector<int>& redundant, double near) {
+                             const std::vector<int>& redundant) {
   const std::size_t present = static_cast<std::size_t>(core.row_count()) - kept_places(core, redundant).size();
   if (present == 0 || pose.dependent.size() != present) return {};
   const std::vector<char> all(static_cast<std::size_t>(core.component_count()), 1);
@@ -76,8 +77,7 @@ std::vector<int> choose_here(MetricSolver& solver, const LoopCore& core, const C
   for (const int row : redundant)
     if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
-  const bool regular = rows.size() == redundant.size() && near_rows(core, pose.D, rows, near).empty();
-  return regular ? rows : std::vector<int>();
+  return rows.size() == redundant.size() ? rows : std::vector<int>();
 }
 
 }  // namespace
@@ -98,8 +98,19 @@ PoseExamination examine_pose(const System& given, const TimedPose& here, const s
   out.joints = involved_joints(solver, core, pose.at, redundant, out.rows);
   out.singular = dependent_rows(pose.D, near).size() + kept_places(core, redundant).size() >
                  static_cast<std::size_t>(core.row_count());
-  out.better_choice = choose_here(solver, core, pose, redundant, near);
+  out.better_choice = choose_here(solver, core, pose, redundant);
+  if (!near_rows(core, pose.D, out.better_choice, near).empty()) out.better_choice.clear();
   return out;
+}
+
+std::vector<int> choose_redundant_rows(const System& given, const TimedPose& here, const std::vector<int>& present) {
+  MetricSolver solver = MetricSolver::of_geometry(given);
+  const System& system = solver.system();
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(here.t, here.q, VectorXd::Zero(system.v_size()), here.history, at);
+  const LoopCore core(system, at, rank_tolerance);
+  const CorePose pose(system, core, {here.t, pull_back(solver, core, here).q, here.history}, rank_tolerance);
+  return choose_here(solver, core, pose, present);
 }
 
 SingularWatch::SingularWatch() : untrusted_(trusted) {}
@@ -117,27 +128,15 @@ void SingularWatch::suspect_less() {
   raise(level_);
 }
 
-void SingularWatch::begin(double t, double pivot, std::vector<int> joints) {
-  open_ = true;
-  singular_poses_ += 1;
-  keep(t, pivot, std::move(joints), false);
-}
-
 void SingularWatch::change_rows(double t, double pivot, std::vector<int> joints) {
   row_changes_ += 1;
   keep(t, pivot, std::move(joints), true);
 }
 
 void SingularWatch::cross(double t, double pivot, std::vector<int> joints) {
-  if (!open_) {
-    singular_poses_ += 1;
-    keep(t, pivot, std::move(joints), false);
-  } else {
-    SingularPassage& passage = passages_.back();
-    passage.t = t;
-    passage.pivot = std::min(passage.pivot, std::max(pivot, 0.0) / level_);
-  }
-  open_ = false;
+  singular_poses_ += 1;
+  keep(t, pivot, std::move(joints), false);
+  passages_.back().taken_over = std::exchange(taken_over_, 0);
 }
 
 std::optional<SingularWatch::Trend> SingularWatch::trend() const {
@@ -152,31 +151,20 @@ std::optional<SingularWatch::Trend> SingularWatch::trend() const {
   return out;
 }
 
-std::vector<SingularWatch::Sample> SingularWatch::samples(double from, double to) const {
-  std::vector<Sample> out;
-  for (std::size_t k = 1; k <= std::min(next_sample_, samples_.size()); ++k) {
-    const Sample& sample = samples_[(next_sample_ - k) % samples_.size()];
-    const auto same = [&](const Sample& other) { return other.t == sample.t; };  // the newest counts
-    if (sample.t >= from && sample.t <= to && std::none_of(out.begin(), out.end(), same)) out.push_back(sample);
-  }
-  std::sort(out.begin(), out.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
-  return out;
+std::optional<SingularWatch::Sample> SingularWatch::sample(double t, double within) const {
+  for (std::size_t k = 1; k <= std::min(next_sample_, samples_.size()); ++k)
+    if (const Sample& sample = samples_[(next_sample_ - k) % samples_.size()]; std::abs(sample.t - t) <= within)
+      return sample;
+  return {};
 }
 
-/// The first passages are kept, and the last one, which may go on.
+/// The first passages are kept, and the last one.
 void SingularWatch::keep(double t, double pivot, std::vector<int> joints, bool rows_changed) {
   if (level_ == 0.0) raise(1.0);
   if (passages_.size() > most_passages) passages_.pop_back();
   passages_.push_back({t, std::max(pivot, 0.0) / level_, std::move(joints), rows_changed, 0});
 }
 
-void SingularWatch::go_on(double t, double pivot) {
-  SingularPassage& passage = passages_.back();
-  if (const double relative = std::max(pivot, 0.0) / level_; relative < passage.pivot) {
-    passage.pivot = relative;
-    passage.t = t;
-  }
-  open_ = pivot < recovered * suspicious_;
-}
+void SingularWatch::go_on(double pivot) { open_ = pivot < recovered * suspicious_; }
 
 }  // namespace linkwork

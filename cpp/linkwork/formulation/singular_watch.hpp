@@ -26,13 +26,17 @@ struct PoseExamination {
 PoseExamination examine_pose(const System& system, const TimedPose& pose, const std::vector<int>& redundant,
                              double near);
 
-/// A time in which equations were nearly dependent.
+/// The redundant rows that leave the others best conditioned in this pose, ascending; none where their number is
+/// another than that of those `present`.
+std::vector<int> choose_redundant_rows(const System& system, const TimedPose& pose, const std::vector<int>& present);
+
+/// A pose of the motion in which equations depend on each other.
 struct SingularPassage {
-  double t = 0.0;               ///< of the smallest pivot [s]
-  double pivot = 0.0;           ///< the smallest, relative to the usual one
+  double t = 0.0;               ///< [s]
+  double pivot = 0.0;           ///< the smallest there, relative to the usual one
   std::vector<int> joints;      ///< see PoseExamination
   bool rows_changed = false;    ///< no singular pose: other redundant rows are left out from here on
-  std::int64_t taken_over = 0;  ///< evaluations that the usual factorization was not trusted with
+  std::int64_t taken_over = 0;  ///< evaluations before that the usual factorization was not trusted with
 };
 
 /// Watches the smallest pivot of each factorization. A small one alone is no sign: in a chain of n links it is ~ 1/n^3.
@@ -63,8 +67,8 @@ class SingularWatch {
     Sample last, other;
   };
   std::optional<Trend> trend() const;
-  /// The last values, between two times, by their times.
-  std::vector<Sample> samples(double from, double to) const;
+  /// The last value at this time or, by less than `within`, near to it.
+  std::optional<Sample> sample(double t, double within) const;
   void forget_trend() { next_sample_ = 0; }
   double root_of_level() const { return std::sqrt(level_); }
 
@@ -75,13 +79,14 @@ class SingularWatch {
   double near(double pivot) const;
 
   void suspect_less();
-  void begin(double t, double pivot, std::vector<int> joints);
+  /// Rows are near each other from here on.
+  void begin() { open_ = true; }
+  /// While they are, which may end here.
+  void go_on(double pivot);
   void change_rows(double t, double pivot, std::vector<int> joints);
-  /// A whole passage, or the end of the one that is open, whose smallest pivot is known afterwards.
+  /// Lists a pose that the motion passed.
   void cross(double t, double pivot, std::vector<int> joints);
-  /// Inside a passage, which may end here.
-  void go_on(double t, double pivot);
-  void take_over() { passages_.back().taken_over += 1; }
+  void take_over() { taken_over_ += 1; }
 
   const std::vector<SingularPassage>& passages() const { return passages_; }  ///< the first ones
   std::int64_t singular_poses() const { return singular_poses_; }             ///< of all passages
@@ -93,8 +98,9 @@ class SingularWatch {
 
   double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-5;
   bool open_ = false;
-  std::array<Sample, 16> samples_;
+  std::array<Sample, 32> samples_;
   std::size_t next_sample_ = 0;
+  std::int64_t taken_over_ = 0;  ///< since the last passage
   std::vector<SingularPassage> passages_;
   std::int64_t singular_poses_ = 0, row_changes_ = 0;
 };

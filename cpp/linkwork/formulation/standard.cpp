@@ -41,7 +41,7 @@ class Standard final : public Formulation {
     at_ = &at;
     if (refined_) refine(a, b, v_dot, lambda);
   }
-  const SaddleSolver& saddle() const override { return *saddle_; }
+  SaddleSolver& saddle() const override { return *saddle_; }
 
  private:
   void refine(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {

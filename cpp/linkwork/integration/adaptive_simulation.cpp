@@ -208,8 +208,7 @@ bool AdaptiveSimulation::leap() {
   dated(t_, h, [&] {
     if (!crossing_.due(t_, std::min(h, remaining), y_)) return;
     leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
-    if (leapt_) stop_at_singular_pose();
-    else dynamics_.evaluate(clock(), y_);
+    if (!leapt_) dynamics_.evaluate(clock(), y_);
   });
   if (!leapt_) return false;
   accepted_ = true;
@@ -220,7 +219,11 @@ bool AdaptiveSimulation::leap() {
   stop_.reset();
   switch_.reset();
   away_from_.reset();
-  if (!watch_.empty()) dated(t_, h_, [&] { look_for_events(); });
+  dated(t_, h_, [&] {
+    if (!watch_.empty()) look_for_events();
+    crossing_.look_into_leap(t_new_);
+    stop_at_singular_pose();
+  });
   return true;
 }
 
@@ -393,7 +396,7 @@ void AdaptiveSimulation::record_in_leap(double t) {
 
 void AdaptiveSimulation::finish_step() {
   dynamics_.release_correction();
-  if (!leapt_) dated(t_, h_, [&] { evaluated_ = !crossing_.look_back(t_, y_, t_new_, y_new_) && evaluated_; });
+  dated(t_, h_, [&] { list_singular_poses(); });
   const double t_before = std::exchange(t_, t_new_);
   y_before_.swap(y_);
   y_ = y_new_;
@@ -428,6 +431,13 @@ void AdaptiveSimulation::finish_step() {
   });
   crossing_.restart();
   controller_.restart();
+}
+
+void AdaptiveSimulation::list_singular_poses() {
+  if (!leapt_ && crossing_.look_back(t_, t_new_ - t_, y_)) evaluated_ = false;
+  if (!stop_ && t_new_ < schedule_.t_end) return;
+  crossing_.finish(t_new_, y_new_);
+  evaluated_ = false;
 }
 
 /// The step as the method made it, on its own side of breaks.

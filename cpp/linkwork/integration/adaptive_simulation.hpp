@@ -88,6 +88,7 @@ class AdaptiveSimulation final : public Run {
   void record_inside();
   void record_in_leap(double t);
   void finish_step();
+  void list_singular_poses();
   void sample(double t_before, bool at_break);
   void evaluate(double t, const VectorXd& y);
   void record_if_due();

@@ -18,30 +18,22 @@ constexpr double near = 0.3;           // of the usual root of the smallest pivo
 constexpr double near_at_start = 0.1;  // the same before there is a usual one
 constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for runs that begin near a pose
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
+constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell where the pose is
+constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
+constexpr double fallen = 0.4;         // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;  // so many steps before the pose a usual step is no longer taken
 constexpr double margin = 0.06;        // least distance of nodes from the pose, relative to the leap
-constexpr double stepped_over = 0.9;   // of the usual root: a step passed a pose only if its least is below
-constexpr double straight = 0.1;       // part of the gap between nodes by which a curve may correct a line
-constexpr int most_sweeps = 40, most_attempts = 8;
+constexpr double same_time = 1e-9;     // relative to the step
+constexpr double same_pose = 1e-2;     // relative to a leap
+constexpr int most_sweeps = 40, most_attempts = 12;
+// Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
+constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
-constexpr double at_pose = 0.1;          // root of the pivot in the pose, part of the least at the nodes around it
 constexpr double tolerance = 1e-10;      // of the energy over a leap
 constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
-
-/// While it is there the watch does not look at evaluations.
-class Unwatched {
- public:
-  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.watch_evaluations(false); }
-  ~Unwatched() { dynamics_.watch_evaluations(true); }
-  Unwatched(const Unwatched&) = delete;
-  Unwatched& operator=(const Unwatched&) = delete;
-
- private:
-  Dynamics& dynamics_;
-};
 
 }  // namespace
 
@@ -53,7 +45,7 @@ bool Crossing::Quality::fair() const { return converged && correction <= consist
 
 double Crossing::Quality::badness() const { return std::max(resolution, energy); }
 
-Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics) {
+Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics), poses_(dynamics) {
   const System& system = dynamics.system();
   if (!dynamics.watches()) return;
   const LoopCore core(system, dynamics.evaluation(), rank_tolerance);
@@ -104,40 +96,66 @@ double Crossing::foreseen(double t) const {
   return trend->last.t + trend->last.root * std::abs(interval) / fall - t;
 }
 
-/// Whether the first pivot is so small that the run may begin in a singular pose.
-bool Crossing::starts_near() {
-  const Unwatched unwatched(dynamics_);
-  start_root_ = 0.0;
-  try {
-    dynamics_.factorize();
-    start_root_ = dynamics_.root_of_pivot();
-  } catch (const SingularSystemError&) {
+/// Whether the first pivot is so small that the run may begin in a singular pose, which is listed then.
+bool Crossing::starts_near(double t, const VectorXd& y) {
+  double root = 0.0;
+  {
+    const Unwatched unwatched(dynamics_);
+    try {
+      dynamics_.factorize();
+      root = dynamics_.root_of_pivot();
+    } catch (const SingularSystemError&) {
+    }
   }
-  return start_root_ < near_at_start;
+  in_pose_ = root < near_at_start && in_singular_pose(t, y);
+  if (in_pose_) poses_.list(t, y);
+  return root < near_at_start;
+}
+
+/// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
+/// whenever the pivots have fallen to a part of what they were.
+void Crossing::keep_rows_good() {
+  const auto trend = dynamics_.watch().trend();
+  if (!trend) return;
+  const double root = trend->last.root, level = dynamics_.watch().root_of_level();
+  if (root > near * level) rows_good_ = near * level;
+  if (root > rows_good_) return;
+  rows_good_ = fallen * root;
+  dynamics_.improve_rows();
 }
 
 bool Crossing::due(double t, double h, const VectorXd& y) {
   if (!prepared_) return false;
-  starting_ = std::exchange(fresh_, false) && starts_near();
+  starting_ = std::exchange(fresh_, false) && starts_near(t, y);
   if (starting_) return true;
+  keep_rows_good();
+  const System& system = dynamics_.system();
+  const auto v = y.segment(system.q_size(), system.v_size());
+  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, system.body_count());
+  const double fastest =
+      std::max(rates.topRows<3>().cwiseAbs().maxCoeff() / length_, rates.bottomRows<3>().cwiseAbs().maxCoeff());
+  least_ = {t, fastest * h > coarse ? dynamics_.least_singular_value() : INFINITY};
   const double tau = foreseen(t);
   if (!(tau >= -h && tau < INFINITY)) return false;
   const double root = dynamics_.watch().trend()->last.root;
   if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
-  const System& system = dynamics_.system();
-  const auto v = y.segment(system.q_size(), system.v_size());
   return tau < std::max(0.5 * usual_length(v, VectorXd::Zero(v.size())), steps_before * h) + h;
 }
 
-double Crossing::nearest_node(double place) const { return (gauss_.c.array() - place).abs().minCoeff(); }
+/// Of the nodes from the poses, relative to the length.
+double Crossing::nearest_node(const std::vector<double>& poses, double h) const {
+  double nearest = INFINITY;
+  for (const double pose : poses) nearest = std::min(nearest, (gauss_.c.array() - pose / h).abs().minCoeff());
+  return nearest;
+}
 
-/// The length among the allowed ones with which the nodes stay farthest from the pose; of equals the shortest.
-double Crossing::best_length(double pose, double grid, double least, double most) const {
-  if (most <= least) return most;
+/// The length among the allowed ones with which the nodes stay farthest from the poses; of equals the shortest.
+double Crossing::best_length(const Search& search) const {
+  const double most = search.most, least = std::min(search.least, most), grid = search.grid;
   double best = least, distance = -1.0;
   const auto consider = [&](double h) {
-    const double nearest = nearest_node(pose / h);
+    const double nearest = nearest_node(search.poses, h);
     if (nearest <= distance + 1e-3) return;
     best = h;
     distance = nearest;
@@ -149,56 +167,59 @@ double Crossing::best_length(double pose, double grid, double least, double most
   } else {
     for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(std::min(factor * least, most));
   }
+  for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.05) {
+    const double h = grid > 0.0 ? std::max(1.0, std::round(factor * least / grid)) * grid : factor * least;
+    consider(std::min(h, most));
+  }
   return best;
 }
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   const auto trend = dynamics_.watch().trend();
-  if (!starting_ && dynamics_.improve_rows()) return false;
   declined_ = trend ? trend->last.root : 0.0;
-  Leap best;
-  double badness = INFINITY;
-  bool any_converged = false;
-  GaussCollocation::Weights root = GaussCollocation::Weights::Zero();
   if (starting_) begin_in_pose(t, y);
-  {
-    const Unwatched unwatched(dynamics_);
-    if (!starting_) begin(t, y);
-    const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-    double pose = starting_ ? 0.0 : foreseen(t), least = std::max({usual, 2.0 * pose, h});
-    for (int k = 0; k < most_attempts && std::isfinite(least); ++k) {
-      leap_.h = best_length(pose, grid, least, most);
-      const Quality quality = attempt();
-      double place = pose / leap_.h;
-      any_converged = any_converged || quality.converged;
-      if (quality.converged) {
-        place = place_of_pose();
-        if (!(place > -0.5 && place < 1.5)) break;
-        pose = place * leap_.h;
-      }
-      if (starting_ && quality.converged && quality.jump > no_branch && in_singular_pose(t, y)) throw_no_branch(t);
-      const bool beyond = place > 1.0 && leap_.h < most, clear = nearest_node(place) >= margin && !beyond;
-      if ((quality.good() && clear) ||
-          (quality.fair() && nearest_node(place) >= 0.5 * margin && quality.badness() < badness)) {
-        best = leap_;
-        root = root_;
-        badness = quality.badness();
-        if (quality.good() && clear) break;
-      }
-      if (beyond) least = 2.0 * pose;
-      else if (!quality.good()) least = std::max(0.6 * least, least_part * usual);
-    }
-  }
-  if (badness == INFINITY && starting_ && !any_converged &&
-      size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0 && in_singular_pose(t, y))
-    throw_no_branch(t);
-  if (badness == INFINITY) return false;
+  const Unwatched unwatched(dynamics_);
+  if (!starting_) begin(t, y);
+  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
+  const double pose = starting_ ? 0.0 : foreseen(t);
+  Search search{t, h, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, h})};
+  if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
-  leap_ = std::move(best);
-  root_ = root;
+  leap_ = std::move(search.best);
   dynamics_.forget_trend();
-  report();
   return true;
+}
+
+/// False where no leap was found.
+bool Crossing::try_lengths(Search& search, const VectorXd& y) {
+  bool any_converged = false;
+  double base = search.least;
+  for (int k = 0; k < most_attempts && std::isfinite(search.least); ++k) {
+    leap_.h = best_length(search);
+    const Quality quality = attempt();
+    any_converged = any_converged || quality.converged;
+    if (!quality.converged) {
+      search.least = std::max(other_lengths[k] * base, least_part * search.usual);
+      continue;
+    }
+    if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
+    search.poses = leap_.poses = poses_in_leap();
+    if (search.poses.empty()) break;
+    const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
+    const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
+    const bool good = quality.good() && clear, over = search.poses.front() <= leap_.h || leap_.h >= search.most;
+    if (good || (over && quality.fair() && nearest >= 0.5 * margin && quality.badness() < search.badness)) {
+      search.best = leap_;
+      search.badness = quality.badness();
+    }
+    if (good) break;
+    if (beyond) search.least = 2.0 * last;
+    else if (!quality.good()) search.least = base = std::max(0.6 * std::min(base, leap_.h), least_part * search.usual);
+  }
+  if (search.badness < INFINITY) return true;
+  const bool moves = size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0;
+  if (starting_ && !any_converged && moves && in_pose_) throw_no_branch(search.t);
+  return false;
 }
 
 /// In or near a singular pose nothing can be projected; accelerations, for a beginning, are what the watch makes of
@@ -296,7 +317,6 @@ double Crossing::node(int i) {
   if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
   dynamics_.evaluate(t, y_);
   dynamics_.refined_accelerations(v_dot_, leap_.lambda.col(i));
-  root_[i] = dynamics_.root_of_pivot();
   dynamics_.rates(v_dot_, leap_.lambda.col(i), rates_);
   const double change = leap_.h * size(rates_.segment(nq, nv) - leap_.k.col(i).segment(nq, nv));
   leap_.k.col(i) = rates_;
@@ -328,120 +348,63 @@ void Crossing::finish(Quality& quality) {
       std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
 }
 
-/// Where the roots of the pivots, with the sign of the side, pass through zero, relative to the leap: the signs are
-/// those with which they bend least. It may be outside; NaN where they do not come to zero nearby.
-double Crossing::place_of_pose() const {
-  using Weights = GaussCollocation::Weights;
-  const auto slope = [&](const Weights& x, int i) { return (x[i + 1] - x[i]) / (gauss_.c[i + 1] - gauss_.c[i]); };
-  double least = INFINITY;
-  int side = 0;
-  Weights signed_root = root_;
-  for (int before = 0; before <= stages; ++before) {
-    Weights x = root_;
-    x.head(before) *= -1.0;
-    double bend = 0.0;
-    for (int i = 0; i + 2 < stages; ++i) bend += std::abs(slope(x, i + 1) - slope(x, i));
-    if (!(bend < least)) continue;
-    least = bend;
-    side = before;
-    signed_root = x;
+/// Times from the start of a leap that converged, ascending; the last may be foreseen beyond its end. Empty: there is
+/// none.
+std::vector<double> Crossing::poses_in_leap() {
+  const auto root = [&](double at) {
+    interpolate(dynamics_.system(), at / leap_.h, y_);
+    return poses_.root_at(leap_.t + at, y_);
+  };
+  std::vector<PivotSample> samples;
+  const auto sample = [&](double at) { samples.push_back({at, root(at)}); };
+  const auto sample_between = [&](double before, double after) {  // where the lines to zero meet
+    const double left = root(before), right = root(after);
+    samples.push_back({before, left});
+    if (left > 0.0) sample(before + (after - before) * left / (left + right));
+  };
+  sample_between(0.0, gauss_.c[0] * leap_.h);
+  for (int i = 0; i < stages; ++i) sample(gauss_.c[i] * leap_.h);
+  sample_between(gauss_.c[stages - 1] * leap_.h, leap_.h);
+  samples.erase(samples.end() - 2);
+  sample(leap_.h);
+  std::vector<double> found;
+  if (in_pose_ && starting_) found.push_back(0.0);
+  const double apart = same_pose * leap_.h;
+  for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+    const PivotSample &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
+    if (!(b.root <= a.root && b.root < c.root)) continue;
+    const PivotSample least = least_root(a, b, c, root);
+    if (vanishes(a, least, c) && (found.empty() || least.at > found.back() + apart)) found.push_back(least.at);
   }
-  if (side == 0 && root_[0] > root_[stages - 1]) {  // all ahead instead of all behind
-    side = stages;
-    signed_root = -root_;
-  }
-  const int i = std::clamp(side - 1, 0, stages - 2);
-  const double rate = slope(signed_root, i);
-  if (!(rate > 0.0)) return NAN;
-  const double place = gauss_.c[i] - signed_root[i] / rate;
-  if (side == 0 || side == stages) return place;
-  double refined = 0.0;  // inverse interpolation through the four nodes around
-  const int first = std::clamp(i - 1, 0, stages - 4);
-  for (int k = first; k < first + 4; ++k) {
-    double weight = 1.0;
-    for (int j = first; j < first + 4; ++j)
-      if (j != k) weight *= signed_root[j] / (signed_root[j] - signed_root[k]);
-    refined += weight * gauss_.c[k];
-  }
-  return std::abs(refined - place) < straight * (gauss_.c[i + 1] - gauss_.c[i]) ? refined : place;
+  const PivotSample &before = *(samples.end() - 2), &end = samples.back();
+  const double fall = (before.root - end.root) / (end.at - before.at), beyond = end.root / fall;
+  if (fall > 0.0 && beyond < 0.5 * leap_.h) found.push_back(leap_.h + beyond);
+  return found;
 }
 
-/// The root of the smallest pivot, 0 where the matrix has no factorization.
-double Crossing::root_at(double t, const VectorXd& y) {
-  const Unwatched unwatched(dynamics_);
-  try {
-    dynamics_.evaluate(t, y);
-    dynamics_.factorize();
-  } catch (const SingularSystemError&) {
-    return 0.0;
-  }
-  return dynamics_.root_of_pivot();
+bool Crossing::look_back(double t, double h, const VectorXd& y) {
+  if (!prepared_ || poses_.last() >= t - same_time * h) return false;
+  if (least_.at == t && least_.root < INFINITY) return poses_.pass(t, least_.root, y);
+  const auto sample = dynamics_.watch().sample(t, same_time * h);
+  if (!sample) return false;
+  const bool close = sample->root < looked_at * dynamics_.watch().root_of_level();
+  return poses_.pass(t, close ? poses_.root_at(t, y) : sample->root, y) || close;
 }
 
-/// Lists the pose where there was one.
-void Crossing::report() {
-  const double place = place_of_pose();
-  if (!(place >= 0.0 && place <= 1.0)) return;
-  interpolate(dynamics_.system(), place, y_);
-  const double root = root_at(leap_.t + place * leap_.h, y_);
-  if (root > at_pose * root_.minCoeff()) return;
-  if (leap_.t + place * leap_.h > last_listed_) dynamics_.cross(y_, root * root);
-  last_listed_ = leap_.end();
-}
-
-// The least of the pivots of this step and the one before it has neighbors on both sides: between it and one of them
-// the roots change their sign, where there is a pose.
-bool Crossing::look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new) {
-  if (!prepared_) return false;
-  const bool follows = before_.t_new == t && before_.t < t;
-  const auto samples = dynamics_.watch().samples(follows ? before_.t : t, t_new);
-  const auto least =
-      std::min_element(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.root < b.root; });
-  bool evaluated = false;
-  if (samples.size() > 2 && least != samples.begin() && least + 1 != samples.end() &&
-      least->root < stepped_over * dynamics_.watch().root_of_level()) {
-    const auto a = *(least - 1), b = *least, c = *(least + 1);
-    const Piece piece{t, t_new, y, y_new};
-    const auto search = [&](const auto& left, const auto& right) {
-      return find_between(left.t < t && follows ? before_ : piece, left, right);
-    };
-    evaluated = true;
-    if (a.root < c.root ? !search(a, b) : !search(b, c)) a.root < c.root ? search(b, c) : search(a, b);
-  }
-  before_ = {t, t_new, y, y_new};
-  return evaluated;
-}
-
-// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
-void Crossing::interpolate(const Piece& piece, double t, VectorXd& y) const {
-  const System& system = dynamics_.system();
-  const int nq = system.q_size(), nv = system.v_size();
-  const double h = piece.t_new - piece.t, s = (t - piece.t) / h;
-  VectorXd rates(nq), rates_new(nq);
-  system.position_rates(piece.y.head(nq), piece.y.segment(nq, nv), rates);
-  system.position_rates(piece.y_new.head(nq), piece.y_new.segment(nq, nv), rates_new);
-  y = piece.y;
-  y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * piece.y.head(nq) + s * s * (3 - 2 * s) * piece.y_new.head(nq) +
-               h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
-  system.normalize(y.head(nq));
-}
-
-/// By the secant method; true where a pose was listed.
-bool Crossing::find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b) {
-  const double smallest = std::min(a.root, b.root);
-  for (int k = 0; k < 5; ++k) {
-    const double pose = a.t + (b.t - a.t) * a.root / (a.root + b.root);
-    if (pose <= last_listed_ || pose < piece.t || pose > piece.t_new) return false;
-    interpolate(piece, pose, y_);
-    const double root = root_at(pose, y_);
-    if (root <= at_pose * smallest) {
-      last_listed_ = b.t;
-      return dynamics_.cross(y_, root * root);
+void Crossing::look_into_leap(double until) {
+  if (!starting_) poses_.finish(leap_.t, leap_.y);
+  for (const double pose : leap_.poses)
+    if (pose > 0.0 && leap_.t + pose < until) {
+      interpolate(dynamics_.system(), pose / leap_.h, y_);
+      poses_.list(leap_.t + pose, y_);
     }
-    if (root > 0.7 * smallest) return false;
-    (a.root / (pose - a.t) > b.root / (b.t - pose) ? a : b) = {pose, root};
-  }
-  return false;
+  interpolate(dynamics_.system(), theta(until), y_);
+  poses_.restart();
+  poses_.pass(until, poses_.root_at(until, y_), y_);
+}
+
+void Crossing::finish(double t, const VectorXd& y) {
+  if (prepared_) poses_.finish(t, y);
 }
 
 void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {

@@ -6,16 +6,18 @@
 #include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/gauss_collocation.hpp"
 #include "linkwork/integration/interpolant.hpp"
+#include "linkwork/integration/singular_pose_search.hpp"
 
 namespace linkwork {
 
 /// A step by collocation, with everything in between.
 struct Leap {
   double t = 0.0, h = 0.0;
-  VectorXd y;       ///< at t, on the constraints
-  VectorXd y_new;   ///< at t + h, on the constraints
-  MatrixXd k;       ///< y_dot at the nodes
-  MatrixXd lambda;  ///< multipliers at the nodes
+  VectorXd y;                      ///< at t, on the constraints
+  VectorXd y_new;                  ///< at t + h, on the constraints
+  MatrixXd k;                      ///< y_dot at the nodes
+  MatrixXd lambda;                 ///< multipliers at the nodes
+  std::vector<double> poses = {};  ///< singular ones, times from t
 
   double end() const { return t + h; }
 };
@@ -36,15 +38,22 @@ class Crossing final : public Interpolant {
   /// Before a step of size h from (t, y), where `dynamics` is evaluated: whether a pose may be too near for it.
   bool due(double t, double h, const VectorXd& y);
   /// After a change of the state: it may be near a pose without a trend that tells.
-  void restart() { fresh_ = true; }
+  void restart() {
+    fresh_ = true;
+    poses_.restart();
+  }
 
   /// Tries to leap from (t, y) over the pose that is due, to t + k `grid`, k whole, or anywhere where that is 0, but
   /// not beyond t + `most`. Leaves `dynamics` evaluated somewhere else.
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
 
-  /// After a usual step from (t, y) to (t_new, y_new): lists a pose that it stepped over. True where `dynamics` was
-  /// evaluated somewhere else.
-  bool look_back(double t, const VectorXd& y, double t_new, const VectorXd& y_new);
+  // Poses that were passed are listed.
+  /// After a usual step h from (t, y). True where `dynamics` was evaluated somewhere else, as it is after the others.
+  bool look_back(double t, double h, const VectorXd& y);
+  /// After a leap, of which the motion follows the part before `until`.
+  void look_into_leap(double until);
+  /// At the end of the motion, or of a part of it.
+  void finish(double t, const VectorXd& y);
 
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.h; }
@@ -56,24 +65,28 @@ class Crossing final : public Interpolant {
  private:
   static constexpr int stages = GaussCollocation::stages;
 
-  /// A usual step.
-  struct Piece {
-    double t = 0.0, t_new = 0.0;
-    VectorXd y, y_new;
-  };
   struct Quality {
     bool converged = false;
     double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
     double jump = 0.0;        ///< the same of their velocities, relative to them
     double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
-    double nearest = 0.0;     ///< root of the smallest pivot of the nodes
     bool good() const;
     bool fair() const;
     double badness() const;
   };
 
-  bool starts_near();
+  /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.
+  struct Search {
+    double t, h, grid, most;
+    double usual;               ///< length for a smooth motion
+    std::vector<double> poses;  ///< foreseen, then found
+    double least;               ///< length to begin with
+    Leap best = {};
+    double badness = INFINITY;  ///< of it
+  };
+
+  bool starts_near(double t, const VectorXd& y);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double foreseen(double t) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
@@ -86,30 +99,28 @@ class Crossing final : public Interpolant {
   double node(int i);
   void finish(Quality& quality);
   double energy(const VectorXd& y) const;
-  double nearest_node(double place) const;
-  double best_length(double pose, double grid, double least, double most) const;
-  double place_of_pose() const;
-  void report();
-  double root_at(double t, const VectorXd& y);
-  void interpolate(const Piece& piece, double t, VectorXd& y) const;
-  bool find_between(const Piece& piece, SingularWatch::Sample a, SingularWatch::Sample b);
+  void keep_rows_good();
+  bool try_lengths(Search& search, const VectorXd& y);
+  double nearest_node(const std::vector<double>& poses, double h) const;
+  double best_length(const Search& search) const;
+  std::vector<double> poses_in_leap();
   double rate(const Eigen::Matrix<double, 6, 1>& v) const;
   double size(const ConstVector& velocities) const;
 
   Dynamics& dynamics_;
   Projection projection_;
+  SingularPoseSearch poses_;
   GaussCollocation gauss_;
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool starting_ = false;    ///< the leap begins near the pose, not before it
-  bool fresh_ = true;        ///< no step was looked at yet
-  double start_root_ = 1.0;  ///< of the first pivot
-  double declined_ = 0.0;    ///< root of the pivot at which there was nothing to leap over
+  bool starting_ = false;   ///< the leap begins near the pose, not before it
+  bool in_pose_ = false;    ///< or in it
+  bool fresh_ = true;       ///< no step was looked at yet
+  PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
+  double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
+  double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
-  GaussCollocation::Weights root_;  ///< of the smallest pivots at the nodes
-  Piece before_;                    ///< the last usual step
-  double last_listed_ = -INFINITY;  ///< no pose before is listed any more
   double correction_ = 0.0, jump_ = 0.0;
   double energy_before_ = 0.0;
   VectorXd y_, v_dot_, rates_, rates_before_;

@@ -1,5 +1,6 @@
 #include "linkwork/integration/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -91,7 +92,7 @@ double Simulation::begin_step() {
     divergence_.blame(y_, t(), schedule_.step, [&] { dated(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
-    if (finished_) sampling_.before(dynamics_, y_);
+    if (finished_) finish();
     if (finished_) break;
     if (!leaping_) dated(t(), next_step(), [&] { begin_leap(); });
     if (!leaping_) {
@@ -103,11 +104,18 @@ double Simulation::begin_step() {
   return 0.0;
 }
 
+void Simulation::finish() {
+  sampling_.before(dynamics_, y_);
+  crossing_.finish(t(), y_);
+  dynamics_.evaluate(t(), y_);
+}
+
 /// Where a singular pose is ahead.
 void Simulation::begin_leap() {
   if (!crossing_.due(t(), next_step(), y_)) return;
   leaping_ = crossing_.leap(t(), next_step(), schedule_.step, schedule_.t_end - t(), y_);
   if (!leaping_) return dynamics_.evaluate(t(), y_);
+  crossing_.look_into_leap(std::min(crossing_.last().end(), schedule_.t_end));
   if (integrator_) integrator_->start(static_cast<int>(y_.size()));
   stop_at_singular_pose();
 }
@@ -162,7 +170,7 @@ void Simulation::finish_step() {
   system.normalize(y_.head(system.q_size()));
   if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
   sampling_.after(t(), next_step(), kept_y_, y_);
-  dated(t_new, next_step(), [&] { crossing_.look_back(t(), kept_y_, t_new, y_); });
+  dated(t_new, next_step(), [&] { crossing_.look_back(t(), next_step(), kept_y_); });
   steps_done_ += 1;
   evaluated_ = false;
 }

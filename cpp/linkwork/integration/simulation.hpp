@@ -45,6 +45,7 @@ class Simulation final : public Run {
   void accept_state();
   void record();
   void finish_step();
+  void finish();
   void begin_leap();
   void follow_leap();
   void add_work();

@@ -1,0 +1,153 @@
+#include "linkwork/integration/singular_pose_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double passed = 0.9;       // of the usual root: a pose was passed only if the least is below
+constexpr double away = 1e-3;        // of the usual root: as far the motion has been from the last pose
+constexpr double vanishing = 0.1;    // root of the pivot in the pose, part of the least around it
+constexpr double found = 1e-6;       // the same, for the search to end
+constexpr double at_rest = 1e-4;     // of the usual root: at the end of the motion
+constexpr double same_pose = 1e-2;   // relative to the time between states
+constexpr double golden = 0.381966;  // part of the larger side of a bracket
+constexpr double no_zero = 0.7;      // a guess that lowers the least by no more finds no zero
+constexpr int most_guesses = 24, few_guesses = 4;
+
+/// |log| of the ratio of two slopes.
+double mismatch(double rise, double run, double other_rise, double other_run) {
+  return std::abs(std::log(rise / run * other_run / other_rise));
+}
+
+}  // namespace
+
+// The root is taken for linear on both sides of its zero; b is on one of them, that with which both slopes agree
+// better. Where that does not close in, by golden section.
+PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::function<double(double)>& root_at) {
+  const double around = std::min(a.root, c.root);
+  for (int k = 0; k < most_guesses && b.root > found * around; ++k) {
+    const double left = b.at - a.at, right = c.at - b.at;
+    const bool zero_is_left = !(mismatch(a.root + b.root, left, c.root - b.root, right) >
+                                mismatch(b.root + c.root, right, a.root - b.root, left));
+    double at = zero_is_left ? a.at + left * a.root / (a.root + b.root) : b.at + right * b.root / (b.root + c.root);
+    if (k % 3 == 2) at = right > left ? b.at + golden * right : b.at - golden * left;
+    if (!(at > a.at && at < c.at) || at == b.at) break;
+    const PivotSample guess{at, root_at(at)};
+    if (k >= few_guesses && std::min(guess.root, b.root) > no_zero * around) break;
+    if (guess.root < b.root) {
+      (at < b.at ? c : a) = b;
+      b = guess;
+    } else {
+      (at < b.at ? a : c) = guess;
+    }
+  }
+  return b;
+}
+
+bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c) {
+  return least.root <= vanishing * std::min(a.root, c.root);
+}
+
+void SingularPoseSearch::restart() {
+  count_ = 0;
+  highest_ = 0.0;
+}
+
+bool SingularPoseSearch::worth_a_search(double root) const {
+  const double level = dynamics_.watch().root_of_level();
+  return root < passed * level && highest_ > away * level;
+}
+
+bool SingularPoseSearch::pass(double t, double root, const VectorXd& y) {
+  auto& [a, b, c] = marks_;
+  std::swap(a, b);
+  std::swap(b, c);
+  c.t = t;
+  c.root = root;
+  c.y = y;
+  count_ = std::min(count_ + 1, 3);
+  highest_ = std::max(highest_, root);
+  if (count_ < 2 || !worth_a_search(b.root)) return false;
+  if (count_ == 2) search_between(b, c);
+  else if (b.root <= a.root && b.root < c.root) search_around();
+  else return false;
+  return true;
+}
+
+/// The roots of pivots lead here, the singular values go on.
+void SingularPoseSearch::search_around() {
+  const auto& [a, b, c] = marks_;
+  const auto sample = [&](const Mark& mark) { return PivotSample{mark.t, root_at(mark.t, mark.y)}; };
+  const PivotSample from = sample(a), middle = sample(b), to = sample(c);
+  if (middle.root <= std::min(from.root, to.root)) search(from, middle, to);
+  else if (!search_between(a, b)) search_between(b, c);
+}
+
+/// Of states that follow each other; true where a pose was listed.
+bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
+  const PivotSample a{before.t, root_at(before.t, before.y)}, c{after.t, root_at(after.t, after.y)};
+  if (!(a.root > 0.0 && c.root > 0.0)) return false;
+  const double t = a.at + (c.at - a.at) * a.root / (a.root + c.root);
+  interpolate(t, y_);
+  const PivotSample b{t, root_at(t, y_)};
+  return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
+}
+
+void SingularPoseSearch::finish(double t, const VectorXd& y) {
+  const double root = root_at(t, y);
+  if (count_ == 0 || marks_[2].t < t) pass(t, root, y);
+  if (count_ > 1 && root < marks_[1].root && worth_a_search(root)) search_between(marks_[1], marks_[2]);
+  const double level = dynamics_.watch().root_of_level();
+  if (!(root < at_rest * level && highest_ > away * level)) return;
+  root_at(t, y);
+  if (dynamics_.cross(y, root * root)) highest_ = 0.0;
+}
+
+void SingularPoseSearch::list(double t, const VectorXd& y) {
+  const double root = root_at(t, y);
+  dynamics_.cross(y, root * root);
+  restart();
+  last_listed_ = t;
+}
+
+double SingularPoseSearch::root_at(double t, const VectorXd& y) {
+  const Unwatched unwatched(dynamics_);
+  dynamics_.evaluate(t, y);
+  return dynamics_.least_singular_value();
+}
+
+bool SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
+  const auto root = [this](double t) {
+    interpolate(t, y_);
+    return root_at(t, y_);
+  };
+  const PivotSample least = least_root(a, b, c, root);
+  if (!vanishes(a, least, c) || least.at <= last_listed_ + same_pose * (c.at - a.at)) return false;
+  const double there = root(least.at);
+  if (!dynamics_.cross(y_, there * there)) return false;
+  highest_ = marks_[2].root;
+  last_listed_ = least.at;
+  return true;
+}
+
+// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
+void SingularPoseSearch::interpolate(double t, VectorXd& y) const {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  const bool later = count_ < 3 || t >= marks_[1].t;
+  const Mark &from = marks_[later ? 1 : 0], &to = marks_[later ? 2 : 1];
+  const double h = to.t - from.t, s = (t - from.t) / h;
+  VectorXd rates(nq), rates_new(nq);
+  system.position_rates(from.y.head(nq), from.y.segment(nq, nv), rates);
+  system.position_rates(to.y.head(nq), to.y.segment(nq, nv), rates_new);
+  y = from.y;
+  y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * from.y.head(nq) + s * s * (3 - 2 * s) * to.y.head(nq) +
+               h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
+  system.normalize(y.head(nq));
+}
+
+}  // namespace linkwork

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "linkwork/formulation/dynamics.hpp"
+
+namespace linkwork {
+
+/// A time on the way, and the least singular value there.
+struct PivotSample {
+  double at = 0.0, root = 0.0;
+};
+
+/// Where in a bracket, b lower than a and c, the root is least: in a singular pose it comes down to zero like |t|.
+/// Ends early where it does not.
+PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::function<double(double)>& root_at);
+/// Whether that is a zero.
+bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c);
+
+/// Lists the singular poses that a motion passes, each once.
+///
+/// Where the least singular value of the constraint matrix, which goes linearly to zero and up again, has been less
+/// than before and after, its least is searched between the states of the motion; one that vanishes is a pose, if the
+/// rank says so, too. Far from poses the root of the smallest pivot, which is no less, does as well.
+class SingularPoseSearch {
+ public:
+  explicit SingularPoseSearch(Dynamics& dynamics) : dynamics_(dynamics) {}
+
+  /// The motion begins anew.
+  void restart();
+  /// A state of the motion with its least singular value. True where `dynamics` was evaluated somewhere else.
+  bool pass(double t, double root, const VectorXd& y);
+  /// The last one, for now. Leaves `dynamics` evaluated somewhere else.
+  void finish(double t, const VectorXd& y);
+  /// A pose that was found otherwise: the motion begins anew there. Leaves `dynamics` evaluated there.
+  void list(double t, const VectorXd& y);
+
+  /// Time of the last state, -infinity where there is none.
+  double last() const { return count_ > 0 ? marks_[2].t : -INFINITY; }
+  /// The least singular value. Leaves `dynamics` evaluated there.
+  double root_at(double t, const VectorXd& y);
+
+ private:
+  struct Mark {
+    double t = 0.0, root = 0.0;
+    VectorXd y;
+  };
+
+  bool worth_a_search(double root) const;
+  void search_around();
+  bool search_between(const Mark& before, const Mark& after);
+  bool search(PivotSample a, PivotSample b, PivotSample c);
+  void interpolate(double t, VectorXd& y) const;
+
+  Dynamics& dynamics_;
+  std::array<Mark, 3> marks_;  ///< the last ones
+  int count_ = 0;              ///< of them
+  double highest_ = 0.0;       ///< root since the last pose that was listed
+  double last_listed_ = -INFINITY;
+  VectorXd y_;
+};
+
+}  // namespace linkwork
