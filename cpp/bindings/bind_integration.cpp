@@ -181,7 +181,7 @@ py::dict to_dict(const Run& run, const Contradiction& found) {
   return out;
 }
 
-py::dict statistics(const Run& run) {
+py::dict run_statistics(const Run& run) {
   py::dict out = py::cast(&run.dynamics(), py::return_value_policy::reference).attr("statistics")();
   out["steps"] = run.steps_done();
   out["violations"] = run.budget().count();
@@ -243,7 +243,7 @@ void bind_runs(py::module_& module) {
            "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, largest_force, "
            "largest_torque, violation, failed; of the run its end_violation, of the mechanism length and diagonal. "
            "`method`: data, or step(t, y, h), of this order where it is known.")
-      .def("statistics", &statistics);
+      .def("statistics", &run_statistics);
 
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
@@ -293,7 +293,7 @@ void bind_runs(py::module_& module) {
           },
           "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
       .def("statistics", [](const AdaptiveSimulation& run) {
-        py::dict out = statistics(run);
+        py::dict out = run_statistics(run);
         const StepStatistics& steps = run.step_statistics();
         out["rejected_steps"] = steps.rejected;
         out["singular_steps"] = steps.singular;

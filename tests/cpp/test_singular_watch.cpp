@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 
 #include "linkwork/constraints/rank.hpp"
+#include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
 #include "support.hpp"
 
@@ -77,21 +78,72 @@ TEST_CASE("pivots are compared with the largest of the run") {
   CHECK(watch.untrustworthy(1e-11));
 }
 
-TEST_CASE("a passage lasts until the pivots have recovered, and remembers the smallest") {
+TEST_CASE("suspicion lasts until the pivots have recovered; poses are listed with what led up to them") {
   SingularWatch watch;
+  watch.list_evaluations(false);
   CHECK(watch.usual(1.0));
   CHECK_FALSE(watch.usual(1e-6));
   watch.begin(1.0, 1e-6, {3});
-  for (const auto& [t, pivot] : {std::pair{1.1, 1e-7}, {1.2, 1e-6}, {1.3, 1e-5}}) {
+  for (const double pivot : {1e-7, 1e-6, 1e-5}) {
     CHECK_FALSE(watch.usual(pivot));
-    watch.go_on(t, pivot);
+    watch.go_on(pivot);
     CHECK(watch.open());
   }
-  watch.go_on(1.4, 0.1);
+  watch.take_over();
+  watch.take_over();
+  watch.go_on(0.1);
   CHECK_FALSE(watch.open());
   CHECK(watch.usual(0.1));
-  REQUIRE(watch.passages().size() == 1);
+  CHECK(watch.passages().empty());
+  watch.cross(1.1, 1e-7, {3});
+  watch.cross(2.1, 0.0, {3});
+  REQUIRE(watch.passages().size() == 2);
   CHECK(watch.passages()[0].t == 1.1);
   CHECK(watch.passages()[0].pivot == doctest::Approx(1e-7));
-  CHECK(watch.singular_poses() == 1);
+  CHECK(watch.passages()[0].taken_over == 2);
+  CHECK(watch.passages()[1].taken_over == 0);
+  CHECK(watch.singular_poses() == 2);
+  watch.list_evaluations(true);
+  watch.begin(3.0, 1e-7, {3});
+  watch.take_over();
+  REQUIRE(watch.passages().size() == 3);
+  CHECK(watch.passages()[2].taken_over == 1);
+}
+
+TEST_CASE("the least singular value falls linearly to zero toward a singular pose, whatever the formulation") {
+  // The flat four-bar with bars of 1, 2, 1 m on 2 m of ground turns by theta out of its line.
+  for (const char* formulation : {"standard", "penalty", "augmented_lagrangian"}) {
+    std::vector<double> least;
+    for (const double theta : {0.04, 0.02, 0.01}) {
+      Model model;
+      const Vec3<double> up(std::cos(theta), std::sin(theta), 0), along(2, 0, 0), none(0, 0, 0);
+      const Vec4<double> turned(std::cos(theta / 2), 0, 0, std::sin(theta / 2));
+      const auto bar = [&](const char* name, const Vec3<double>& center, bool turns) {
+        Body body;
+        body.position = center;
+        if (turns) body.orientation = turned;
+        model.add_body(name, body);
+      };
+      bar("crank", 0.5 * up, true);
+      bar("rod", up + 0.5 * along, false);
+      bar("rocker", along + 0.5 * up, true);
+      const Mat3<double> I = Mat3<double>::Identity();
+      const auto pin = [&](const char* name, int i, int j, const Vec3<double>& P) {
+        model.add_joint("revolute", name, i, j, place(model, i, j, P, P, I, I));
+      };
+      pin("A", ground, 0, none);
+      pin("B", 0, 1, up);
+      pin("C", 1, 2, up + along);
+      pin("D", 2, ground, along);
+      Options options;
+      options.formulation = formulation;
+      Dynamics dynamics(model, options);
+      dynamics.evaluate(0.0, dynamics.initial_y());
+      double value = 0.0;
+      for (int k = 0; k < 4; ++k) value = dynamics.least_singular_value();
+      least.push_back(value);
+    }
+    CHECK(least[0] / least[1] == doctest::Approx(2.0).epsilon(0.05));
+    CHECK(least[1] / least[2] == doctest::Approx(2.0).epsilon(0.05));
+  }
 }

@@ -36,7 +36,8 @@ def test_energy_and_branch_are_kept_through_singular_poses(method: str, branch: 
         found = singular_poses.run(case)
         assert not found.failure, found
         assert found.energy <= singular_poses.allowed(method, size), found
-        assert found.position <= 1e3 * singular_poses.allowed(method, size), found  # on the same branch
+        assert found.crossings == found.expected, found
+        assert found.right, found  # on the same branch
 
 
 @pytest.mark.parametrize("step", [1e-4, 5e-5, 2.5e-5])

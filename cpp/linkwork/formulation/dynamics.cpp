@@ -231,7 +231,7 @@ bool Dynamics::inspect(double pivot) {
       change_redundant_rows(std::move(found.better_choice));
       return false;
     }
-    watch_.begin();
+    watch_.begin(t_, pivot, std::move(found.joints));
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
   take_over();
@@ -281,12 +281,16 @@ bool Dynamics::choose_rows(std::vector<int> rows, std::vector<int> joints, doubl
   const std::vector<int> before = dropped_.rows();
   if (rows.empty() || rows == before) return false;
   const double pivot = formulation_->saddle().smallest_pivot();
-  try {
-    change_redundant_rows(std::move(rows));
-  } catch (const SingularSystemError&) {
-  }
-  if (!(root_of_pivot() >= least_root)) {
-    change_redundant_rows(before);
+  const auto root_with = [this](std::vector<int> choice) {
+    try {
+      change_redundant_rows(std::move(choice));
+      return root_of_pivot();
+    } catch (const SingularSystemError&) {
+      return -1.0;  // either may be singular, in a singular pose
+    }
+  };
+  if (!(root_with(std::move(rows)) >= least_root)) {
+    factorized_ = root_with(before) >= 0.0;
     return false;
   }
   watch_.change_rows(t_, pivot, std::move(joints));

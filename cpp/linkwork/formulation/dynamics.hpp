@@ -78,6 +78,8 @@ class Dynamics {
   bool watches() const { return watched_ && system_.row_count() > 0; }
   /// Evaluations from here on serve a step that knows of singular poses: they are not looked at by the watch.
   void watch_evaluations(bool on) { watching_ = on; }
+  /// See SingularWatch.
+  void list_evaluations(bool on) { watch_.list_evaluations(on); }
   /// The least singular value of the constraint matrix here, in the metric of the masses and relative to its rows
   /// (which have unit length at the start), by inverse iteration: it goes linearly to zero toward a singular pose,
   /// whatever the order of elimination. 0 where the matrix has no factorization.

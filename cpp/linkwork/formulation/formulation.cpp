@@ -8,6 +8,10 @@
 
 namespace linkwork {
 
+#define LINKWORK_FORMULATION(NAME) FormulationInfo NAME##_formulation();
+#include "linkwork/formulation/formulations.def"
+#undef LINKWORK_FORMULATION
+
 const std::vector<FormulationInfo>& formulations() {
   static const std::vector<FormulationInfo> all = {
 #define LINKWORK_FORMULATION(NAME) NAME##_formulation(),

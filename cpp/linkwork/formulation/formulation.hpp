@@ -75,8 +75,4 @@ VectorXd row_mobility(const System& system, const Evaluation& at);
 /// its own inertia, and results do not depend on units.
 VectorXd row_penalties(const ConstraintRows& rows, const std::optional<double>& penalty, double scale);
 
-#define LINKWORK_FORMULATION(NAME) FormulationInfo NAME##_formulation();
-#include "linkwork/formulation/formulations.def"
-#undef LINKWORK_FORMULATION
-
 }  // namespace linkwork

@@ -128,6 +128,11 @@ void SingularWatch::suspect_less() {
   raise(level_);
 }
 
+void SingularWatch::begin(double t, double pivot, std::vector<int> joints) {
+  open_ = true;
+  if (lists_) cross(t, pivot, std::move(joints));
+}
+
 void SingularWatch::change_rows(double t, double pivot, std::vector<int> joints) {
   row_changes_ += 1;
   keep(t, pivot, std::move(joints), true);

@@ -80,13 +80,16 @@ class SingularWatch {
 
   void suspect_less();
   /// Rows are near each other from here on.
-  void begin() { open_ = true; }
+  void begin(double t, double pivot, std::vector<int> joints);
   /// While they are, which may end here.
   void go_on(double pivot);
+  /// Whether evaluations with such rows are listed, as those of a user are. The poses of a run, whose evaluations
+  /// need not be on the motion, are listed by `cross`.
+  void list_evaluations(bool on) { lists_ = on; }
   void change_rows(double t, double pivot, std::vector<int> joints);
   /// Lists a pose that the motion passed.
   void cross(double t, double pivot, std::vector<int> joints);
-  void take_over() { taken_over_ += 1; }
+  void take_over() { (lists_ && !passages_.empty() ? passages_.back().taken_over : taken_over_) += 1; }
 
   const std::vector<SingularPassage>& passages() const { return passages_; }  ///< the first ones
   std::int64_t singular_poses() const { return singular_poses_; }             ///< of all passages
@@ -97,7 +100,7 @@ class SingularWatch {
   void keep(double t, double pivot, std::vector<int> joints, bool rows_changed);
 
   double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-5;
-  bool open_ = false;
+  bool open_ = false, lists_ = true;
   std::array<Sample, 32> samples_;
   std::size_t next_sample_ = 0;
   std::int64_t taken_over_ = 0;  ///< since the last passage

@@ -127,6 +127,7 @@ void AdaptiveSimulation::attempt() {
   if (leap()) return;
   sampling_.before(dynamics_, y_);
   double h = proposed_ = std::min(step_, schedule_.largest_step);
+  h = std::min(h, crossing_.most_step());
   t_new_ = end_of_step(h);
   Phi_ = dynamics_.evaluation().Phi;
   Phi_dot_ = dynamics_.evaluation().Phi_dot;
@@ -206,7 +207,7 @@ bool AdaptiveSimulation::leap() {
   const double h = std::min(step_, schedule_.largest_step);
   const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
   dated(t_, h, [&] {
-    if (!crossing_.due(t_, std::min(h, remaining), y_)) return;
+    if (!crossing_.due(t_, std::min(h, remaining), y_, true)) return;
     leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
     if (!leapt_) dynamics_.evaluate(clock(), y_);
   });
@@ -436,8 +437,7 @@ void AdaptiveSimulation::finish_step() {
 void AdaptiveSimulation::list_singular_poses() {
   if (!leapt_ && crossing_.look_back(t_, t_new_ - t_, y_)) evaluated_ = false;
   if (!stop_ && t_new_ < schedule_.t_end) return;
-  crossing_.finish(t_new_, y_new_);
-  evaluated_ = false;
+  if (crossing_.end(t_new_, y_new_)) evaluated_ = false;
 }
 
 /// The step as the method made it, on its own side of breaks.

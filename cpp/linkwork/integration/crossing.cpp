@@ -11,7 +11,7 @@ namespace linkwork {
 namespace {
 
 constexpr double rank_tolerance = 1e-9;
-constexpr double reach = 0.2;          // of a leap [rad]: what the fastest body of the loops turns
+constexpr double reach = 0.14;         // of a leap [rad]: what the fastest body of the loops turns
 constexpr double fastest = 0.8;        // the same for any body
 constexpr double least_part = 0.1;     // of that, for leaps over a motion that varies more
 constexpr double near = 0.3;           // of the usual root of the smallest pivot: farther, nothing is due
@@ -20,17 +20,19 @@ constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for 
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell where the pose is
 constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
-constexpr double fallen = 0.4;         // part of a pivot's root, for another look at redundant rows
-constexpr double steps_before = 15.0;  // so many steps before the pose a usual step is no longer taken
-constexpr double margin = 0.06;        // least distance of nodes from the pose, relative to the leap
-constexpr double same_time = 1e-9;     // relative to the step
-constexpr double same_pose = 1e-2;     // relative to a leap
+constexpr double coarsest = 0.2, most_parts = 20;  // of the way between states that are looked at [rad]
+constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
+constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
+constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
+constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
+constexpr double same_time = 1e-9;                 // relative to the step
+constexpr double same_pose = 1e-2;                 // relative to a leap
 constexpr int most_sweeps = 40, most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double tolerance = 1e-10;      // of the energy over a leap
-constexpr double resolved = 1e-8;        // of velocities inside; at the end about the square of it counts
+constexpr double resolved = 1e-9;        // of velocities inside; at the end about the square of it counts
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
@@ -47,6 +49,7 @@ double Crossing::Quality::badness() const { return std::max(resolution, energy);
 
 Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics), poses_(dynamics) {
   const System& system = dynamics.system();
+  dynamics.list_evaluations(false);
   if (!dynamics.watches()) return;
   const LoopCore core(system, dynamics.evaluation(), rank_tolerance);
   in_loops_.resize(static_cast<std::size_t>(system.body_count()));
@@ -112,6 +115,19 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
   return root < near_at_start;
 }
 
+/// Of the components of all motions [rad/s].
+double Crossing::largest_rate(const ConstVector& v) const {
+  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, v.size() / 6);
+  return std::max(rates.topRows<3>().cwiseAbs().maxCoeff() / length_, rates.bottomRows<3>().cwiseAbs().maxCoeff());
+}
+
+/// In which states from the last one that was looked at to the one at t are looked at: a pose bends the least singular
+/// value over some tenths of a radian only.
+int Crossing::parts_to(double t) const {
+  const double turned = fastest_ * (t - poses_.last());
+  return turned > coarsest ? static_cast<int>(std::min(std::ceil(turned / coarsest), most_parts)) : 1;
+}
+
 /// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
 /// whenever the pivots have fallen to a part of what they were.
 void Crossing::keep_rows_good() {
@@ -124,23 +140,26 @@ void Crossing::keep_rows_good() {
   dynamics_.improve_rows();
 }
 
-bool Crossing::due(double t, double h, const VectorXd& y) {
+bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
+  most_step_ = INFINITY;
   if (!prepared_) return false;
   starting_ = std::exchange(fresh_, false) && starts_near(t, y);
   if (starting_) return true;
   keep_rows_good();
   const System& system = dynamics_.system();
   const auto v = y.segment(system.q_size(), system.v_size());
-  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, system.body_count());
-  const double fastest =
-      std::max(rates.topRows<3>().cwiseAbs().maxCoeff() / length_, rates.bottomRows<3>().cwiseAbs().maxCoeff());
-  least_ = {t, fastest * h > coarse ? dynamics_.least_singular_value() : INFINITY};
+  fastest_ = largest_rate(v);
+  least_ = {t, fastest_ * h > coarse ? dynamics_.least_singular_value() : INFINITY};
   const double tau = foreseen(t);
   if (!(tau >= -h && tau < INFINITY)) return false;
   const double root = dynamics_.watch().trend()->last.root;
   if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
-  return tau < std::max(0.5 * usual_length(v, VectorXd::Zero(v.size())), steps_before * h) + h;
+  const double usual = usual_length(v, VectorXd::Zero(v.size()));
+  if (!adaptive) return tau < std::max(0.5 * usual, steps_before * h) + h;
+  if (tau <= 0.5 * usual) return true;
+  most_step_ = tau - before_pose * usual;
+  return false;
 }
 
 /// Of the nodes from the poses, relative to the length.
@@ -182,7 +201,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   if (!starting_) begin(t, y);
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double pose = starting_ ? 0.0 : foreseen(t);
-  Search search{t, h, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, h})};
+  Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
   leap_ = std::move(search.best);
@@ -384,7 +403,7 @@ std::vector<double> Crossing::poses_in_leap() {
 
 bool Crossing::look_back(double t, double h, const VectorXd& y) {
   if (!prepared_ || poses_.last() >= t - same_time * h) return false;
-  if (least_.at == t && least_.root < INFINITY) return poses_.pass(t, least_.root, y);
+  if (least_.at == t && least_.root < INFINITY) return poses_.pass(t, least_.root, y, parts_to(t));
   const auto sample = dynamics_.watch().sample(t, same_time * h);
   if (!sample) return false;
   const bool close = sample->root < looked_at * dynamics_.watch().root_of_level();
@@ -403,8 +422,9 @@ void Crossing::look_into_leap(double until) {
   poses_.pass(until, poses_.root_at(until, y_), y_);
 }
 
-void Crossing::finish(double t, const VectorXd& y) {
-  if (prepared_) poses_.finish(t, y);
+bool Crossing::end(double t, const VectorXd& y) {
+  if (prepared_) poses_.finish(t, y, parts_to(t));
+  return prepared_;
 }
 
 void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {

@@ -34,9 +34,14 @@ struct Leap {
 class Crossing final : public Interpolant {
  public:
   explicit Crossing(Dynamics& dynamics);
+  ~Crossing() override { dynamics_.list_evaluations(true); }
+  Crossing(const Crossing&) = delete;
+  Crossing& operator=(const Crossing&) = delete;
 
   /// Before a step of size h from (t, y), where `dynamics` is evaluated: whether a pose may be too near for it.
-  bool due(double t, double h, const VectorXd& y);
+  bool due(double t, double h, const VectorXd& y, bool adaptive);
+  /// For an adaptive step where none is due: to where a leap over the pose ahead begins well.
+  double most_step() const { return most_step_; }
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() {
     fresh_ = true;
@@ -48,12 +53,13 @@ class Crossing final : public Interpolant {
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
 
   // Poses that were passed are listed.
-  /// After a usual step h from (t, y). True where `dynamics` was evaluated somewhere else, as it is after the others.
+  // True, or nothing: `dynamics` was evaluated somewhere else.
+  /// After a usual step h from (t, y).
   bool look_back(double t, double h, const VectorXd& y);
   /// After a leap, of which the motion follows the part before `until`.
   void look_into_leap(double until);
   /// At the end of the motion, or of a part of it.
-  void finish(double t, const VectorXd& y);
+  bool end(double t, const VectorXd& y);
 
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.h; }
@@ -78,7 +84,7 @@ class Crossing final : public Interpolant {
 
   /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.
   struct Search {
-    double t, h, grid, most;
+    double t, grid, most;
     double usual;               ///< length for a smooth motion
     std::vector<double> poses;  ///< foreseen, then found
     double least;               ///< length to begin with
@@ -100,6 +106,8 @@ class Crossing final : public Interpolant {
   void finish(Quality& quality);
   double energy(const VectorXd& y) const;
   void keep_rows_good();
+  double largest_rate(const ConstVector& v) const;
+  int parts_to(double t) const;
   bool try_lengths(Search& search, const VectorXd& y);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
@@ -118,6 +126,8 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;    ///< or in it
   bool fresh_ = true;       ///< no step was looked at yet
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
+  double most_step_ = INFINITY;
+  double fastest_ = 0.0;    ///< motion before the step [rad/s]
   double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
   double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
   Leap leap_;

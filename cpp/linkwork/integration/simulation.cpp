@@ -106,13 +106,12 @@ double Simulation::begin_step() {
 
 void Simulation::finish() {
   sampling_.before(dynamics_, y_);
-  crossing_.finish(t(), y_);
-  dynamics_.evaluate(t(), y_);
+  if (crossing_.end(t(), y_)) dynamics_.evaluate(t(), y_);
 }
 
 /// Where a singular pose is ahead.
 void Simulation::begin_leap() {
-  if (!crossing_.due(t(), next_step(), y_)) return;
+  if (!crossing_.due(t(), next_step(), y_, false)) return;
   leaping_ = crossing_.leap(t(), next_step(), schedule_.step, schedule_.t_end - t(), y_);
   if (!leaping_) return dynamics_.evaluate(t(), y_);
   crossing_.look_into_leap(std::min(crossing_.last().end(), schedule_.t_end));

@@ -62,15 +62,26 @@ bool SingularPoseSearch::worth_a_search(double root) const {
   return root < passed * level && highest_ > away * level;
 }
 
-bool SingularPoseSearch::pass(double t, double root, const VectorXd& y) {
+bool SingularPoseSearch::pass(double t, double root, const VectorXd& y, int parts) {
+  if (count_ == 0 || parts == 1) return pass({t, root, y});
+  const Mark before = marks_[2], after{t, root, y};
+  for (int k = 1; k < parts; ++k) {
+    Mark between{before.t + (t - before.t) * k / parts, 0.0, {}};
+    interpolate(before, after, between.t, between.y);
+    between.root = root_at(between.t, between.y);
+    pass(std::move(between));
+  }
+  pass(after);
+  return true;
+}
+
+bool SingularPoseSearch::pass(Mark mark) {
   auto& [a, b, c] = marks_;
   std::swap(a, b);
   std::swap(b, c);
-  c.t = t;
-  c.root = root;
-  c.y = y;
+  c = std::move(mark);
   count_ = std::min(count_ + 1, 3);
-  highest_ = std::max(highest_, root);
+  highest_ = std::max(highest_, c.root);
   if (count_ < 2 || !worth_a_search(b.root)) return false;
   if (count_ == 2) search_between(b, c);
   else if (b.root <= a.root && b.root < c.root) search_around();
@@ -97,9 +108,9 @@ bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
   return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
 }
 
-void SingularPoseSearch::finish(double t, const VectorXd& y) {
+void SingularPoseSearch::finish(double t, const VectorXd& y, int parts) {
   const double root = root_at(t, y);
-  if (count_ == 0 || marks_[2].t < t) pass(t, root, y);
+  if (count_ == 0 || marks_[2].t < t) pass(t, root, y, parts);
   if (count_ > 1 && root < marks_[1].root && worth_a_search(root)) search_between(marks_[1], marks_[2]);
   const double level = dynamics_.watch().root_of_level();
   if (!(root < at_rest * level && highest_ > away * level)) return;
@@ -115,6 +126,7 @@ void SingularPoseSearch::list(double t, const VectorXd& y) {
 }
 
 double SingularPoseSearch::root_at(double t, const VectorXd& y) {
+  dynamics_.observe_now();  // what waits for a solution is not to get it from here
   const Unwatched unwatched(dynamics_);
   dynamics_.evaluate(t, y);
   return dynamics_.least_singular_value();
@@ -134,17 +146,20 @@ bool SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
   return true;
 }
 
-// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
 void SingularPoseSearch::interpolate(double t, VectorXd& y) const {
+  const bool later = count_ < 3 || t >= marks_[1].t;
+  interpolate(marks_[later ? 1 : 0], marks_[later ? 2 : 1], t, y);
+}
+
+// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
+void SingularPoseSearch::interpolate(const Mark& from, const Mark& to, double t, VectorXd& y) const {
   const System& system = dynamics_.system();
   const int nq = system.q_size(), nv = system.v_size();
-  const bool later = count_ < 3 || t >= marks_[1].t;
-  const Mark &from = marks_[later ? 1 : 0], &to = marks_[later ? 2 : 1];
   const double h = to.t - from.t, s = (t - from.t) / h;
   VectorXd rates(nq), rates_new(nq);
   system.position_rates(from.y.head(nq), from.y.segment(nq, nv), rates);
   system.position_rates(to.y.head(nq), to.y.segment(nq, nv), rates_new);
-  y = from.y;
+  y = (1 - s) * from.y + s * to.y;
   y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * from.y.head(nq) + s * s * (3 - 2 * s) * to.y.head(nq) +
                h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
   system.normalize(y.head(nq));

@@ -30,10 +30,11 @@ class SingularPoseSearch {
 
   /// The motion begins anew.
   void restart();
-  /// A state of the motion with its least singular value. True where `dynamics` was evaluated somewhere else.
-  bool pass(double t, double root, const VectorXd& y);
+  /// A state of the motion with its least singular value; on the way to it as many parts are looked at. True where
+  /// `dynamics` was evaluated somewhere else.
+  bool pass(double t, double root, const VectorXd& y, int parts = 1);
   /// The last one, for now. Leaves `dynamics` evaluated somewhere else.
-  void finish(double t, const VectorXd& y);
+  void finish(double t, const VectorXd& y, int parts = 1);
   /// A pose that was found otherwise: the motion begins anew there. Leaves `dynamics` evaluated there.
   void list(double t, const VectorXd& y);
 
@@ -48,11 +49,13 @@ class SingularPoseSearch {
     VectorXd y;
   };
 
+  bool pass(Mark mark);
   bool worth_a_search(double root) const;
   void search_around();
   bool search_between(const Mark& before, const Mark& after);
   bool search(PivotSample a, PivotSample b, PivotSample c);
   void interpolate(double t, VectorXd& y) const;
+  void interpolate(const Mark& from, const Mark& to, double t, VectorXd& y) const;
 
   Dynamics& dynamics_;
   std::array<Mark, 3> marks_;  ///< the last ones

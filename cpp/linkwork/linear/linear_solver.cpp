@@ -16,6 +16,10 @@ std::string joined_available() {
 
 }  // namespace
 
+#define LINKWORK_SOLVER(NAME) LinearSolverInfo NAME##_solver();
+#include "linkwork/linear/solvers.def"
+#undef LINKWORK_SOLVER
+
 const std::vector<LinearSolverInfo>& linear_solvers() {
   static const std::vector<LinearSolverInfo> solvers = {
 #define LINKWORK_SOLVER(NAME) NAME##_solver(),

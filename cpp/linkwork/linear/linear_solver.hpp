@@ -69,8 +69,4 @@ const LinearSolverInfo& linear_solver_info(const std::string& name);
 /// The first of these names that is in this build.
 std::string first_available(std::initializer_list<const char*> names);
 
-#define LINKWORK_SOLVER(NAME) LinearSolverInfo NAME##_solver();
-#include "linkwork/linear/solvers.def"
-#undef LINKWORK_SOLVER
-
 }  // namespace linkwork

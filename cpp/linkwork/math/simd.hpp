@@ -25,11 +25,19 @@ constexpr int width = 2;
 /// As many doubles as one register holds.
 typedef double Native __attribute__((vector_size(8 * width)));
 typedef double UnalignedNative __attribute__((vector_size(8 * width), aligned(8), may_alias));
-typedef long long NativeIndex __attribute__((vector_size(8 * width)));  // of __builtin_shuffle
+typedef long long NativeIndex __attribute__((vector_size(8 * width)));
 
 LINKWORK_INLINE Native load_native(const double* p) { return *reinterpret_cast<const UnalignedNative*>(p); }
 LINKWORK_INLINE void store_native(double* p, Native v) { *reinterpret_cast<UnalignedNative*>(p) = v; }
 LINKWORK_INLINE Native splat_native(double x) { return x - Native{}; }
+/// Lane k in all lanes.
+LINKWORK_INLINE Native spread_native(Native v, int k) {
+#if defined(__clang__)
+  return splat_native(v[k]);
+#else  // which makes one instruction of it only where it is told of the permutation
+  return __builtin_shuffle(v, k - NativeIndex{});
+#endif
+}
 
 /// Transposes a square of width x width numbers: lane c of row r becomes lane r of row c. Two rows give the even and
 /// the odd lanes of both, or quarters of lanes; every step is one instruction.
@@ -128,8 +136,7 @@ LINKWORK_INLINE Vector& operator-=(Vector& a, const Vector& b) { return a = a - 
 
 /// Lane k of v in all lanes.
 LINKWORK_INLINE Vector lane(const Vector& v, int k) {
-  const NativeIndex index = k % width - NativeIndex{};
-  const Native all = __builtin_shuffle(v.part[k / width], index);
+  const Native all = spread_native(v.part[k / width], k % width);
   Vector out;
   LINKWORK_EACH_PART out.part[p] = all;
   return out;

@@ -112,8 +112,4 @@ int force_kind_index(const std::string& name);
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
   ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
 
-#define LINKWORK_FORCE(NAME) ForceKind NAME##_force();
-#include "linkwork/model/forces.def"
-#undef LINKWORK_FORCE
-
 }  // namespace linkwork

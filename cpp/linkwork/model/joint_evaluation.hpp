@@ -75,9 +75,9 @@ LINKWORK_INLINE void prefetch_joints(const JointArrays& joints, int first, const
 template <class Joint>
 LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q, const double* v,
                                      const Signal<double>* signals, const ConstraintArrays& out) {
-  constexpr int rows = Joint::rows, max_parameters = 8;
+  constexpr int rows = Joint::rows;
   constexpr int ahead = 16, many = 2000;
-  Signal<Pack> parameters[max_parameters];
+  Signal<Pack> parameters[max_joint_parameters];
   for (int first = 0; first < joints.count; first += width) {
     if (joints.count > many && first + ahead + width <= joints.count)
       prefetch_joints<rows>(joints, first + ahead, q, v, out);

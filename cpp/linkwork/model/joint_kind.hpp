@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "linkwork/math/instruction_set.hpp"
@@ -34,11 +36,17 @@ struct JointKind {
   EvaluateJoints evaluate[max_instruction_sets];  ///< by level of the instruction set
 };
 
+/// An evaluation holds the parameters of a joint in an array of this size.
+constexpr std::size_t max_joint_parameters = 8;
+
+/// A std::logic_error, when the list of kinds is first read: more parameters than max_joint_parameters.
+JointKind checked(JointKind kind);
+
 template <class Joint>
 JointKind make_joint_kind(EvaluateJoints v2, EvaluateJoints v3, EvaluateJoints v4) {
   JointKind kind{Joint::info(), {v2, v3, v4}};
   kind.info.rows = Joint::rows;
-  return kind;
+  return checked(std::move(kind));
 }
 
 /// All registered joints, in the order of joints.def.
@@ -79,10 +87,6 @@ int joint_kind_index(const std::string& name);
   }                                         \
   JointKind NAME##_joint() { return make_joint_kind<STRUCT>(&v2::evaluate_##NAME, nullptr, nullptr); }
 #endif
-
-#define LINKWORK_JOINT(NAME) JointKind NAME##_joint();
-#include "linkwork/model/joints.def"
-#undef LINKWORK_JOINT
 
 }  // namespace linkwork
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/force_kind.hpp"
@@ -7,6 +8,14 @@
 #include "linkwork/model/special_joint.hpp"
 
 namespace linkwork {
+
+#define LINKWORK_JOINT(NAME) JointKind NAME##_joint();
+#include "linkwork/model/joints.def"
+#undef LINKWORK_JOINT
+
+#define LINKWORK_FORCE(NAME) ForceKind NAME##_force();
+#include "linkwork/model/forces.def"
+#undef LINKWORK_FORCE
 
 #define LINKWORK_SPECIAL_JOINT(NAME) KindInfo NAME##_joint();
 #include "linkwork/model/special_joints.def"
@@ -32,6 +41,13 @@ int find_kind(const std::vector<Kind>& kinds, const std::string& name, const cha
 }
 
 }  // namespace
+
+JointKind checked(JointKind kind) {
+  if (kind.info.parameters.size() > max_joint_parameters)
+    throw std::logic_error("joint kind '" + kind.info.name + "' has " + std::to_string(kind.info.parameters.size()) +
+                           " parameters, more than max_joint_parameters = " + std::to_string(max_joint_parameters));
+  return kind;
+}
 
 const std::vector<JointKind>& joint_kinds() {
   static const std::vector<JointKind> kinds = {

@@ -23,8 +23,7 @@ LINKWORK_INLINE void with_count(int count, const Function& f) {
 
 /// 1 / (lane k of v) in all lanes: sooner there than a number that would have to be spread out.
 LINKWORK_INLINE Vector inverse_of_lane(const Vector& v, int k) {
-  const NativeIndex index = k % width - NativeIndex{};
-  const Native inverse = 1.0 / __builtin_shuffle(v.part[k / width], index);
+  const Native inverse = 1.0 / spread_native(v.part[k / width], k % width);
   Vector out;
   LINKWORK_EACH_PART out.part[p] = inverse;
   return out;
