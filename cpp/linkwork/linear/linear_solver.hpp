@@ -57,7 +57,7 @@ struct LinearSolverInfo {
   /// Instead of `make`: a solver that works on the blocks of the equations themselves, without a sparse matrix.
   std::unique_ptr<SaddleSolver> (*make_saddle)() = nullptr;
   /// Why there is neither in this build; empty where there is one.
-  std::string missing;
+  std::string missing = {};
 
   bool available() const { return make || make_saddle; }  ///< in this build
 };
