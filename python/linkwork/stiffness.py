@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import _core
 from linkwork.errors import LinkworkError
 from linkwork.extent import extent
 from linkwork.system import System
@@ -46,7 +45,7 @@ def fastest(system: System) -> Fastest | None:
         return None
     y = system.initial_state()
     nq = 7 * system.model.body_count
-    reach = _reach(core, y)
+    reach = _reach(system, y)
     try:
         H, basis = _arnoldi(lambda z: _directional(system, y, reach, z), _start(system))
     except LinkworkError:  # no accelerations beside the initial state: the run will say so, if it must
@@ -83,11 +82,13 @@ def stable_step(growth: Callable[[float, float], float], eigenvalue: complex, st
     return stable
 
 
-def _reach(core: _core.Model, y: Floats) -> Floats:
+def _reach(system: System, y: Floats) -> Floats:
     """Units of the linearization (13n,): of positions, Euler parameters, velocities, angular velocities."""
+    core = system.model.compiled()
     count, size = core.body_count, extent(core).size
     v = np.abs(y[7 * count :]).reshape(-1, 6)
-    speed, spin = max(1.0, v[:, :3].max()), max(1.0, v[:, 3:].max())
+    _, rate, _ = system.compiled().residual_scales(0.0, y[: 7 * count], y[7 * count :])
+    speed, spin = max(size * rate, v[:, :3].max()), max(rate, v[:, 3:].max())
     pose, rate = [size] * 3 + [1.0] * 4, [speed] * 3 + [spin] * 3
     return np.concatenate([np.tile(pose, count), np.tile(rate, count)])
 

@@ -398,7 +398,7 @@ TEST_CASE("an option that does not exist or cannot be honoured is refused with a
   CHECK(code(options_of("standard", "lkk")) == "unknown_option");
   CHECK(code(options_of("penalty", "kkt")) == "matrix_form");
   CHECK(code(options_of("standard", "auto", "cholmud")) == "unknown_linear_solver");
-  CHECK(code(options_of("standard", "kkt", "cholmod")) == "linear_solver");
+  CHECK(code(options_of("standard", "kkt", "eigen_ldlt")) == "linear_solver");
   Options options;
   options.stabilization = "baumgart";
   CHECK(code(options) == "unknown_stabilization");

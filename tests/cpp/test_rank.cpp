@@ -306,6 +306,21 @@ TEST_CASE("a dead center that cannot be left has no redundant rows") {
   CHECK(report.singular_rows.size() == 1);
 }
 
+TEST_CASE("a planar loop stretched into a dead center repeats three equations, and has one that is singular") {
+  Model model;
+  model.add_body("a", at({0.5, 0.0, 0.0}));
+  model.add_body("b", at({1.5, 0.0, 0.0}));
+  add_in_space(model, "revolute", "A", ground, 0, {0, 0, 0});
+  add_in_space(model, "revolute", "B", 0, 1, {1, 0, 0});
+  add_in_space(model, "revolute", "C", 1, ground, {2, 0, 0});
+  const RankReport report = examine_rank(System(model));
+  CHECK(rank_of_constraints(System(model), evaluate_initially(System(model))).rank == 11);
+  CHECK(report.rank == 12);
+  CHECK(report.degrees_of_freedom == 0);
+  CHECK(report.redundant_rows.size() == 3);
+  CHECK(report.singular_rows.size() == 1);
+}
+
 TEST_CASE("what an initial pose hides by its errors is redundant all the same") {
   Model model;
   const Model exact = four_bar();

@@ -184,6 +184,7 @@ TEST_CASE("a hinge that is there twice is a SingularSystemError in kkt and schur
 
 TEST_CASE("the error of schur for a hinge that is there twice names one of the two, where the solver tells the row") {
   for (const char* name : {"dense", "cholmod", "cholmod_simplicial", "cholmod_supernodal", "eigen_ldlt"}) {
+    if (first_available({name, "dense"}) != name) continue;
     INFO(std::string(name));
     Random random(117);
     const Problem problem(doubled_hinge(random), random);

@@ -15,6 +15,7 @@ from linkwork.integrators import METHODS, EmbeddedPair
 FORMULATIONS = [info.name for info in _core.formulations()]
 STABILIZATIONS = [info.name for info in _core.stabilizations()]
 SOLVERS = [info.name for info in _core.linear_solvers()]
+AVAILABLE = [info.name for info in _core.linear_solvers() if info.available]
 
 WAY_OUT = re.compile(r"\b(use|choose|leave|give|nearest)\b")
 
@@ -50,4 +51,4 @@ def test_every_combination_runs_or_is_refused_with_a_way_out(formulation: str, s
             formulation=formulation, stabilization=stabilization, linear_solver=solver, matrix_form=form,
             integrator="rk4",
         )  # fmt: skip
-    assert ran > len(SOLVERS) * len(METHODS) / 2
+    assert ran > len(AVAILABLE) * len(METHODS) / 2

@@ -146,3 +146,69 @@ def test_rank_does_not_depend_on_masses() -> None:
             body["inertia"] = np.where(moments == moments.min(), inertia, moments).tolist()
         found = examine(model_of(record))
         assert (found["rank"], found["degrees_of_freedom"], found["redundant"]) == (29, 1, 1)
+
+
+WAYS: dict[str, dict[str, Any]] = {
+    "standard": {},
+    "schur": {"system": "schur"},
+    "no stabilization": {"stabilization": "none"},
+    "projection": {"stabilization": "projection"},
+    "penalty": {"formulation": "penalty"},
+    "augmented Lagrangian": {"formulation": "augmented_lagrangian"},
+    "hem4": {"integrator": "hem4"},
+    "phem56": {"integrator": "phem56"},
+    "abm4": {"integrator": "abm4"},
+}
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("name", ["four_bar", "bricard", "spatial_slider_crank"])
+def test_motions_do_not_depend_on_units(name: str, way: str) -> None:
+    """Short of what rounding makes of 40 steps."""
+    model, step, count = MECHANISMS[name].function(), 1e-3, 40
+
+    def motion(units: Units) -> tuple[Any, Any]:
+        h = step * units.s
+        result = lw.simulate(in_units(model, units), count * h, h, progress=False, **WAYS[way])
+        m, s = np.array([units.m] * 3 + [1.0] * 4), np.array([units.m] * 3 + [1.0] * 3) / units.s
+        return result.q / m, result.v / s
+
+    q, v = motion(Units(1.0, 1.0, 1.0))
+    for units in UNITS.values():
+        found_q, found_v = motion(units)
+        assert np.abs(found_q - q).max() <= 1e-9
+        assert np.abs(found_v - v).max() <= 1e-9 * np.abs(v).max()
+
+
+def of_length(units: Units) -> Any:
+    return np.array([units.m] * 3 + [1.0] * 4)
+
+
+def rest(model: lw.Model, units: Units) -> Any:
+    q = lw.equilibrium(in_units(model, units)).model.compiled().q0
+    return q.reshape(-1, 7) / of_length(units)
+
+
+def driven_motion(model: lw.Model, units: Units) -> Any:
+    return lw.kinematics(in_units(model, units), np.linspace(0, 0.3, 7) * units.s).q / of_length(units)
+
+
+def eigenvalues(model: lw.Model, units: Units) -> Any:
+    return lw.linearize(in_units(model, units)).eigenvalues * units.s
+
+
+@pytest.mark.parametrize(
+    ("analysis", "name"),
+    [
+        *((rest, name) for name in ("pendulum", "double_wishbone")),
+        *((driven_motion, name) for name in ("stewart_platform", "delta_robot")),
+        (eigenvalues, "double_wishbone"),
+    ],
+)
+def test_analyses_do_not_depend_on_units(analysis: Any, name: str) -> None:
+    model = MECHANISMS[name].function()
+    expected = analysis(model, Units(1.0, 1.0, 1.0))
+    for units in UNITS.values():
+        found = analysis(model, units)
+        assert found.shape == expected.shape
+        assert np.abs(found - expected).max() <= 1e-6 * np.abs(expected).max()

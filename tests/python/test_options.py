@@ -47,8 +47,8 @@ REFUSED: dict[str, tuple[dict[str, Any], list[str]]] = {
         ["frequency", "baumgarte_alpha"],
     ),
     "a solver that cannot factorize the system": (
-        {"matrix_form": "kkt", "linear_solver": "cholmod"},
-        ["'cholmod'", "kkt", "'schur'"],
+        {"matrix_form": "kkt", "linear_solver": "eigen_ldlt"},
+        ["'eigen_ldlt'", "kkt", "'schur'"],
     ),
     "a system that the formulation does not have": (
         {"formulation": "penalty", "matrix_form": "schur"},

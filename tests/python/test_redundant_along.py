@@ -133,3 +133,15 @@ def test_check_names_redundant_equations_that_ask_for_other_accelerations() -> N
     assert "first" in equation or "second" in equation
     assert found[equation] == pytest.approx(2.0, rel=1e-6), "4 - 2 m/s2"
     assert not examine(twice_driven(functions.expression("t**2 * (1 - t)**2")))["contradictions"]
+
+
+@pytest.mark.parametrize("way", [{"step": 1e-4}, {"rtol": 1e-6}, {"rtol": 1e-9, "integrator": "dop853"}])
+@pytest.mark.parametrize("height", [0.02, 2e-4])
+def test_drivers_that_part_for_a_millisecond_only_are_told(height: float, way: dict[str, object]) -> None:
+    start, half = 0.4137, 5e-4
+    up, down = functions.cycloidal(height, half, start), functions.cycloidal(-height, half, start + half)
+    model = twice_driven(functions.Sum((functions.polynomial(0, 0, 1, -2, 1), up, down)))
+    with pytest.raises(lw.ViolationError, match="contradict each other") as caught:
+        lw.simulate(model, 1.0, progress=False, **way)
+    assert caught.value.joints == ["first", "second"]
+    assert start <= caught.value.time <= start + 2 * half

@@ -145,7 +145,19 @@ VectorXd allowed_velocity(MetricSolver& solver, const LoopCore& core, const Eval
   return velocity;
 }
 
+VectorXd random_velocity(const System& system, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  VectorXd random(system.v_size());
+  for (double& x : random) x = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
+  random.array() *= velocity_scale(system).array();
+  return random;
+}
+
 }  // namespace
+
+VectorXd random_allowed_velocity(MetricSolver& solver, const LoopCore& core, const Evaluation& at, std::uint64_t seed) {
+  return allowed_velocity(solver, core, at, random_velocity(solver.system(), seed));
+}
 
 ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const TimedPose& pose) {
   return pull_back(solver, core, Components(solver.system(), core), pose);
@@ -156,10 +168,7 @@ PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd
   const Components components(system, core);
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
-  std::mt19937_64 engine(1);
-  VectorXd random(system.v_size());
-  for (double& x : random) x = static_cast<double>(engine() >> 11) * 0x1p-52 - 1.0;
-  random.array() *= velocity_scale(system).array();
+  const VectorXd random = random_velocity(system, 1);
   VectorXd velocity = allowed_velocity(solver, core, at, random);
 
   PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "linkwork/constraints/loop_core.hpp"
@@ -32,5 +33,8 @@ struct PerturbedPose : ConsistentPose {
   std::vector<char> mobile;
 };
 PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q, const std::vector<int>& freedoms);
+
+/// A random velocity that the constraints allow at an evaluation, the same for the same seed.
+VectorXd random_allowed_velocity(MetricSolver& solver, const LoopCore& core, const Evaluation& at, std::uint64_t seed);
 
 }  // namespace linkwork

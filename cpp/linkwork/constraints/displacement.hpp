@@ -5,7 +5,6 @@
 namespace linkwork {
 
 /// Displaces the bodies of q, the first 7 entries per body of a state, by x, 6 per body: r += x_r, p = p exp(x_omega).
-/// Returns the largest displacement, relative to 1 + |r| and 1 rad.
-double displace(const System& system, const VectorXd& x, VectorXd& q);
+void displace(const System& system, const VectorXd& x, VectorXd& q);
 
 }  // namespace linkwork

@@ -10,7 +10,7 @@ namespace {
 // Relative to the inertia of the body's other motions.
 constexpr double fill = 1e-5;       // what moments are filled up by: roundoff of 1e-10, and as few refinements
 constexpr double small = 1e-3;      // moments whose roundoff shows in any solution
-constexpr double roundoff = 4e-14;  // tolerance times moment from which on it shows in that tolerance
+constexpr double roundoff = 4e-13;  // tolerance times moment from which on it shows in that tolerance
 constexpr double of_interest = 0.1;
 constexpr double felt = 1e-6;       // part of a row of D
 constexpr double massless = 1e-14;  // as in System

@@ -177,10 +177,11 @@ std::vector<int> LoopCore::loop_of(int joint, std::size_t most) const {
 
 SparseRows LoopCore::scaled_D(const Evaluation& at, VectorXd* lengths) const {
   SparseRows D(row_count(), system_->v_size());
+  D.reserve(std::ptrdiff_t{2} * velocity_size * row_count());
   if (lengths) lengths->setOnes(row_count());
-  std::vector<Eigen::Triplet<double>> entries;
   std::vector<std::pair<int, double>> row;
   for (int place = 0; place < row_count(); ++place) {
+    D.startVec(place);
     const int number = rows_[static_cast<std::size_t>(place)];
     double squares = 0.0, largest[2] = {0.0, 0.0};  // of translations and rotations
     row.clear();
@@ -197,10 +198,11 @@ SparseRows LoopCore::scaled_D(const Evaluation& at, VectorXd* lengths) const {
     if (vanishes(system_->model(), number, largest[0], largest[1])) continue;
     const double length = std::sqrt(squares);
     if (lengths) (*lengths)[place] = length;
+    if (!std::is_sorted(row.begin(), row.end())) std::sort(row.begin(), row.end());
     for (const auto& [velocity, value] : row)
-      if (value != 0.0) entries.emplace_back(place, velocity, value / length);
+      if (value != 0.0) D.insertBack(place, velocity) = value / length;
   }
-  D.setFromTriplets(entries.begin(), entries.end());
+  D.finalize();
   return D;
 }
 

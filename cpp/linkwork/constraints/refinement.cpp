@@ -38,13 +38,13 @@ void Refinement::correct(const Evaluation& at, const ConstVector& a, const Const
 }
 
 bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                        MutableVector lambda, const Nearby& nearby, Cause cause, double least_size) {
+                        MutableVector lambda, const Nearby& nearby, Cause cause) {
   const bool inertia = cause == Cause::inertia;
   const double free = size_of_free_motion(a);
   double last = INFINITY, enough = cause == Cause::roundoff ? second_order : exact;
   for (int k = 0; k < most_corrections; ++k) {
     correct(at, a, b, x, lambda, nearby);
-    const double size = std::max(size_of(x) + free, least_size), change = size_of(dx_);
+    const double size = size_of(x) + free, change = size_of(dx_);
     if (change <= enough * size) return true;
     if (!std::isfinite(change)) return false;
     if (inertia && change > slow * last) return accelerate(at, a, b, x, lambda, nearby, size);

@@ -35,10 +35,10 @@ class Refinement {
   /// What makes nearby solutions inexact: other inertias, roundoff alone, or roundoff near a singular pose.
   enum class Cause { inertia, roundoff, singular_pose };
 
-  /// Corrections until they are roundoff: of `x` and M^-1 a, or of `least_size` where these are smaller, in m/s^2. Only
-  /// other inertias may be so far away that it takes conjugate gradients. False: they do not converge.
+  /// Corrections until they are roundoff of `x` and M^-1 a. Only other inertias may be so far away that it takes
+  /// conjugate gradients. False: they do not converge.
   bool refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda,
-              const Nearby& nearby, Cause cause, double least_size = 0.0);
+              const Nearby& nearby, Cause cause);
 
   /// The body that the last correction changed most.
   int least_certain_body() const;

@@ -2,6 +2,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "linkwork/constraints/constraint_kernel.hpp"
@@ -11,6 +12,8 @@ namespace linkwork {
 namespace {
 
 constexpr double no_choice = 1e-8;        // of the volume that a choice could keep
+constexpr double no_obstacle = 1e-6;      // part of gamma that obstructs no motion
+constexpr int most_motions = 6;           // that are tried in a dead center
 constexpr double equal = 1e-6;            // relative difference of volumes that is none
 constexpr double most_selection = 5e6;    // flops of choosing rows in one component
 constexpr std::size_t longest_loop = 60;  // joints, for dense algebra
@@ -72,7 +75,11 @@ class Selection {
     const std::vector<ComponentPose> assembled = components_at(assembled_), perturbed = components_at(perturbed_);
     Places redundant;
     for (std::size_t c = 0; c < rows_.size(); ++c) {
-      if (assembled[c].dependent.empty() || (found_.mobile[c] && !found_.reached[c])) continue;
+      if (assembled[c].dependent.empty()) continue;
+      if (found_.mobile[c] && !found_.reached[c]) {
+        append_permanent(c, assembled[c].kernel, redundant);
+        continue;
+      }
       const bool both = found_.reached[c] && perturbed[c].dependent.size() <= assembled[c].dependent.size();
       const ComponentPose& generic = both ? perturbed[c] : assembled[c];
       for (const int local : redundant_rows(c, generic, both ? &assembled[c] : nullptr))
@@ -83,6 +90,53 @@ class Selection {
   }
 
  private:
+  /// Of a dead center, which cannot be left. A motion v of ker D goes on where D v_dot = gamma(v) has a solution, so
+  /// where n . gamma(v) = 0 for all n of ker D^T. The n for which it is not are those of the pose; the others say that
+  /// rows repeat each other, as far as the second order knows.
+  void append_permanent(std::size_t c, const MatrixXd& kernel, Places& redundant) {
+    if (kernel.cols() == 0) return;
+    MatrixXd obstacles(kernel.cols(), most_motions);
+    for (int k = 0; k < most_motions; ++k) {
+      const VectorXd gamma = curvature(c, static_cast<std::uint64_t>(k) + 2);
+      obstacles.col(k) = kernel.transpose() * gamma / gamma.norm();
+    }
+    Eigen::ColPivHouseholderQR<MatrixXd> qr(obstacles);
+    if (!(qr.maxPivot() > no_obstacle)) return;  // it is something else that holds the pose
+    qr.setThreshold(no_obstacle / qr.maxPivot());
+    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(kernel.cols(), kernel.cols());
+    std::vector<MatrixXd> bases = {kernel * Q.rightCols(kernel.cols() - qr.rank())};
+    if (bases.front().cols() == 0) return;
+    for (const int local : choose_rows(static_cast<int>(bases.front().cols()), preferred_of(c), bases))
+      redundant.push_back(rows_[c][static_cast<std::size_t>(local)]);
+  }
+
+  /// gamma of a random motion that the constraints allow, its part without drivers, of the rows of a component, which
+  /// are of unit length in the solver's metric.
+  VectorXd curvature(std::size_t c, std::uint64_t seed) {
+    const System& system = solver_.system();
+    const VectorXd history = system.initial_history();
+    Evaluation at = assembled_.at;
+    const VectorXd v = random_allowed_velocity(solver_, core_, at, seed);
+    const VectorXd scale = system.row_mobility(at).cwiseSqrt();
+    VectorXd sum = VectorXd::Zero(system.row_count());
+    for (const auto& [sign, weight] : {std::pair{1.0, 0.5}, {-1.0, 0.5}, {0.0, -1.0}}) {
+      system.evaluate_constraints(0.0, found_.q, sign * v, history, at);
+      sum += weight * at.gamma;
+    }
+    VectorXd out(static_cast<Eigen::Index>(rows_[c].size()));
+    for (std::size_t r = 0; r < rows_[c].size(); ++r) {
+      const int row = core_.rows()[static_cast<std::size_t>(rows_[c][r])];
+      out[static_cast<Eigen::Index>(r)] = scale[row] > 0.0 ? sum[row] / scale[row] : 0.0;
+    }
+    return out;
+  }
+
+  VectorXd preferred_of(std::size_t c) const {
+    VectorXd preferred(static_cast<Eigen::Index>(rows_[c].size()));
+    for (std::size_t r = 0; r < rows_[c].size(); ++r) preferred[static_cast<Eigen::Index>(r)] = preferred_[rows_[c][r]];
+    return preferred;
+  }
+
   /// Components share no body, so one solution gives a vector of the kernel of each.
   std::vector<ComponentPose> components_at(const CorePose& pose) {
     std::vector<ComponentPose> out(rows_.size());
@@ -127,9 +181,7 @@ class Selection {
     for (const ComponentPose* pose : {&generic, other})
       if (pose && pose->kernel.cols() > 0) bases.push_back(pose->kernel);
     if (generic.kernel.cols() == 0) return redundant_rows_by_loops(c, other != nullptr);
-    VectorXd preferred(static_cast<Eigen::Index>(rows_[c].size()));
-    for (std::size_t r = 0; r < rows_[c].size(); ++r) preferred[static_cast<Eigen::Index>(r)] = preferred_[rows_[c][r]];
-    return choose_rows(static_cast<int>(generic.dependent.size()), preferred, bases);
+    return choose_rows(static_cast<int>(generic.dependent.size()), preferred_of(c), bases);
   }
 
   /// Where the kernel is too large to be written out: what each closing joint repeats of the tree's part of its loop,
@@ -230,8 +282,9 @@ std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
     for (SparseRows::InnerIterator it(A, row); it; ++it)
       if (const int body = static_cast<int>(it.col()) / velocity_size; bodies.empty() || bodies.back() != body)
         bodies.push_back(body);
-    groups.push_back(groups.empty() ? 0 : groups.back() + (bodies != last));
-    last = bodies;
+    const bool same = std::equal(bodies.begin(), bodies.end(), last.begin(), last.end(), std::equal_to<>());
+    groups.push_back(groups.empty() ? 0 : groups.back() + !same);
+    if (!same) last.swap(bodies);
   }
   return groups;
 }
@@ -239,7 +292,9 @@ std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
 }  // namespace
 
 Places dependent_rows(const SparseRows& A, double tolerance) {
-  return dependent_columns(A.transpose(), tolerance, neighbors_on_same_bodies(A));
+  const Eigen::Map<const Eigen::SparseMatrix<double>> transposed(A.cols(), A.rows(), A.nonZeros(), A.outerIndexPtr(),
+                                                                 A.innerIndexPtr(), A.valuePtr());
+  return dependent_columns(transposed, tolerance, neighbors_on_same_bodies(A));
 }
 
 CorePose::CorePose(const System& system, const LoopCore& core, const TimedPose& pose, double tolerance)

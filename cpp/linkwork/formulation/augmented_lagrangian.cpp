@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "linkwork/constraints/natural_size.hpp"
 #include "linkwork/constraints/refinement.hpp"
 #include "linkwork/formulation/formulation.hpp"
 #include "linkwork/math/error.hpp"
@@ -34,6 +35,7 @@ class AugmentedLagrangian final : public Formulation {
     saddle_->drop(rows.dropped);
     saddle_->analyze(system, typical);
     refinement_ = Refinement(system);
+    size_ = std::make_unique<NaturalSize>(system);
     choose_penalties(typical, rows);
   }
 
@@ -87,10 +89,11 @@ class AugmentedLagrangian final : public Formulation {
     const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dv,
                                MutableVector dlambda) { saddle_->solve(r_1, r_2, dv, dlambda); };
     saddle_->solve(a, b, v_dot, lambda);
+    const double free = size_->of_free_motion(a);
     double last_change = INFINITY;
     for (int iteration = 2; iteration <= most; ++iteration) {
       refinement_.correct(*at_, a, b, v_dot, lambda, nearby);
-      const double change = refinement_.dx().norm() / (1.0 + v_dot.norm());
+      const double change = NaturalSize::ratio(size_->of(refinement_.dx()), free + size_->of(v_dot));
       const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;
       if (change > *options_.tolerance && !stagnated) continue;
@@ -133,6 +136,7 @@ class AugmentedLagrangian final : public Formulation {
   Options options_;
   VectorXd compliance_;
   Refinement refinement_;
+  std::unique_ptr<NaturalSize> size_;
 };
 
 }  // namespace

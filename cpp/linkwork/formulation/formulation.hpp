@@ -18,7 +18,7 @@ struct IterationStatistics {
   int most = 0;                  ///< in one solve
   std::int64_t raised = 0;       ///< evaluations that needed a larger penalty
   std::int64_t stagnations = 0;  ///< solves that ended at roundoff above the tolerance
-  double last_change = 0.0;      ///< ||d v_dot|| / (1 + ||v_dot||) of the last solve
+  double last_change = 0.0;      ///< |d v_dot| / (|v_dot| + |M^-1 a|) of the last solve
   double last_residual = 0.0;    ///< max |b - D v_dot| of the last solve
   double worst_residual = 0.0;   ///< the same over the run
 };

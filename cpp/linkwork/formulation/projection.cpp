@@ -4,37 +4,37 @@
 #include <cmath>
 
 #include "linkwork/constraints/displacement.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
 
-// Relative to 1 + |r| and 1 rad, or to 1 + |v|: where a change is roundoff; where one that no longer shrinks counts as
-// roundoff, and one that does so as no convergence.
+// Relative to the size of the mechanism and its distance from the origin, or to its rate: where a change is roundoff;
+// where one that no longer shrinks counts as roundoff, and one that does so as no convergence.
 constexpr double exact = 1e-14, roundoff = 1e-9, shrinking = 0.5;
-constexpr double noise = 1e-14;      // of the violation; near a singular pose nothing is to be made of it
-constexpr double impossible = 1e-4;  // violation that is left in a singular pose, where nothing moves against it
+// Of the violation, likewise relative: near a singular pose nothing is to be made of noise, and where nothing moves
+// against it a small one is left.
+constexpr double noise = 1e-14, impossible = 1e-4;
 constexpr int most_iterations = 30;
-
-double accelerate(const System& system, const VectorXd& x, VectorXd& y) {
-  auto v = y.segment(system.q_size(), system.v_size());
-  const double size = v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0;
-  v += x;
-  return x.size() > 0 ? x.cwiseAbs().maxCoeff() / (1.0 + size) : 0.0;
-}
 
 }  // namespace
 
 Projection::Projection(Dynamics& dynamics)
     : dynamics_(dynamics),
       at_(dynamics.system().make_evaluation()),
+      size_(dynamics.system()),
       none_(VectorXd::Zero(dynamics.system().v_size())),
       b_(dynamics.system().row_count()),
       x_(dynamics.system().v_size()),
       lambda_(dynamics.system().row_count()) {}
 
+double Projection::relative_violation(double scale) const {
+  return b_.cwiseQuotient(row_lengths(dynamics_.system(), at_)).cwiseAbs().maxCoeff() / scale;
+}
+
 template <class Violation, class Move>
-void Projection::iterate(double t, VectorXd& y, Violation violation, Move move) {
+void Projection::iterate(double t, VectorXd& y, double scale, Violation violation, Move move) {
   const System& system = dynamics_.system();
   if (system.row_count() == 0) return;
   double last = INFINITY;
@@ -43,15 +43,15 @@ void Projection::iterate(double t, VectorXd& y, Violation violation, Move move) 
                                 dynamics_.history(), at_);
     b_ = -violation(at_);
     const bool singular = dynamics_.watch().open();
-    if (singular && b_.cwiseAbs().maxCoeff() <= noise) return;
+    if (singular && relative_violation(scale) <= noise) return;
     dynamics_.solve(none_, b_, x_, lambda_);
-    const double change = move(system, x_, y);
+    const double change = move();
     if (change <= exact || (change <= roundoff && change > shrinking * last)) {
-      if (!dynamics_.taken_over() || b_.cwiseAbs().maxCoeff() <= impossible) return;
+      if (!dynamics_.taken_over() || relative_violation(scale) <= impossible) return;
       break;
     }
     if (!(change <= last)) {
-      if (singular && b_.cwiseAbs().maxCoeff() <= 1e2 * noise) return;
+      if (singular && relative_violation(scale) <= 1e2 * noise) return;
       break;
     }
     last = change;
@@ -70,11 +70,34 @@ void Projection::iterate(double t, VectorXd& y, Violation violation, Move move) 
 }
 
 void Projection::positions(double t, VectorXd& y) {
-  iterate(t, y, [](const Evaluation& at) -> const VectorXd& { return at.Phi; }, displace);
+  const System& system = dynamics_.system();
+  const double reach = 1.0 + farthest(y);
+  const auto violation = [](const Evaluation& at) -> const VectorXd& { return at.Phi; };
+  iterate(t, y, 1.0, violation, [&] {
+    displace(system, x_, y);
+    return size_.of(x_) / reach;
+  });
 }
 
 void Projection::velocities(double t, VectorXd& y) {
-  iterate(t, y, [](const Evaluation& at) -> const VectorXd& { return at.Phi_dot; }, accelerate);
+  const System& system = dynamics_.system();
+  auto v = y.segment(system.q_size(), system.v_size());
+  const double by_forces = std::sqrt(size_.of_free_motion(dynamics_.evaluation().g.head(system.v_size())));
+  double rate = std::max(size_.of(v), by_forces);
+  const auto violation = [](const Evaluation& at) -> const VectorXd& { return at.Phi_dot; };
+  iterate(t, y, rate > 0.0 ? rate : 1.0, violation, [&] {
+    v += x_;
+    rate = std::max(rate, size_.of(v));
+    return NaturalSize::ratio(size_.of(x_), rate);
+  });
+}
+
+/// Of the bodies from the origin, in their lengths.
+double Projection::farthest(const VectorXd& y) const {
+  double out = 0.0;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body)
+    out = std::max(out, y.segment<3>(position_size * body).norm() / size_.length(body));
+  return out;
 }
 
 void Projection::stabilize(double t, VectorXd& y) {

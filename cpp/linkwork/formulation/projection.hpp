@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linkwork/constraints/natural_size.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 
 namespace linkwork {
@@ -24,10 +25,13 @@ class Projection {
 
  private:
   template <class Violation, class Move>
-  void iterate(double t, VectorXd& y, Violation violation, Move move);
+  void iterate(double t, VectorXd& y, double scale, Violation violation, Move move);
+  double relative_violation(double scale) const;
+  double farthest(const VectorXd& y) const;
 
   Dynamics& dynamics_;
   Evaluation at_;
+  NaturalSize size_;
   VectorXd none_, b_, x_, lambda_;
 };
 

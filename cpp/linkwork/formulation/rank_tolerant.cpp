@@ -7,7 +7,6 @@ namespace linkwork {
 namespace {
 
 constexpr double tolerances[] = {1e-8, 1e-7, 1e-6, 1e-4};  // the first that leaves a matrix with a factorization
-constexpr double least_size = 1.0;                         // m/s^2: of accelerations whose relative error counts
 
 }  // namespace
 
@@ -41,6 +40,15 @@ bool RankTolerant::factorize(const Evaluation& at, double tolerance) {
   return solver_.factorize(at_, e);
 }
 
+/// Without forces, and none for the accelerations: a part of an iteration whose end its caller judges, as it does not
+/// depend on all digits of its steps.
+bool RankTolerant::corrects(const ConstVector& a, const ConstVector& b) const {
+  if (!a.isZero(0.0)) return false;
+  VectorXd difference = b - at_.gamma;
+  left_out_.take_from(difference);
+  return !difference.isZero(0.0);
+}
+
 void RankTolerant::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
   b_ = b;
   left_out_.take_from(b_);
@@ -49,7 +57,8 @@ void RankTolerant::solve(const ConstVector& a, const ConstVector& b, MutableVect
     solver_.solve(r_1, r_2, dx, dlambda);
   };
   const auto cause = inertia_.filled() ? Refinement::Cause::inertia : Refinement::Cause::singular_pose;
-  if (refinement_.refine(at_, a, b_, v_dot, lambda, nearby, cause, least_size)) return;
+  if (refinement_.refine(at_, a, b_, v_dot, lambda, nearby, cause)) return;
+  if (corrects(a, b)) return;
   throw NotConvergedError("singular_pose",
                           "too near to a singular pose: the accelerations are not determined to half of the digits; "
                           "use another step, or formulation 'augmented_lagrangian'");

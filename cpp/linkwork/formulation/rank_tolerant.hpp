@@ -25,6 +25,7 @@ class RankTolerant final : public Formulation {
 
  private:
   bool factorize(const Evaluation& at, double tolerance);
+  bool corrects(const ConstVector& a, const ConstVector& b) const;
 
   const System& system_;
   const FilledInertia& inertia_;

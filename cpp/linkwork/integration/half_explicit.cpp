@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwork/constraints/natural_size.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -88,6 +89,7 @@ class HalfExplicit final : public Integrator {
   void prepare(const System& system) {
     if (at_) return;
     at_ = std::make_unique<Evaluation>(system.make_evaluation());
+    size_ = std::make_unique<NaturalSize>(system);
     for (VectorXd* velocities : {&x_, &dx_}) velocities->setZero(system.v_size());
     none_ = x_;
     for (VectorXd* rows : {&lambda_, &dlambda_, &b_, &residual_}) rows->setZero(system.row_count());
@@ -118,6 +120,7 @@ class HalfExplicit final : public Integrator {
   }
 
   void refine(Dynamics& dynamics) {
+    const double free = size_->of_free_motion(dynamics.evaluation().g.head(x_.size()));
     double last = INFINITY;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       dynamics.system().multiply_D(*at_, x_, residual_);
@@ -125,7 +128,7 @@ class HalfExplicit final : public Integrator {
       dynamics.solve(none_, residual_, dx_, dlambda_);
       x_ += dx_;
       lambda_ += dlambda_;
-      const double change = dx_.norm() / (1.0 + x_.norm());
+      const double change = NaturalSize::ratio(size_->of(dx_), size_->of(x_) + free);
       if (change <= exact || (change <= roundoff && change > shrinking * last)) return;
       if (!(change <= last)) break;
       last = change;
@@ -208,6 +211,7 @@ class HalfExplicit final : public Integrator {
 
   HalfExplicitTableau tableau_;
   std::unique_ptr<Evaluation> at_;  ///< of the constraints at Yb_i
+  std::unique_ptr<NaturalSize> size_;
   MatrixXd k_;
   VectorXd stage_, met_, x_, dx_, none_, lambda_, dlambda_, b_, residual_;
 };

@@ -71,8 +71,8 @@ void Run::watch_redundant_rows(double t) {
   RedundancyExamination found = examine_redundancy(system, {t, q, dynamics_.history()}, dynamics_.dropped().rows());
   if (found.changed) return take_up_rows(t, std::move(found));
   // Whatever the reason: where the equations are left so far, they are not those of the motion any more.
-  if (found.contradicts) note_contradiction(t, std::move(found.joints));
-  else if (redundancy_.excess().position > unbearable) note_contradiction(t, left_joints());
+  if (found.contradicts) note_contradiction(t, std::move(found.joints), true);
+  else if (!found.consistent || redundancy_.excess().position > unbearable) note_contradiction(t, left_joints(), false);
   redundancy_.suspect_less();
 }
 
@@ -111,11 +111,12 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
   forget();
 }
 
-void Run::note_contradiction(double t, std::vector<int> joints) {
+void Run::note_contradiction(double t, std::vector<int> joints, bool certainly) {
   const RedundancyWatch::Excess& excess = redundancy_.excess();
   if (std::isnan(contradiction_.t)) contradiction_ = {t, 0.0, joints};
   contradiction_.largest = std::max(contradiction_.largest, excess.Phi);
-  const bool large = excess.position > unbearable || (excess.velocity > unbearable_speed && excess.position > certain);
+  const bool fast = certainly && excess.velocity > unbearable_speed && excess.position > certain;
+  const bool large = excess.position > unbearable || fast;
   if (!large && dynamics_.options().on_violation != "stop") return;
   const Model& model = dynamics_.system().model();
   ErrorDetails details;

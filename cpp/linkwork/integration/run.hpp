@@ -108,7 +108,7 @@ class Run {
   void watch_redundant_rows(double t);
   void take_up_rows(double t, RedundancyExamination found);
   std::vector<int> left_joints() const;
-  void note_contradiction(double t, std::vector<int> joints);
+  void note_contradiction(double t, std::vector<int> joints, bool certainly);
   bool stops_;                   ///< at singular poses
   std::int64_t singular_poses_;  ///< before this run
   DriftBudget budget_;

@@ -12,7 +12,7 @@ namespace linkwork {
 namespace {
 
 using qr::RowMatrix;
-using ColumnMatrix = Eigen::SparseMatrix<double>;
+using ColumnMatrix = Eigen::Ref<const Eigen::SparseMatrix<double>>;
 
 constexpr double most_dense = 4e7;  // numbers in dense rows
 
@@ -160,7 +160,7 @@ std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<in
 
 }  // namespace
 
-std::vector<int> dependent_columns(const Eigen::SparseMatrix<double>& A, double tolerance,
+std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
                                    const std::vector<int>& groups) {
   const double least = tolerance * largest_column(A);
   const Reduction reduction(A, least);
@@ -176,9 +176,9 @@ std::vector<int> dependent_columns(const Eigen::SparseMatrix<double>& A, double 
 std::vector<int> dependent_columns(int rows, int columns, const std::vector<Entry>& entries, double tolerance) {
   std::vector<Eigen::Triplet<double>> triplets;
   for (const Entry& entry : entries) triplets.emplace_back(entry.row, entry.column, entry.value);
-  ColumnMatrix A(rows, columns);
+  Eigen::SparseMatrix<double> A(rows, columns);
   A.setFromTriplets(triplets.begin(), triplets.end());
-  return dependent_columns(A, tolerance);
+  return dependent_columns(A, tolerance, {});
 }
 
 }  // namespace linkwork

@@ -5,6 +5,16 @@
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
+namespace {
+
+std::string joined_available() {
+  std::string names;
+  for (const LinearSolverInfo& solver : linear_solvers())
+    if (solver.available()) names += (names.empty() ? "" : ", ") + solver.name;
+  return names;
+}
+
+}  // namespace
 
 #define LINKWORK_SOLVER(NAME) LinearSolverInfo NAME##_solver();
 #include "linkwork/linear/solvers.def"
@@ -28,10 +38,17 @@ const LinearSolverInfo& linear_solver_info(const std::string& name) {
     throw OptionError("unknown_linear_solver", "linear solver '" + name + "' does not exist; there are: " + known);
   }
   if (!found->available())
-    throw OptionError("linear_solver_not_built", "linear solver '" + name +
-                                                     "' is not in this build (it is GPL: LINKWORK_WITH_GPL=OFF); "
-                                                     "use klu or eigen_ldlt");
+    throw OptionError("linear_solver_not_built", "linear solver '" + name + "' is not in this build: " +
+                                                     found->missing + "; choose from: " + joined_available());
   return *found;
+}
+
+std::string first_available(std::initializer_list<const char*> names) {
+  const auto& all = linear_solvers();
+  const auto available = [&](const char* name) {
+    return std::any_of(all.begin(), all.end(), [&](const auto& s) { return s.name == name && s.available(); });
+  };
+  return *std::find_if(names.begin(), names.end() - 1, available);
 }
 
 }  // namespace linkwork

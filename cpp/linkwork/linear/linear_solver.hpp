@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -56,6 +57,8 @@ struct LinearSolverInfo {
   bool dense = false;  ///< the quickest for small systems; Cholesky of the upper triangle, or LU of all entries
   /// Instead of `make`: a solver that works on the blocks of the equations themselves, without a sparse matrix.
   std::unique_ptr<SaddleSolver> (*make_saddle)() = nullptr;
+  /// Why there is neither in this build; empty where there is one.
+  std::string missing = {};
 
   bool available() const { return make || make_saddle; }  ///< in this build
 };
@@ -64,5 +67,7 @@ struct LinearSolverInfo {
 const std::vector<LinearSolverInfo>& linear_solvers();
 /// The solver with this name; an OptionError where it is unknown or not in this build.
 const LinearSolverInfo& linear_solver_info(const std::string& name);
+/// The first of these names that is in this build.
+std::string first_available(std::initializer_list<const char*> names);
 
 }  // namespace linkwork

@@ -32,11 +32,12 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const 
   if (!can_solve(name, solver) && solver.make_saddle)
     throw OptionError("linear_solver", "linear solver '" + solver.name +
                                            "' works on the blocks of the kkt matrix and forms no other; use "
-                                           "matrix_form 'kkt' or 'auto', or linear solver 'cholmod'");
+                                           "matrix_form 'kkt' or 'auto', or linear solver '" +
+                                           first_available({"cholmod", "eigen_ldlt"}) + "'");
   if (!can_solve(name, solver))
-    throw OptionError("linear_solver",
-                      "linear solver '" + solver.name + "' needs a positive definite matrix and the " + name +
-                          " matrix is indefinite; use matrix_form 'schur', or linear solver 'umfpack'");
+    throw OptionError("linear_solver", "linear solver '" + solver.name + "' needs a positive definite matrix and the " +
+                                           name + " matrix is indefinite; use matrix_form 'schur', or linear solver '" +
+                                           first_available({"umfpack", "klu"}) + "'");
   if (solver.make_saddle) return solver.make_saddle();
   const bool cholesky = form.definite && (solver.positive_definite || solver.dense);
   const Storage storage = cholesky ? Storage::upper : Storage::full;

@@ -19,6 +19,9 @@ Floats = NDArray[np.float64]
 #: A matrix of scipy.sparse.
 Sparse = Any
 
+#: Rates that are none [1/s].
+AT_REST = 1e-11
+
 #: Joints or motions that a message names.
 LISTED = 4
 
@@ -52,6 +55,10 @@ class Equations:
         self.rank = self.dynamics.rank()
         self.independent = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
         self.length = _size(self.core)
+        self._row_lengths, rate, self.rounding = self.dynamics.residual_scales(
+            0.0, self.core.q0, self.core.v0
+        )
+        self.rate = rate if rate > AT_REST else 1.0  #: of its motion, or of what its forces would do [1/s]
         self.joint_of_row = np.repeat(np.arange(self.core.joint_count), np.diff(self.core.joint_rows))
         self.holonomic = self._holonomic()
         self._still = np.zeros(6 * self.core.body_count)
@@ -86,6 +93,10 @@ class Equations:
         """(m,) [m] or [1]"""
         found: Floats = self.dynamics.evaluate(t, q, self._still)["Phi"]
         return found
+
+    def violation(self, Phi: Floats) -> float:
+        """The largest residual of all, relative to the size of the mechanism."""
+        return float((np.abs(Phi) / self._row_lengths).max(initial=0.0))
 
     def turn(self, q: Floats) -> Sparse:
         """T = diag(I, A^T) (6n, 6n): what has omega in inertial axes to what has it in body axes."""
@@ -136,11 +147,14 @@ class Equations:
 
 
 def _size(core: _core.Model) -> float:
-    """The largest arm of a joint, or distance of a body from the middle of all [m]; 1 for none."""
+    """The largest arm of a joint, or distance of a body from the middle of all [m].
+
+    Without either the largest distance of the middle from a point on the ground; 1 for none.
+    """
     r = core.q0.reshape(-1, 7)[:, :3]
-    joints = core.joint_arrays()
-    arms = np.abs(joints["origin"][joints["bodies"] >= 0]).max(
-        initial=0.0
-    )  # points on the ground are no arms
-    spread = np.linalg.norm(r - r.mean(axis=0), axis=1).max(initial=0.0)
-    return float(max(arms, spread)) or 1.0
+    joints, middle = core.joint_arrays(), r.mean(axis=0)
+    on_bodies = joints["bodies"] >= 0
+    arms = np.abs(joints["origin"][on_bodies]).max(initial=0.0)
+    spread = np.linalg.norm(r - middle, axis=1).max(initial=0.0)
+    way = np.linalg.norm(joints["origin"][~on_bodies] - middle, axis=1).max(initial=0.0)
+    return float(max(arms, spread) or way) or 1.0

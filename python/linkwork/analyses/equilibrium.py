@@ -27,6 +27,9 @@ ACCEPTED, WANTED = 1e-9, 1e-13
 #: Steps below this part of the size of the mechanism are rounding.
 ROUNDING = 1e-13
 
+#: Violations of joints, relative to the size of the mechanism: none, and what rounding may leave.
+MET, NEARLY_MET = 1e-13, 1e-10
+
 #: The most a step may move a body [rad, sizes of the mechanism].
 LONGEST_STEP = 0.3
 
@@ -249,9 +252,8 @@ class _Search:
         before = np.inf
         for _ in range(CORRECTIONS):
             terms = self.eq.terms(0.0, q)
-            Phi = terms.Phi[self.eq.holonomic]
-            size = float(np.abs(Phi).max(initial=0.0))
-            if size <= 1e-13 * max(1.0, self.eq.length) or (size >= before / 2 and size < 1e-10):
+            size = self.eq.violation(np.where(self.eq.holonomic, terms.Phi, 0.0))
+            if size <= MET + self.eq.rounding or (size >= before / 2 and size < NEARLY_MET):
                 return q
             if not np.isfinite(size) or size > 4 * before:
                 return None

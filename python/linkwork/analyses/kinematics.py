@@ -60,6 +60,9 @@ SHORTEST_STEP = 2.0**-40
 #: Of the integration where joints restrict velocities only, relative and absolute.
 ROLLING = 1e-11
 
+#: Violations of joints, relative to the size of the mechanism, of a pose in which all hold.
+CLOSED = 1e-10
+
 #: Corrections relative to the size of the mechanism at which Newton's method ends.
 CONVERGED, ITERATIONS = 1e-14, 30
 
@@ -233,7 +236,7 @@ class _Follower:
             return moment
         if self.beside or at.constraints.rank < self.freedoms:
             return None  # singular poses one after the other: no step, however short, leaves them
-        return self._singular(moment, h) if h > 1e-6 * max(t, 1e-3) else moment
+        return self._singular(moment, h) if h > 1e-6 * max(t, 1e-3 * self.t_end) else moment
 
     def _rolled(self, t: float) -> Floats:
         """q at t by integration of D v = -Phi_t, where joints restrict velocities only."""
@@ -295,7 +298,7 @@ class _Follower:
 
     def _closed(self, Phi: Floats) -> bool:
         """Whether redundant equations hold as well as the others."""
-        return bool(np.abs(Phi).max(initial=0.0) < 1e-10 * max(1.0, self.equations.length))
+        return bool(self.equations.violation(Phi) < CLOSED + self.equations.rounding)
 
     def _moment(self, t: float, q: Floats, last: _Moment | None) -> _Moment:
         """With velocities and accelerations; what a singular pose leaves open goes on as before."""
@@ -333,7 +336,7 @@ class _Follower:
         eq = self.equations
         residuals = np.abs(eq.Phi(0.0, np.array(eq.core.q0)))
         rows = np.argsort(-residuals)[: 2 * LISTED]
-        names = eq.joints(rows[residuals[rows] > 1e-9])
+        names = eq.joints(rows[residuals[rows] > 1e-9 * residuals.max(initial=0.0)])
         return NotConvergedError(
             f"kinematics: no pose satisfies joints and drivers at t = 0 near the initial one; at the initial "
             f"one these do not hold: {_named(names)} (at most {residuals.max():.3g} m or 1)",

@@ -224,14 +224,16 @@ def _refuse_change(
 ) -> None:
     """ModelError: the coefficients are other ones after a turn by a thousandth."""
     q, v = np.ravel(at.q), np.ravel(at.v)
-    later = 1e-3 / float(np.abs(v / eq.scale).max() / eq.length)
+    rate = float(np.abs(v / eq.scale).max() / eq.length)
+    later = 1e-3 / rate
     soon = Snapshot(at.t, displaced(q, later * turned_out(q, v)).reshape(-1, 7), at.v)
     then = _coefficients(eq, soon, check=False)
     names = ("inertia", "damping", "stiffness")
+    inertia = _norm(Z.T @ (now[0] @ Z))
     changed = [
         name
-        for name, a, b in zip(names, now, then, strict=False)
-        if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z)) > 1e-5 * max(_norm(Z.T @ (a @ Z)), 1e-9)
+        for k, (name, a, b) in enumerate(zip(names, now, then, strict=False))
+        if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z)) > 1e-5 * max(_norm(Z.T @ (a @ Z)), 1e-9 * inertia * rate**k)
     ]
     if _norm((then[3] @ Z) / np.abs(then[3]).max()) > 1e-5 * _norm(Z):
         changed.append("freedoms")
@@ -265,11 +267,13 @@ def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex
     if _norm(k - k.T) <= SMALL * _norm(k) and _norm(c) <= SMALL * _norm(m) * max(fastest, 1e-12):
         squares, y = eigh((k + k.T) / 2, m)
         return _from_squares(squares, np.abs(squares).max()), Z @ y.astype(complex)
-    f = len(m)
-    # [0 I; -k -c] {y; y'} = s [I 0; 0 m] {y; y'}
+    f, rate = len(m), fastest or _norm(c) / _norm(m) or 1.0
+    m, c, k = (a / (_norm(m) * rate**power) for power, a in enumerate((m, c, k)))
+    # [0 I; -k -c] {y; y'} = s / rate [I 0; 0 m] {y; y'}
     left = np.block([[np.zeros((f, f)), np.eye(f)], [-k, -c]])
     right = np.block([[np.eye(f), np.zeros((f, f))], [np.zeros((f, f)), m]])
     s, y = eig(left, right)
+    s *= rate
     s[np.abs(s) ** 2 < NEUTRAL * np.abs(s).max() ** 2] = 0.0
     return _one_of_each_pair(s, Z @ y[:f])
 

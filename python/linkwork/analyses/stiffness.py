@@ -63,7 +63,11 @@ def damping(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
         g: Floats = equations.dynamics.evaluate(t, q, v + change)["g"]
         return g
 
-    steps = VELOCITY_STEP * equations.scale * max(equations.length, float(np.abs(v / equations.scale).max()))
+    steps = (
+        VELOCITY_STEP
+        * equations.scale
+        * max(equations.length * equations.rate, float(np.abs(v / equations.scale).max()))
+    )
     C = -(turn.T @ _force_part(equations, force, steps) @ turn)
     omega = v.reshape(-1, 6)[:, 3:]
     if omega.any():

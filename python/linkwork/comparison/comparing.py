@@ -21,7 +21,7 @@ from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError, warn
 from linkwork.manifest import platform_facts
 from linkwork.model import Model
-from linkwork.options import TABLE, check_name, check_number, check_option, names
+from linkwork.options import TABLE, Policy, check_name, check_number, check_option, names
 from linkwork.progress import ShowOption, counting
 from linkwork.recording import frame_bytes
 from linkwork.result import Result
@@ -53,7 +53,7 @@ def compare(
     processes: int | None = None,
     time_limit: float | None = None,
     resume: str | os.PathLike[str] | None = None,
-    on_inaccurate: str = "pass",
+    on_inaccurate: Policy = "pass",
     progress: ShowOption = None,
     **options: Any,
 ) -> Comparison:

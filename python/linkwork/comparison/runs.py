@@ -26,7 +26,7 @@ from linkwork.errors import (
     ViolationError,
 )
 from linkwork.model import Model
-from linkwork.options import renamed
+from linkwork.options import Policy, renamed
 from linkwork.result import Result
 from linkwork.simulation import simulate
 
@@ -186,7 +186,7 @@ class Runs:
     sampling: Sampling
     reference: Reference
     times: Floats | None  #: of a reference that was given
-    on_inaccurate: str = "pass"
+    on_inaccurate: Policy = "pass"
 
     def __call__(self, item: Cell | order.Study) -> Outcome | order.OrderStudy:
         return self.cell(item) if isinstance(item, Cell) else self.study(item)

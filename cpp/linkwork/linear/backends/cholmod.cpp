@@ -3,8 +3,7 @@
 namespace linkwork {
 
 LinearSolverInfo cholmod_solver() {
-  return {"cholmod", "CHOLMOD, supernodal or simplicial by its own flop count", true,
-          [](Storage) { return make_cholmod(CholmodMode::automatic); }};
+  return cholmod_info("cholmod", "CHOLMOD, supernodal or simplicial by its own flop count", CholmodMode::automatic);
 }
 
 }  // namespace linkwork

@@ -3,8 +3,7 @@
 namespace linkwork {
 
 LinearSolverInfo cholmod_simplicial_solver() {
-  return {"cholmod_simplicial", "CHOLMOD's simplicial LDL^T factorization", true,
-          [](Storage) { return make_cholmod(CholmodMode::simplicial); }};
+  return cholmod_info("cholmod_simplicial", "CHOLMOD's simplicial LDL^T factorization", CholmodMode::simplicial);
 }
 
 }  // namespace linkwork

@@ -1,5 +1,6 @@
 #include "linkwork/linear/backends/cholmod_solver.hpp"
 
+#if LINKWORK_WITH_CHOLMOD
 #include <cholmod.h>
 
 #include <algorithm>
@@ -122,8 +123,35 @@ class Cholmod final : public LinearSolver {
   cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
 };
 
-}  // namespace
+template <CholmodMode mode>
+std::unique_ptr<LinearSolver> make(Storage) {
+  return std::make_unique<Cholmod>(mode);
+}
 
-std::unique_ptr<LinearSolver> make_cholmod(CholmodMode mode) { return std::make_unique<Cholmod>(mode); }
+}  // namespace
+}  // namespace linkwork
+#endif
+
+namespace linkwork {
+
+LinearSolverInfo cholmod_info(const std::string& name, const std::string& documentation, CholmodMode mode) {
+  LinearSolverInfo info{name, documentation, true};
+#if LINKWORK_WITH_CHOLMOD
+  info.make = mode == CholmodMode::automatic    ? make<CholmodMode::automatic>
+              : mode == CholmodMode::simplicial ? make<CholmodMode::simplicial>
+                                                : make<CholmodMode::supernodal>;
+#else
+  info.missing =
+      "the CHOLMOD that was found has modules under the GPL (Supernodal, MatrixOps, Modify), or there was none, and "
+      "LINKWORK_WITH_GPL was OFF";
+#endif
+#if !LINKWORK_WITH_GPL
+  if (mode == CholmodMode::supernodal) {
+    info.make = nullptr;
+    info.missing = "CHOLMOD's supernodal module is under the GPL, and LINKWORK_WITH_GPL was OFF";
+  }
+#endif
+  return info;
+}
 
 }  // namespace linkwork

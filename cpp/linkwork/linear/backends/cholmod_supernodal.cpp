@@ -3,8 +3,8 @@
 namespace linkwork {
 
 LinearSolverInfo cholmod_supernodal_solver() {
-  return {"cholmod_supernodal", "CHOLMOD's supernodal Cholesky factorization (BLAS)", true,
-          [](Storage) { return make_cholmod(CholmodMode::supernodal); }};
+  return cholmod_info("cholmod_supernodal", "CHOLMOD's supernodal Cholesky factorization (BLAS)",
+                      CholmodMode::supernodal);
 }
 
 }  // namespace linkwork

@@ -115,6 +115,8 @@ LinearSolverInfo spqr_solver() {
   LinearSolverInfo info{"spqr", "SuiteSparseQR's rank-revealing sparse QR", false, nullptr};
 #if LINKWORK_WITH_GPL
   info.make = make;
+#else
+  info.missing = "SPQR is under the GPL, and LINKWORK_WITH_GPL was OFF";
 #endif
   return info;
 }

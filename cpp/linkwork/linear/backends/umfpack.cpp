@@ -84,6 +84,8 @@ LinearSolverInfo umfpack_solver() {
   LinearSolverInfo info{"umfpack", "UMFPACK's multifrontal sparse LU", false, nullptr};
 #if LINKWORK_WITH_GPL
   info.make = make;
+#else
+  info.missing = "UMFPACK is under the GPL, and LINKWORK_WITH_GPL was OFF";
 #endif
   return info;
 }

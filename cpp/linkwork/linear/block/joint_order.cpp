@@ -1,109 +1,87 @@
 #include "linkwork/linear/block/joint_order.hpp"
 
-#include <cholmod.h>
-
 #include <algorithm>
-#include <new>
 #include <numeric>
+#include <utility>
+
+#include "linkwork/linear/block/fill_reducing_order.hpp"
 
 namespace linkwork::block {
 namespace {
 
 constexpr int none = -1;
 
-/// Adjacency of the nodes: neighbors[begin[k] .. begin[k+1]), ascending, without k itself.
-struct Adjacency {
-  std::vector<int> begin, neighbors;
-};
-
-/// `name` maps nodes to those of a graph of n nodes, in which several may be one.
-Adjacency adjacency_of(const std::vector<std::vector<int>>& cliques, std::size_t n, const std::vector<int>& name) {
-  std::vector<std::vector<int>> lists(n);
-  for (const std::vector<int>& clique : cliques)
-    for (const int first : clique)
-      for (const int second : clique) {
+/// Neighbors of the nodes, ascending, without the nodes themselves. `name` maps them to those of a graph of n nodes, in
+/// which several may be one.
+NumberLists adjacency_of(const NumberLists& cliques, std::size_t n, const std::vector<int>& name) {
+  std::vector<std::size_t> next(n + 1, 0);  // of each node: where its list ends so far
+  for (std::size_t k = 0; k < cliques.size(); ++k)
+    for (const int node : cliques[k])
+      next[static_cast<std::size_t>(name[static_cast<std::size_t>(node)]) + 1] += cliques[k].size();
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<int> neighbors(next.back());
+  const std::vector<std::size_t> begin = next;
+  for (std::size_t k = 0; k < cliques.size(); ++k)
+    for (const int first : cliques[k])
+      for (const int second : cliques[k]) {
         const int a = name[static_cast<std::size_t>(first)], b = name[static_cast<std::size_t>(second)];
-        if (a != b) lists[static_cast<std::size_t>(a)].push_back(b);
+        if (a != b) neighbors[next[static_cast<std::size_t>(a)]++] = b;
       }
-  Adjacency out;
-  out.begin.push_back(0);
-  for (std::vector<int>& list : lists) {
+  NumberLists out;
+  out.reserve(n, neighbors.size());
+  for (std::size_t node = 0; node < n; ++node) {
+    const std::span<int> list(neighbors.data() + begin[node], next[node] - begin[node]);
     std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    out.neighbors.insert(out.neighbors.end(), list.begin(), list.end());
-    out.begin.push_back(static_cast<int>(out.neighbors.size()));
-    list = {};
+    out.add({list.begin(), std::unique(list.begin(), list.end())});
   }
   return out;
 }
 
-/// CHOLMOD's choice among its orderings, postordered.
-std::vector<int> fill_reducing_order(const Adjacency& graph) {
-  const std::size_t n = graph.begin.size() - 1;
-  std::vector<int> begin = {0}, row;
-  for (std::size_t column = 0; column < n; ++column) {  // the upper triangle with its diagonal
-    for (int k = graph.begin[column]; k < graph.begin[column + 1]; ++k)
-      if (graph.neighbors[static_cast<std::size_t>(k)] < static_cast<int>(column))
-        row.push_back(graph.neighbors[static_cast<std::size_t>(k)]);
-    row.push_back(static_cast<int>(column));
-    begin.push_back(static_cast<int>(row.size()));
-  }
-  cholmod_common common;
-  cholmod_start(&common);
-  common.print = 0;
-  cholmod_sparse A{};
-  A.nrow = A.ncol = n;
-  A.nzmax = row.size();
-  A.p = begin.data();
-  A.i = row.data();
-  A.stype = 1;
-  A.itype = CHOLMOD_INT;
-  A.xtype = CHOLMOD_PATTERN;
-  A.sorted = A.packed = 1;
-  cholmod_factor* factor = cholmod_analyze(&A, &common);
-  if (!factor) throw std::bad_alloc();
-  const int* permutation = static_cast<const int*>(factor->Perm);
-  std::vector<int> order(permutation, permutation + n);
-  cholmod_free_factor(&factor, &common);
-  cholmod_finish(&common);
-  return order;
-}
-
 /// Structure of each column of the factor (places below it), in the given order.
-std::vector<std::vector<int>> column_structures(const Adjacency& graph, const std::vector<int>& order) {
+NumberLists column_structures(const NumberLists& graph, const std::vector<int>& order) {
   const std::size_t n = order.size();
-  std::vector<int> place(n);
+  std::vector<int> place(n), mark(n, none), column;
+  std::vector<int> child(n, none), sibling(n, none);  // of the elimination tree: the last child, and the one before
   for (std::size_t k = 0; k < n; ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-  std::vector<std::vector<int>> below(n);
-  std::vector<std::vector<int>> children(n);
-  std::vector<int> mark(n, none);
+  NumberLists below;
+  below.reserve(n, graph.numbers().size());
   for (std::size_t k = 0; k < n; ++k) {
-    mark[k] = static_cast<int>(k);
+    column.clear();
     const auto add = [&](int p) {
       if (p <= static_cast<int>(k) || mark[static_cast<std::size_t>(p)] == static_cast<int>(k)) return;
       mark[static_cast<std::size_t>(p)] = static_cast<int>(k);
-      below[k].push_back(p);
+      column.push_back(p);
     };
-    const auto node = static_cast<std::size_t>(order[k]);
-    for (int e = graph.begin[node]; e < graph.begin[node + 1]; ++e)
-      add(place[static_cast<std::size_t>(graph.neighbors[static_cast<std::size_t>(e)])]);
-    for (const int child : children[k])
-      for (const int p : below[static_cast<std::size_t>(child)]) add(p);
-    std::sort(below[k].begin(), below[k].end());
-    if (!below[k].empty()) children[static_cast<std::size_t>(below[k].front())].push_back(static_cast<int>(k));
+    for (const int neighbor : graph[static_cast<std::size_t>(order[k])]) add(place[static_cast<std::size_t>(neighbor)]);
+    for (int c = child[k]; c != none; c = sibling[static_cast<std::size_t>(c)])
+      for (const int p : below[static_cast<std::size_t>(c)]) add(p);
+    std::sort(column.begin(), column.end());
+    below.add(column);
+    if (!column.empty())
+      sibling[k] = std::exchange(child[static_cast<std::size_t>(column.front())], static_cast<int>(k));
   }
   return below;
 }
 
-double rows_of(const std::vector<int>& weight_at, int first, int last) {
-  return std::accumulate(weight_at.begin() + first, weight_at.begin() + last, 0.0);
-}
+/// Rows of nodes, by their places.
+class Rows {
+ public:
+  explicit Rows(const std::vector<int>& weight_at) : weight_at_(weight_at), before_(weight_at.size() + 1, 0.0) {
+    std::partial_sum(weight_at.begin(), weight_at.end(), before_.begin() + 1);
+  }
+  double of(int first, int last) const {
+    return before_[static_cast<std::size_t>(last)] - before_[static_cast<std::size_t>(first)];
+  }
+  double of(const std::vector<int>& places) const {
+    double sum = 0.0;
+    for (const int p : places) sum += weight_at_[static_cast<std::size_t>(p)];
+    return sum;
+  }
 
-double rows_of(const std::vector<int>& weight_at, const std::vector<int>& places) {
-  double sum = 0.0;
-  for (const int p : places) sum += weight_at[static_cast<std::size_t>(p)];
-  return sum;
-}
+ private:
+  const std::vector<int>& weight_at_;
+  std::vector<double> before_;
+};
 
 /// Operations of a front that eliminates w rows and keeps r, with a fixed cost for handling it.
 double cost(double w, double r) {
@@ -113,14 +91,15 @@ double cost(double w, double r) {
 
 /// Merges a supernode into its parent where that saves time in spite of the zeros that it adds. Only a child that ends
 /// where its parent begins can be merged.
-std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const std::vector<int>& weight_at) {
+std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const Rows& rows) {
   std::vector<Supernode> out;
+  out.reserve(nodes.size());
   for (Supernode& node : nodes) {
     while (!out.empty() && out.back().last == node.first && !out.back().below.empty() &&
            out.back().below.front() < node.last) {
       const Supernode& child = out.back();
-      const double w_child = rows_of(weight_at, child.first, child.last), w = rows_of(weight_at, node.first, node.last);
-      const double r_child = rows_of(weight_at, child.below), r = rows_of(weight_at, node.below);
+      const double w_child = rows.of(child.first, child.last), w = rows.of(node.first, node.last);
+      const double r_child = rows.of(child.below), r = rows.of(node.below);
       if (cost(w_child + w, r) > cost(w_child, r_child) + cost(w, r) + 0.5 * r_child * r_child) break;
       node.first = child.first;
       out.pop_back();
@@ -131,7 +110,7 @@ std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const std::vecto
 }
 
 /// An order in which each hub stands before the joints that must follow it: they are one node to the ordering.
-std::vector<int> order_nodes(const JointGraph& graph) {
+std::vector<int> order_with_hubs(const JointGraph& graph) {
   const std::size_t n = graph.weight.size();
   std::vector<int> name(n);
   std::vector<std::vector<int>> members;
@@ -152,36 +131,43 @@ std::vector<int> order_nodes(const JointGraph& graph) {
   return out;
 }
 
+/// Fundamental ones: a column whose structure is that of the column before it, less itself.
+std::vector<Supernode> supernodes_of(const NumberLists& below) {
+  std::vector<Supernode> nodes;
+  for (std::size_t k = 0; k < below.size(); ++k) {
+    const auto column = below[k], before = below[k > 0 ? k - 1 : 0];
+    const bool same = k > 0 && before.size() == column.size() + 1 && before.front() == static_cast<int>(k);
+    if (same) nodes.back().last = static_cast<int>(k) + 1;
+    else nodes.push_back({static_cast<int>(k), static_cast<int>(k) + 1, none, {}});
+  }
+  for (Supernode& node : nodes) {
+    const auto column = below[static_cast<std::size_t>(node.last) - 1];
+    node.below.assign(column.begin(), column.end());
+  }
+  return nodes;
+}
+
 }  // namespace
 
 Elimination order_joint_graph(const JointGraph& graph) {
   const std::size_t n = graph.weight.size();
   std::vector<int> itself(n);
   std::iota(itself.begin(), itself.end(), 0);
-  const Adjacency adjacency = adjacency_of(graph.cliques, n, itself);
+  const NumberLists adjacency = adjacency_of(graph.cliques, n, itself);
+  const bool hubs = std::any_of(graph.hub.begin(), graph.hub.end(), [](int hub) { return hub != none; });
   Elimination out;
-  out.order = order_nodes(graph);
+  out.order = hubs ? order_with_hubs(graph) : fill_reducing_order(adjacency);
   std::vector<int> weight_at(n);
   for (std::size_t k = 0; k < n; ++k) weight_at[k] = graph.weight[static_cast<std::size_t>(out.order[k])];
-  std::vector<std::vector<int>> below = column_structures(adjacency, out.order);
-
-  std::vector<Supernode> nodes;  // fundamental: a column whose structure is that of the column before it, less itself
-  for (std::size_t k = 0; k < n; ++k) {
-    const bool same = k > 0 && !below[k - 1].empty() && below[k - 1].front() == static_cast<int>(k) &&
-                      below[k - 1].size() == below[k].size() + 1;
-    if (same) nodes.back().last = static_cast<int>(k) + 1;
-    else nodes.push_back({static_cast<int>(k), static_cast<int>(k) + 1, none, {}});
-    nodes.back().below = below[k];
-  }
-  below = {};
-  out.supernodes = amalgamate(std::move(nodes), weight_at);
+  const Rows rows(weight_at);
+  out.supernodes = amalgamate(supernodes_of(column_structures(adjacency, out.order)), rows);
   out.supernode_of.resize(n);
   for (std::size_t s = 0; s < out.supernodes.size(); ++s)
     for (int k = out.supernodes[s].first; k < out.supernodes[s].last; ++k)
       out.supernode_of[static_cast<std::size_t>(k)] = static_cast<int>(s);
   for (Supernode& node : out.supernodes) {
     if (!node.below.empty()) node.parent = out.supernode_of[static_cast<std::size_t>(node.below.front())];
-    out.cost += cost(rows_of(weight_at, node.first, node.last), rows_of(weight_at, node.below));
+    out.cost += cost(rows.of(node.first, node.last), rows.of(node.below));
   }
   return out;
 }

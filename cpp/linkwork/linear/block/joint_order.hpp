@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "linkwork/linear/block/number_lists.hpp"
+
 namespace linkwork::block {
 
 /// What is eliminated after the bodies, and the cliques that it forms: the joints on one body; a hub and one of its
@@ -9,7 +11,7 @@ namespace linkwork::block {
 struct JointGraph {
   std::vector<int> weight;  ///< rows of each joint; 6 for a hub
   std::vector<int> hub;     ///< of a joint that must follow a hub at once: that hub, else -1
-  std::vector<std::vector<int>> cliques;
+  NumberLists cliques;
 };
 
 /// Nodes of the graph that are eliminated together: places [first, last) of the order, and the places that remain

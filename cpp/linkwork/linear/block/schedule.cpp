@@ -279,7 +279,7 @@ class CoreBuilder {
       std::vector<int> clique = core_joints(body);
       if (const int node = out.hub_node[static_cast<std::size_t>(body)]; node != none) {
         for (const int joint : clique) {
-          graph.cliques.push_back({node, joint});
+          graph.cliques.add({{node, joint}});
           if (only_on_hubs(joints_[static_cast<std::size_t>(joint)], out))
             graph.hub[static_cast<std::size_t>(joint)] = node;
         }
@@ -288,7 +288,7 @@ class CoreBuilder {
           return sum + graph.weight[static_cast<std::size_t>(joint)];
         });
         out.cost += 36.0 * rows + 6.0 * rows * rows;
-        graph.cliques.push_back(std::move(clique));
+        graph.cliques.add(clique);
       }
     }
     for (const Schedule::Postponed& it : postponed_)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "linkwork/linear/block/joint_order.hpp"
@@ -16,6 +17,7 @@ using Numbers = std::vector<int>;
 
 constexpr double weak_pivot = 1e-4;       // relative to the dense rows
 constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense
+constexpr std::size_t small = 1000;       // numbers whose memory is worth keeping
 
 template <class Container>
 auto& at(Container& container, int k) {
@@ -32,10 +34,11 @@ block::JointGraph group_graph(const RowMatrix& A, const Numbers& groups) {
   Numbers clique;
   for (int row = 0; row < A.rows(); ++row) {
     clique.clear();
-    for (RowMatrix::InnerIterator it(A, row); it; ++it) clique.push_back(at(groups, static_cast<int>(it.col())));
-    std::sort(clique.begin(), clique.end());
-    clique.erase(std::unique(clique.begin(), clique.end()), clique.end());
-    if (clique.size() > 1 && (graph.cliques.empty() || graph.cliques.back() != clique)) graph.cliques.push_back(clique);
+    for (RowMatrix::InnerIterator it(A, row); it; ++it)
+      if (const int group = at(groups, static_cast<int>(it.col())); clique.empty() || clique.back() != group)
+        clique.push_back(group);
+    if (clique.size() > 1 && (graph.cliques.size() == 0 || !std::ranges::equal(graph.cliques.back(), clique)))
+      graph.cliques.add(clique);
   }
   return graph;
 }
@@ -61,10 +64,11 @@ class Elimination {
         tree_(block::order_joint_graph(group_graph(A, groups))) {
     order_columns(groups);
     sort_rows();
-    children_.resize(tree_.supernodes.size());
-    for (std::size_t s = 0; s < tree_.supernodes.size(); ++s)
-      if (const int parent = tree_.supernodes[s].parent; parent >= 0)
-        at(children_, parent).push_back(static_cast<int>(s));
+    child_.assign(tree_.supernodes.size(), -1);
+    sibling_.assign(tree_.supernodes.size(), -1);
+    for (auto s = static_cast<int>(tree_.supernodes.size()); s-- > 0;)
+      if (const int parent = at(tree_.supernodes, s).parent; parent >= 0)
+        at(sibling_, s) = std::exchange(at(child_, parent), s);
     contributions_.resize(tree_.supernodes.size());
     local_.resize(static_cast<std::size_t>(A.cols()));
   }
@@ -110,9 +114,18 @@ class Elimination {
     for (int row = 0; row < A_.rows(); ++row)
       for (RowMatrix::InnerIterator it(A_, row); it; ++it)
         at(lead_, row) = std::min(at(lead_, row), at(position_, static_cast<int>(it.col())));
-    rows_.resize(tree_.supernodes.size());
+    row_begin_.assign(tree_.supernodes.size() + 1, 0);
+    for (const int lead : lead_)
+      if (lead < none) ++at(row_begin_, at(supernode_, lead) + 1);
+    std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
+    rows_.resize(static_cast<std::size_t>(row_begin_.back()));
+    next_.assign(row_begin_.begin(), row_begin_.end());
     for (int row = 0; row < A_.rows(); ++row)
-      if (at(lead_, row) < none) at(rows_, at(supernode_, at(lead_, row))).push_back(row);
+      if (at(lead_, row) < none) at(rows_, at(next_, at(supernode_, at(lead_, row)))++) = row;
+  }
+
+  std::span<const int> rows_of(int s) const {
+    return {rows_.data() + at(row_begin_, s), rows_.data() + at(row_begin_, s + 1)};
   }
 
   void list_columns(const block::Supernode& node) {
@@ -131,8 +144,8 @@ class Elimination {
 
   void assemble(int s) {
     stair_.assign(columns_.size(), 0);
-    for (const int row : at(rows_, s)) ++at(stair_, at(local_, at(lead_, row)));
-    for (const int child : at(children_, s)) {
+    for (const int row : rows_of(s)) ++at(stair_, at(local_, at(lead_, row)));
+    for (int child = at(child_, s); child >= 0; child = at(sibling_, child)) {
       const Contribution& part = at(contributions_, child);
       for (const int lead : part.lead) ++at(stair_, at(local_, at(part.columns, lead)));
     }
@@ -151,11 +164,15 @@ class Elimination {
     front_.tolerance = tolerance_;
     front_.row = row_.data();
     front_.workspace = workspace_.data();
-    add_rows(at(rows_, s));
-    for (const int child : at(children_, s)) add(std::exchange(at(contributions_, child), {}));
+    add_rows(rows_of(s));
+    for (int child = at(child_, s); child >= 0; child = at(sibling_, child)) {
+      add(at(contributions_, child));
+      Contribution used = std::move(at(contributions_, child));
+      if (used.entries.capacity() <= small) spare_.push_back(std::move(used));
+    }
   }
 
-  void add_rows(const Numbers& rows) {
+  void add_rows(std::span<const int> rows) {
     for (const int row : rows) {
       const int place = at(next_, at(local_, at(lead_, row)))++;
       for (RowMatrix::InnerIterator it(A_, row); it; ++it)
@@ -163,7 +180,7 @@ class Elimination {
     }
   }
 
-  void add(Contribution part) {
+  void add(Contribution& part) {
     places_.clear();
     for (const int lead : part.lead) places_.push_back(at(next_, at(local_, at(part.columns, lead)))++);
     int rows = 0;
@@ -204,6 +221,12 @@ class Elimination {
   void contribute(Contribution& out) {
     int first = 0;
     for (int k = 0; k < front_.pivots; ++k) first = std::max(first, at(row_, k) + 1);
+    if (!spare_.empty()) {
+      out = std::move(spare_.back());
+      spare_.pop_back();
+      out.lead.clear();
+      out.columns.clear();
+    }
     for (int k = front_.pivots; k < front_.columns; ++k)
       if (at(row_, k) >= 0) out.lead.push_back(k - front_.pivots);
     if (out.lead.empty()) return;
@@ -227,8 +250,10 @@ class Elimination {
   Numbers column_, supernode_;               ///< at each position
   Numbers position_;                         ///< of each column
   Numbers lead_;                             ///< first position in each row of A
-  std::vector<Numbers> rows_, children_;     ///< of each supernode
-  std::vector<Contribution> contributions_;  ///< likewise, from when it is there until it is used
+  Numbers row_begin_, rows_;                 ///< of each supernode
+  Numbers child_, sibling_;                  ///< its first child, its next sibling; -1: none
+  std::vector<Contribution> contributions_;  ///< of each supernode, from when it is there until it is used
+  std::vector<Contribution> spare_;          ///< memory of those that were used
   Numbers dead_;
 
   // the front at hand

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "linkwork/assembly/system.hpp"
+
+namespace linkwork {
+
+/// Sizes of displacements, velocities and accelerations of a mechanism in its own length: no unit of length or mass
+/// decides what is small. The largest of all bodies counts.
+class NaturalSize {
+ public:
+  explicit NaturalSize(const System& system);
+
+  /// Of x, 6 per body: the rotation, or the translation relative to the body's length.
+  double of(const ConstVector& x) const;
+  /// M^-1 a of the bodies alone, those without mass left out: what forces would do without joints [1/s^2].
+  double of_free_motion(const ConstVector& a) const;
+  /// |x| / size, which may both be nothing.
+  static double ratio(double x, double size) { return x > 0.0 ? x / size : 0.0; }
+
+  double length(int body) const { return lengths_[body]; }
+
+ private:
+  const System* system_;
+  VectorXd lengths_;
+};
+
+}  // namespace linkwork

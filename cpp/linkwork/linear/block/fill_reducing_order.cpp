@@ -1,0 +1,247 @@
+#include "linkwork/linear/block/fill_reducing_order.hpp"
+
+#include <algorithm>
+
+#if LINKWORK_WITH_CHOLMOD
+#include <cholmod.h>
+
+#include <new>
+
+namespace linkwork::block {
+
+/// CHOLMOD's choice: AMD, and METIS for large graphs.
+std::vector<int> fill_reducing_order(const NumberLists& graph) {
+  const std::size_t n = graph.size();
+  std::vector<int> begin = {0}, row;
+  begin.reserve(n + 1);
+  row.reserve(n + graph.numbers().size() / 2);
+  for (std::size_t column = 0; column < n; ++column) {  // the upper triangle with its diagonal
+    for (const int neighbor : graph[column])
+      if (neighbor < static_cast<int>(column)) row.push_back(neighbor);
+    row.push_back(static_cast<int>(column));
+    begin.push_back(static_cast<int>(row.size()));
+  }
+  cholmod_common common;
+  cholmod_start(&common);
+  common.print = 0;
+  cholmod_sparse A{};
+  A.nrow = A.ncol = n;
+  A.nzmax = row.size();
+  A.p = begin.data();
+  A.i = row.data();
+  A.stype = 1;
+  A.itype = CHOLMOD_INT;
+  A.xtype = CHOLMOD_PATTERN;
+  A.sorted = A.packed = 1;
+  cholmod_factor* factor = cholmod_analyze(&A, &common);
+  if (!factor) throw std::bad_alloc();
+  const int* permutation = static_cast<const int*>(factor->Perm);
+  std::vector<int> order(permutation, permutation + n);
+  cholmod_free_factor(&factor, &common);
+  cholmod_finish(&common);
+  return order;
+}
+
+}  // namespace linkwork::block
+
+#else
+#include <amd.h>
+
+#include <new>
+#include <numeric>
+
+namespace linkwork::block {
+namespace {
+
+using Numbers = std::vector<int>;
+
+constexpr int none = -1;
+constexpr std::size_t leaf = 100;    // nodes of a part that minimum degree orders
+constexpr std::size_t large = 1000;  // from which on dissection is tried
+
+template <class Container>
+auto& at(Container& container, int k) {
+  return container[static_cast<std::size_t>(k)];
+}
+
+Numbers minimum_degree(const NumberLists& graph) {
+  Numbers order(graph.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (graph.numbers().empty()) return order;  // which AMD does not take
+  if (amd_order(static_cast<int>(graph.size()), graph.begins().data(), graph.numbers().data(), order.data(), nullptr,
+                nullptr) < AMD_OK)
+    throw std::bad_alloc();
+  return order;
+}
+
+/// Nested dissection by levels of a breadth-first search from a node far out (A. George, J. W. H. Liu, Computer
+/// Solution of Large Sparse Positive Definite Systems, 1981): the level in the middle separates the others, which are
+/// dissected likewise and stand before it.
+class Dissection {
+ public:
+  explicit Dissection(const NumberLists& graph) : graph_(graph), part_(graph.size(), 0), level_(graph.size(), none) {}
+
+  Numbers run() {
+    Numbers all(graph_.size());
+    std::iota(all.begin(), all.end(), 0);
+    stack_.push_back({std::move(all), 0});
+    while (!stack_.empty()) {
+      Part part = std::move(stack_.back());
+      stack_.pop_back();
+      dissect(std::move(part));
+    }
+    std::reverse(order_.begin(), order_.end());
+    return std::move(order_);
+  }
+
+ private:
+  struct Part {
+    Numbers nodes;
+    int name;
+  };
+
+  /// The last come first in order_, which is reversed in the end.
+  void dissect(Part part) {
+    if (part.nodes.size() <= leaf) return append_leaf(part);
+    const int far = search(part, part.nodes.front()).back();
+    const Numbers found = search(part, search(part, far).back());
+    if (found.size() < part.nodes.size()) return separate(part, found);
+    const int middle = at(level_, found[found.size() / 2]);
+    Numbers low, separator, high;
+    for (const int node : found)
+      (at(level_, node) < middle ? low : at(level_, node) > middle ? high : separator).push_back(node);
+    if (low.empty() || high.empty()) return append_leaf(part);
+    order_.insert(order_.end(), separator.begin(), separator.end());
+    for (const int node : separator) at(part_, node) = none;
+    push(std::move(low));
+    push(std::move(high));
+  }
+
+  /// A part that is not connected: what was found, and the rest.
+  void separate(const Part& part, const Numbers& found) {
+    Numbers rest;
+    for (const int node : part.nodes)
+      if (at(level_, node) == none) rest.push_back(node);
+    push(found);
+    push(std::move(rest));
+  }
+
+  void push(Numbers nodes) {
+    const int name = ++parts_;
+    for (const int node : nodes) at(part_, node) = name;
+    stack_.push_back({std::move(nodes), name});
+  }
+
+  /// Nodes of the part in the order in which they are reached, with their levels.
+  Numbers search(const Part& part, int from) {
+    for (const int node : part.nodes) at(level_, node) = none;
+    Numbers queue = {from};
+    at(level_, from) = 0;
+    for (std::size_t next = 0; next < queue.size(); ++next)
+      for (const int neighbor : graph_[static_cast<std::size_t>(queue[next])])
+        if (at(part_, neighbor) == part.name && at(level_, neighbor) == none) {
+          at(level_, neighbor) = at(level_, queue[next]) + 1;
+          queue.push_back(neighbor);
+        }
+    return queue;
+  }
+
+  void append_leaf(const Part& part) {
+    NumberLists own;
+    Numbers& number = level_;  // no longer needed for these
+    for (std::size_t k = 0; k < part.nodes.size(); ++k) at(number, part.nodes[k]) = static_cast<int>(k);
+    Numbers list;
+    for (const int node : part.nodes) {
+      list.clear();
+      for (const int neighbor : graph_[static_cast<std::size_t>(node)])
+        if (at(part_, neighbor) == part.name) list.push_back(at(number, neighbor));
+      std::sort(list.begin(), list.end());
+      own.add(list);
+    }
+    const Numbers order = minimum_degree(own);
+    for (auto it = order.rbegin(); it != order.rend(); ++it) order_.push_back(at(part.nodes, *it));
+  }
+
+  const NumberLists& graph_;
+  Numbers part_, level_;  ///< of each node
+  int parts_ = 0;
+  std::vector<Part> stack_;
+  Numbers order_;
+};
+
+/// Parents in the elimination tree, by place in an order (J. W. H. Liu, The role of elimination trees in sparse
+/// factorization, SIAM J. Matrix Anal. Appl. 11, 1990).
+Numbers elimination_tree(const NumberLists& graph, const Numbers& order) {
+  const auto n = static_cast<int>(order.size());
+  Numbers place(order.size()), parent(order.size(), none), ancestor(order.size(), none);
+  for (int k = 0; k < n; ++k) at(place, at(order, k)) = k;
+  for (int k = 0; k < n; ++k)
+    for (const int neighbor : graph[static_cast<std::size_t>(at(order, k))])
+      for (int p = at(place, neighbor), next; p < k && p != none; p = next) {
+        next = at(ancestor, p);
+        at(ancestor, p) = k;
+        if (next == none) at(parent, p) = k;
+        if (next == k) break;
+      }
+  return parent;
+}
+
+/// Children before their parents, and next to them.
+Numbers postordered(const Numbers& order, const Numbers& parent) {
+  const auto n = static_cast<int>(order.size());
+  Numbers first(order.size(), none), sibling(order.size(), none), out, stack;
+  for (int k = n; k-- > 0;)
+    if (const int p = at(parent, k); p != none) {
+      at(sibling, k) = at(first, p);
+      at(first, p) = k;
+    }
+  out.reserve(order.size());
+  for (int root = 0; root < n; ++root) {
+    if (at(parent, root) != none) continue;
+    stack.push_back(root);
+    while (!stack.empty()) {
+      const int k = stack.back();
+      if (const int child = at(first, k); child != none) {
+        at(first, k) = at(sibling, child);
+        stack.push_back(child);
+      } else {
+        out.push_back(at(order, k));
+        stack.pop_back();
+      }
+    }
+  }
+  return out;
+}
+
+/// Sum of the squares of the columns of the factor of a postordered graph: operations, but for a factor.
+double operations(const NumberLists& graph, const Numbers& order) {
+  const auto n = static_cast<int>(order.size());
+  const Numbers parent = elimination_tree(graph, order);
+  Numbers place(order.size()), mark(order.size(), none);
+  std::vector<double> count(order.size(), 1.0);
+  for (int k = 0; k < n; ++k) at(place, at(order, k)) = k;
+  for (int k = 0; k < n; ++k) {  // row k of the factor: the ways from its neighbors up to k
+    at(mark, k) = k;
+    for (const int neighbor : graph[static_cast<std::size_t>(at(order, k))])
+      for (int p = at(place, neighbor); p < k && at(mark, p) != k; p = at(parent, p)) {
+        at(mark, p) = k;
+        at(count, p) += 1.0;
+      }
+  }
+  double sum = 0.0;
+  for (const double c : count) sum += c * c;
+  return sum;
+}
+
+}  // namespace
+
+std::vector<int> fill_reducing_order(const NumberLists& graph) {
+  const auto follow_tree = [&](const Numbers& order) { return postordered(order, elimination_tree(graph, order)); };
+  Numbers order = follow_tree(minimum_degree(graph));
+  if (graph.size() < large) return order;
+  Numbers dissected = follow_tree(Dissection(graph).run());
+  return operations(graph, dissected) < operations(graph, order) ? dissected : order;
+}
+
+}  // namespace linkwork::block
+#endif

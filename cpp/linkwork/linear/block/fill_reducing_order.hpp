@@ -1,0 +1,12 @@
+#pragma once
+
+#include "linkwork/linear/block/number_lists.hpp"
+
+namespace linkwork::block {
+
+/// An order of the nodes of a graph (neighbors of each, ascending, without itself) in which eliminating them adds few
+/// couplings: of minimum degree or by nested dissection, whichever predicts fewer operations. Postordered: what is
+/// eliminated together stands together.
+std::vector<int> fill_reducing_order(const NumberLists& graph);
+
+}  // namespace linkwork::block
