@@ -62,7 +62,7 @@ class Options(TypedDict, total=False):
     frequency: float | None
     """omega of (12.14), 10 where only damping_ratio is given [rad/s] (of penalty, augmented_lagrangian)"""
     tolerance: float | None
-    """change of the accelerations, relative, at which the iteration stops (of augmented_lagrangian), default 1e-12"""
+    """change of the accelerations, relative to |v_dot| + |M^-1 g|, at which the iteration stops (of augmented_lagrangian), default 1e-12"""
     max_iterations: int | None
     """cap of the iteration (of augmented_lagrangian), default 100"""
     on_singular: Literal["pass", "warn", "stop"]

@@ -49,17 +49,17 @@ def test_what_is_not_in_this_build_is_refused_with_the_reason_and_what_there_is(
 
 
 @pytest.mark.parametrize(
-    ("formulation", "system"),
+    ("formulation", "matrix_form"),
     [
-        (info.name, system)
+        (info.name, form)
         for info in _core.formulations()
-        for system in ("auto", *info.systems)
-        if system != "normal"
+        for form in ("auto", *info.matrix_forms)
+        if form != "normal"
     ],
 )
-def test_auto_chooses_among_what_there_is(formulation: str, system: str) -> None:
+def test_auto_chooses_among_what_there_is(formulation: str, matrix_form: str) -> None:
     for model in (lw.mechanisms.pendulum(), lw.mechanisms.chain(200)):
-        chosen = lw.System(model, formulation=formulation, system=system).options
+        chosen = lw.System(model, formulation=formulation, matrix_form=matrix_form).options
         assert chosen["linear_solver"] in AVAILABLE
 
 

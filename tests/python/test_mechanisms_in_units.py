@@ -150,7 +150,7 @@ def test_rank_does_not_depend_on_masses() -> None:
 
 WAYS: dict[str, dict[str, Any]] = {
     "standard": {},
-    "schur": {"system": "schur"},
+    "schur": {"matrix_form": "schur"},
     "no stabilization": {"stabilization": "none"},
     "projection": {"stabilization": "projection"},
     "penalty": {"formulation": "penalty"},
