@@ -51,7 +51,7 @@ struct Evaluation {
 };
 
 /// A Model compiled to flat arrays with a fixed sparsity: everything in
-///   M v_dot - D^T lambda = g,   D v_dot = gamma,   Phi_dot = D v + Phi_t
+///   M v_dot - D^T lambda = g  (12.1),   D v_dot = gamma  (12.2),   Phi_dot = D v + Phi_t
 /// at a state (t, q, v) with its history, see history.hpp. Constant after construction; the numbers live in an
 /// Evaluation. What an evaluation finds is a function of its arguments, whatever was evaluated before.
 class System {

@@ -19,9 +19,9 @@ constexpr double quick_change = 1e-10;
 constexpr double raise_factor = 100.0, most_raised = 1e6;
 constexpr int patience = 10;  // times max_iterations, in the few evaluations where the penalty is raised
 
-/// The iteration (12.16)-(12.18),
-///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b),   lambda_{k+1} = lambda_k + alpha (b - D
-///   v_dot_{k+1}),
+/// The iteration (12.16)-(12.18): from lambda_k the accelerations, (12.17), and from them the next multipliers,
+///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b)
+///   lambda_{k+1} = lambda_k + alpha (b - D v_dot_{k+1}),
 /// in incremental form: with the residuals r_1 = a - M v_dot + D^T lambda and r_2 = b - D v_dot,
 ///   (M + D^T alpha D) dv = r_1 + D^T alpha r_2,   dlambda = alpha (r_2 - D dv),
 /// which has the same limit and loses no digits to the size of alpha. It begins with lambda_0 = 0.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwork/constraints/least_held_motion.hpp"
+#include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
 #include "linkwork/math/stopwatch.hpp"
@@ -20,10 +21,7 @@ constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to s
 constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
 constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
 constexpr int most_refinements = 20;
-constexpr int first_iterations = 4, more_iterations = 2;  // toward the least singular value
-constexpr double news = 0.1;                              // part of a vector in any direction
-constexpr double broken = -1.0;                           // for a pivot of a factorization that broke down
-constexpr double diverged = 1e50;  // velocities of which nothing else is to blame for what follows
+constexpr double broken = -1.0;  // for a pivot of a factorization that broke down
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -95,7 +93,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
   dropped_.take_out(at_);
-  scale_rows(rows.mobility);
+  least_singular_value_ = LeastSingularValue(system_, rows.mobility, dropped_);
   formulation_->analyze(system_, at_, rows);
   rank_needed_ = info.needs_full_rank;
   watched_ = rank_needed_ || linear_solver_info(options_.linear_solver).make_saddle;
@@ -250,41 +248,13 @@ bool Dynamics::inspect(double pivot) {
   return false;
 }
 
-void Dynamics::scale_rows(const VectorXd& mobility) {
-  row_scale_ = mobility.cwiseSqrt();
-  dropped_.take_from(row_scale_);
-  some_.resize(row_scale_.size());
-  for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = std::cos(1.0 + 2.4 * static_cast<double>(k));
-  least_singular_.resize(0);
-}
-
-// With S = D M^-1 D^T, scaled by s = diag(S)^1/2 of the start, u <- s S^-1 s u; the quotient u^T s^-1 S s^-1 u =
-// lambda^T D x, where lambda = S^-1 s u and x = M^-1 D^T lambda, is not touched by penalties in the factorization. The
-// last u may be without any part of a vector that has become the least one: a little of all is added.
 double Dynamics::least_singular_value() {
-  VectorXd& u = least_singular_;
-  const bool begins = u.size() == 0;
-  if (begins) u.setZero(row_scale_.size());
-  u += news / std::sqrt(static_cast<double>(u.size())) * some_;
-  const VectorXd none = VectorXd::Zero(system_.v_size());
-  double quotient = 0.0;
   try {
     factorize();
-    for (int k = 0; k < (begins ? first_iterations : more_iterations); ++k) {
-      b_ = row_scale_.cwiseProduct(u);
-      formulation_->saddle().solve(none, b_, x_, lambda_);
-      u = row_scale_.cwiseProduct(lambda_);
-      const double length = u.norm();
-      u /= length;
-      system_.multiply_mass(x_, v_dot_);
-      quotient = x_.dot(v_dot_) / (length * length);
-    }
   } catch (const SingularSystemError&) {
-    quotient = 0.0;
+    return 0.0;
   }
-  if (u.allFinite() && std::isfinite(quotient)) return std::sqrt(std::max(quotient, 0.0));
-  u.resize(0);
-  return 0.0;
+  return least_singular_value_.of(formulation_->saddle());
 }
 
 /// Takes the choice where it makes the root of the smallest pivot at least so large.
@@ -339,7 +309,7 @@ void Dynamics::change_redundant_rows(std::vector<int> rows) {
   const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
   minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
   dropped_.take_out(at_);
-  scale_rows(now.mobility);
+  least_singular_value_ = LeastSingularValue(system_, now.mobility, dropped_);
   formulation_->analyze(system_, at_, now);
   formulation_->factorize(at_);
 }
@@ -505,118 +475,6 @@ void Dynamics::look_for_nan(bool accelerations) const {
                 at_.gamma.allFinite() && std::isfinite(at_.power);
   if (accelerations) finite = finite && v_dot_.allFinite() && lambda_.allFinite();
   if (!finite) throw_not_finite(system_, y_, t_, stage_);
-}
-
-namespace {
-
-/// The first joint with an equation that is not finite, or -1.
-int joint_not_finite(const System& system, const Evaluation& at) {
-  for (int row = 0; row < system.row_count(); ++row)
-    if (!std::isfinite(at.Phi[row]) || !std::isfinite(at.Phi_dot[row]) || !std::isfinite(at.gamma[row]))
-      return system.model().joint_of_row(row);
-  return -1;
-}
-
-/// The bodies of one force element and nothing else, as a model with that force; their numbers in the whole.
-Model alone(const Model& model, const Element& force, std::vector<int>& bodies) {
-  Model out(Vec3<double>::Zero());
-  const auto place = [&](int body) {
-    if (body == ground) return ground;
-    const auto found = std::find(bodies.begin(), bodies.end(), body);
-    if (found != bodies.end()) return static_cast<int>(found - bodies.begin());
-    bodies.push_back(body);
-    return out.add_body(model.body_name(body), model.bodies()[static_cast<std::size_t>(body)]);
-  };
-  const int i = place(force.i), j = place(force.j);
-  for (const TimeFunctionPtr& signal : model.signals()) out.add_signal(signal);
-  const KindInfo& info = force_kinds()[static_cast<std::size_t>(force.kind)].info;
-  const auto first = model.force_parameters().begin() + static_cast<std::ptrdiff_t>(force.first_parameter);
-  out.add_force(info.name, "force", i, j, force.at,
-                {first, first + static_cast<std::ptrdiff_t>(info.parameters.size())});
-  return out;
-}
-
-/// The first of the user's own forces that is not finite, or -1.
-int user_force_not_finite(const System& system, double t, const VectorXd& y) {
-  const auto& forces = system.model().user_forces();
-  for (std::size_t k = 0; k < forces.size(); ++k) {
-    VectorXd g = VectorXd::Zero(system.v_size());
-    forces[k]->add(t, system.body_count(), y.data(), y.data() + system.q_size(), g.data());
-    if (!g.allFinite()) return static_cast<int>(k);
-  }
-  return -1;
-}
-
-/// The first of the user's own laws along coordinates that is not finite, or -1.
-int joint_force_not_finite(const System& system, double t, const VectorXd& y) {
-  const auto q = y.head(system.q_size()), v = y.segment(system.q_size(), system.v_size());
-  for (std::size_t k = 0; k < system.model().joint_forces().size(); ++k) {
-    HistoryVariable<double> variable;
-    if (!std::isfinite(system.joint_force(k, t, q, v, variable).power)) return static_cast<int>(k);
-  }
-  return -1;
-}
-
-/// The first force element that gives something not finite, or -1.
-int force_not_finite(const System& system, double t, const VectorXd& y) {
-  for (std::size_t k = 0; k < system.model().forces().size(); ++k) {
-    std::vector<int> bodies;
-    const System one(alone(system.model(), system.model().forces()[k], bodies));
-    VectorXd q(one.q_size()), v(one.v_size());
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const auto place = static_cast<Eigen::Index>(b);
-      q.segment<7>(7 * place) = y.segment<7>(7 * bodies[b]);
-      v.segment<6>(6 * place) = y.segment<6>(system.q_size() + 6 * bodies[b]);
-    }
-    Evaluation at = one.make_evaluation();
-    one.evaluate(t, q, v, one.initial_history(), at);
-    if (!at.g.head(one.v_size()).allFinite() || !std::isfinite(at.power)) return static_cast<int>(k);
-  }
-  return -1;
-}
-
-}  // namespace
-
-void throw_not_finite(const System& system, const VectorXd& y, double t, int stage) {
-  const Model& model = system.model();
-  ErrorDetails details;
-  details.time = t;
-  details.stage = stage;
-  for (int body = 0; body < system.body_count() && details.bodies.empty(); ++body)
-    if (!y.segment<7>(7 * body).allFinite() || !y.segment<6>(system.q_size() + 6 * body).allFinite())
-      details.bodies = {model.body_name(body)};
-  const std::string when = stage > 1 ? " in stage " + std::to_string(stage) + " of a step" : "";
-  Eigen::Index fastest = 0;
-  const double speed = y.segment(system.q_size(), system.v_size()).cwiseAbs().maxCoeff(&fastest);
-  if (details.bodies.empty() && speed < diverged) {
-    Evaluation at = system.make_evaluation();
-    system.evaluate(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), system.initial_history(),
-                    at);
-    if (const int joint = joint_not_finite(system, at); joint >= 0) {
-      details.joints = {model.joint_name(joint)};
-      throw NotFiniteError("not_finite",
-                           "joint '" + details.joints.front() + "': its equations became infinite or undefined" + when +
-                               "; see what drives it, or use a smaller step",
-                           details);
-    }
-    int force = force_not_finite(system, t, y);
-    if (force >= 0) details.forces = {model.force_names().name(force)};
-    else if (force = user_force_not_finite(system, t, y); force >= 0)
-      details.forces = {model.user_force_name(static_cast<std::size_t>(force))};
-    else if (force = joint_force_not_finite(system, t, y); force >= 0)
-      details.forces = {model.joint_forces()[static_cast<std::size_t>(force)].name};
-    if (force >= 0) {
-      throw NotFiniteError("not_finite",
-                           "force '" + details.forces.front() + "' became infinite or undefined" + when +
-                               "; see its parameters and its functions of time, or use a smaller step",
-                           details);
-    }
-  }
-  if (details.bodies.empty()) details.bodies = {model.body_name(static_cast<int>(fastest / velocity_size))};
-  throw NotFiniteError("not_finite",
-                       "body '" + details.bodies.front() + "' became infinite or undefined" + when +
-                           ": the run diverged; use a smaller step, or see whether the mechanism locks in this pose",
-                       details);
 }
 
 }  // namespace linkwork

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "linkwork/constraints/dropped_rows.hpp"
+#include "linkwork/constraints/least_singular_value.hpp"
 #include "linkwork/constraints/minimum_norm.hpp"
 #include "linkwork/constraints/rank.hpp"
 #include "linkwork/formulation/formulation.hpp"
@@ -80,9 +81,7 @@ class Dynamics {
   void watch_evaluations(bool on) { watching_ = on; }
   /// See SingularWatch.
   void list_evaluations(bool on) { watch_.list_evaluations(on); }
-  /// The least singular value of the constraint matrix here, in the metric of the masses and relative to its rows
-  /// (which have unit length at the start), by inverse iteration: it goes linearly to zero toward a singular pose,
-  /// whatever the order of elimination. 0 where the matrix has no factorization.
+  /// Of the constraint matrix here, see LeastSingularValue; 0 where it has no factorization.
   double least_singular_value();
   /// Of the last factorization: the root of the smallest pivot, see SingularWatch.
   double root_of_pivot() const { return std::sqrt(std::max(formulation_->saddle().smallest_pivot(), 0.0)); }
@@ -177,7 +176,6 @@ class Dynamics {
   PoseExamination examine_here(double pivot) const;
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
-  void scale_rows(const VectorXd& mobility);
   bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
   void take_over();
   bool look_at(double pivot);
@@ -199,6 +197,7 @@ class Dynamics {
   DroppedRows dropped_;
   std::unique_ptr<FilledInertia> inertia_;  ///< where there are joints
   MinimumNorm minimum_norm_;
+  LeastSingularValue least_singular_value_;
   std::unique_ptr<Formulation> formulation_;
   SingularWatch watch_;
   std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
@@ -210,9 +209,6 @@ class Dynamics {
   std::function<void()> observer_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
-  VectorXd row_scale_;       ///< roots of the mobilities of kept rows, 0 of dropped ones
-  VectorXd least_singular_;  ///< the last left singular vector; empty: none yet
-  VectorXd some_;            ///< a vector with a part in all directions
   double t_ = 0.0;
   int stage_ = 1, clocked_ = 1;
   bool traces_ = false;
@@ -234,9 +230,5 @@ class Unwatched {
  private:
   Dynamics& dynamics_;
 };
-
-/// The error for y = (q, v, work) that is not finite, or from which nothing finite follows. It names what comes first:
-/// a body whose state is not finite, a joint whose equations or a force that are not, else the fastest body.
-[[noreturn]] void throw_not_finite(const System& system, const VectorXd& y, double t, int stage = 0);
 
 }  // namespace linkwork

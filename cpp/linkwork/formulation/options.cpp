@@ -134,11 +134,8 @@ void check_limits(const Options& options) {
 
 const std::vector<OptionInfo>& option_infos() {
   static const std::vector<OptionInfo> infos = {
-#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP)                          \
-  {                                                                                       \
-    #NAME, type_name<TYPE>, choices_of(VALUES), excludes_zero(VALUES), {}, UNIT, HELP, {} \
-  }                                                                                       \
-  ,
+#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
+  {#NAME, type_name<TYPE>, choices_of(VALUES), excludes_zero(VALUES), {}, UNIT, HELP, {}},
 #define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
   {#NAME, type_name<TYPE>, choices_of(VALUES), excludes_zero(VALUES), DEFAULT, UNIT, HELP, methods_with(#NAME)},
 #include "linkwork/formulation/options.def"

@@ -7,8 +7,11 @@
 namespace linkwork {
 namespace {
 
-/// Lagrange multipliers: the system (12.3) as it stands, or (12.5) for lambda and (12.6) for v_dot. Where bodies have
-/// very small inertias it is that of FilledInertia, and Refinement goes on from there.
+/// Lagrange multipliers: the system as it stands, or for the multipliers first,
+///   [M  D^T] {  v_dot }   {a}
+///   [D   0 ] {-lambda } = {b}                                                      (12.3)
+///   (D M^-1 D^T) lambda = b - D M^-1 a,   v_dot = M^-1 (a + D^T lambda)            (12.5), (12.6)
+/// Where bodies have very small inertias the matrix is that of FilledInertia, and Refinement goes on from there.
 class Standard final : public Formulation {
  public:
   explicit Standard(std::unique_ptr<SaddleSolver> saddle) : saddle_(std::move(saddle)) {}

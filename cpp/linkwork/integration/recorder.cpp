@@ -1,5 +1,6 @@
 #include "linkwork/integration/recorder.hpp"
 
+#include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {

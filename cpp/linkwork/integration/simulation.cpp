@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {

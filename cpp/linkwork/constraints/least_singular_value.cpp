@@ -1,0 +1,47 @@
+#include "linkwork/constraints/least_singular_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace linkwork {
+namespace {
+
+constexpr int first_iterations = 4, more_iterations = 2;
+constexpr double news = 0.1;  // part of a vector in any direction
+
+}  // namespace
+
+LeastSingularValue::LeastSingularValue(const System& system, const VectorXd& mobility, const DroppedRows& dropped)
+    : system_(&system), scale_(mobility.cwiseSqrt()), some_(mobility.size()), none_(VectorXd::Zero(system.v_size())) {
+  dropped.take_from(scale_);
+  for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = std::cos(1.0 + 2.4 * static_cast<double>(k));
+  some_ *= news / std::sqrt(static_cast<double>(some_.size()));
+  lambda_.resize(mobility.size());
+  for (VectorXd* velocities : {&x_, &momentum_}) velocities->resize(system.v_size());
+}
+
+// The last u may be without any part of a vector that has become the least one: a little of all is added.
+double LeastSingularValue::of(SaddleSolver& saddle) {
+  const bool begins = u_.size() == 0;
+  if (begins) u_.setZero(scale_.size());
+  u_ += some_;
+  double quotient = 0.0;
+  for (int k = 0; k < (begins ? first_iterations : more_iterations); ++k) quotient = iterate(saddle);
+  if (u_.allFinite() && std::isfinite(quotient)) return std::sqrt(std::max(quotient, 0.0));
+  u_.resize(0);
+  return 0.0;
+}
+
+// With S = D M^-1 D^T, scaled by s = diag(S)^1/2 of the start, u <- s S^-1 s u; the quotient u^T s^-1 S s^-1 u =
+// lambda^T D x, where lambda = S^-1 s u and x = M^-1 D^T lambda, is not touched by penalties in the factorization.
+double LeastSingularValue::iterate(SaddleSolver& saddle) {
+  b_ = scale_.cwiseProduct(u_);
+  saddle.solve(none_, b_, x_, lambda_);
+  u_ = scale_.cwiseProduct(lambda_);
+  const double length = u_.norm();
+  u_ /= length;
+  system_->multiply_mass(x_, momentum_);
+  return x_.dot(momentum_) / (length * length);
+}
+
+}  // namespace linkwork

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "linkwork/constraints/dropped_rows.hpp"
+#include "linkwork/linear/saddle_solver.hpp"
+
+namespace linkwork {
+
+/// The least singular value of the constraint matrix, in the metric of the masses and relative to its rows (of unit
+/// length at the start): it goes linearly to zero toward a singular pose, whatever the order of elimination. By inverse
+/// iteration, which goes on from the vector of the last pose.
+class LeastSingularValue {
+ public:
+  LeastSingularValue() = default;
+  /// `mobility`: see row_mobility.
+  LeastSingularValue(const System& system, const VectorXd& mobility, const DroppedRows& dropped);
+
+  /// With the last factorization of `saddle`; 0 where nothing finite comes of it.
+  double of(SaddleSolver& saddle);
+
+ private:
+  double iterate(SaddleSolver& saddle);
+
+  const System* system_ = nullptr;
+  VectorXd scale_;  ///< roots of the mobilities of kept rows, 0 of dropped ones
+  VectorXd u_;      ///< the last left singular vector; empty: none yet
+  VectorXd some_;   ///< a vector with a part in all directions
+  VectorXd none_, b_, x_, lambda_, momentum_;
+};
+
+}  // namespace linkwork
