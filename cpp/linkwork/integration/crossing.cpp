@@ -20,10 +20,11 @@ constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for 
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell where the pose is
 constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
-constexpr double coarsest = 0.2, most_parts = 20;  // of the way between states that are looked at [rad]
+constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states that are looked at [rad]
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
+constexpr double least_margin = 0.02;              // the same, where nothing better is found
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
@@ -99,6 +100,14 @@ double Crossing::foreseen(double t) const {
   return trend->last.t + trend->last.root * std::abs(interval) / fall - t;
 }
 
+/// The same by the least singular values, of which the last is that of the state before.
+double Crossing::foreseen_by_least(double t) const {
+  const double interval = t - poses_.last(), fall = poses_.last_root() - least_.root;
+  const double level = std::max(dynamics_.watch().root_of_level(), least_usual);
+  if (!(least_.root < near * level && fall > 0.0 && interval < INFINITY)) return INFINITY;
+  return least_.root * interval / fall;
+}
+
 /// Whether the first pivot is so small that the run may begin in a singular pose, which is listed then.
 bool Crossing::starts_near(double t, const VectorXd& y) {
   double root = 0.0;
@@ -150,9 +159,10 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
   least_ = {t, fastest_ * h > coarse ? dynamics_.least_singular_value() : INFINITY};
-  const double tau = foreseen(t);
+  const double tau = std::min(foreseen(t), foreseen_by_least(t));
   if (!(tau >= -h && tau < INFINITY)) return false;
-  const double root = dynamics_.watch().trend()->last.root;
+  const auto trend = dynamics_.watch().trend();
+  const double root = trend ? trend->last.root : least_.root;
   if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
   const double usual = usual_length(v, VectorXd::Zero(v.size()));
@@ -200,7 +210,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const Unwatched unwatched(dynamics_);
   if (!starting_) begin(t, y);
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-  const double pose = starting_ ? 0.0 : foreseen(t);
+  const double pose = starting_ ? 0.0 : std::min(foreseen(t), foreseen_by_least(t));
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
@@ -227,7 +237,7 @@ bool Crossing::try_lengths(Search& search, const VectorXd& y) {
     const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
     const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
     const bool good = quality.good() && clear, over = search.poses.front() <= leap_.h || leap_.h >= search.most;
-    if (good || (over && quality.fair() && nearest >= 0.5 * margin && quality.badness() < search.badness)) {
+    if (good || (over && quality.fair() && nearest >= least_margin && quality.badness() < search.badness)) {
       search.best = leap_;
       search.badness = quality.badness();
     }
@@ -411,9 +421,9 @@ bool Crossing::look_back(double t, double h, const VectorXd& y) {
 }
 
 void Crossing::look_into_leap(double until) {
-  if (!starting_) poses_.finish(leap_.t, leap_.y);
+  if (!starting_) poses_.look_to(leap_.t, leap_.y);
   for (const double pose : leap_.poses)
-    if (pose > 0.0 && leap_.t + pose < until) {
+    if (pose > 0.0 && leap_.t + pose < until && leap_.t + pose > poses_.last_listed() + same_pose * leap_.h) {
       interpolate(dynamics_.system(), pose / leap_.h, y_);
       poses_.list(leap_.t + pose, y_);
     }

@@ -95,6 +95,7 @@ class Crossing final : public Interpolant {
   bool starts_near(double t, const VectorXd& y);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double foreseen(double t) const;
+  double foreseen_by_least(double t) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
   void allocate(double t, const VectorXd& y);
   void begin(double t, const VectorXd& y);

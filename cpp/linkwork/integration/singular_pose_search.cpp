@@ -108,10 +108,15 @@ bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
   return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
 }
 
-void SingularPoseSearch::finish(double t, const VectorXd& y, int parts) {
+double SingularPoseSearch::look_to(double t, const VectorXd& y, int parts) {
   const double root = root_at(t, y);
   if (count_ == 0 || marks_[2].t < t) pass(t, root, y, parts);
   if (count_ > 1 && root < marks_[1].root && worth_a_search(root)) search_between(marks_[1], marks_[2]);
+  return root;
+}
+
+void SingularPoseSearch::finish(double t, const VectorXd& y, int parts) {
+  const double root = look_to(t, y, parts);
   const double level = dynamics_.watch().root_of_level();
   if (!(root < at_rest * level && highest_ > away * level)) return;
   root_at(t, y);

@@ -33,13 +33,17 @@ class SingularPoseSearch {
   /// A state of the motion with its least singular value; on the way to it as many parts are looked at. True where
   /// `dynamics` was evaluated somewhere else.
   bool pass(double t, double root, const VectorXd& y, int parts = 1);
-  /// The last one, for now. Leaves `dynamics` evaluated somewhere else.
+  /// The last one before a leap: its least singular value. Leaves `dynamics` evaluated somewhere else.
+  double look_to(double t, const VectorXd& y, int parts = 1);
+  /// The last one of all, which may be singular itself. Leaves `dynamics` evaluated somewhere else.
   void finish(double t, const VectorXd& y, int parts = 1);
   /// A pose that was found otherwise: the motion begins anew there. Leaves `dynamics` evaluated there.
   void list(double t, const VectorXd& y);
 
   /// Time of the last state, -infinity where there is none.
   double last() const { return count_ > 0 ? marks_[2].t : -INFINITY; }
+  double last_root() const { return marks_[2].root; }
+  double last_listed() const { return last_listed_; }  ///< time of the last pose, or -infinity
   /// The least singular value. Leaves `dynamics` evaluated there.
   double root_at(double t, const VectorXd& y);
 
