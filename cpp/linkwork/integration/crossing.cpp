@@ -208,7 +208,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   declined_ = trend ? trend->last.root : 0.0;
   if (starting_) begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
-  if (!starting_) begin(t, y);
+  if (!starting_ && !begin(t, y)) return false;
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double pose = starting_ ? 0.0 : std::min(foreseen(t), foreseen_by_least(t));
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
@@ -283,17 +283,23 @@ void Crossing::throw_no_branch(double t) const {
                             details);
 }
 
-/// At the start of the leap: the state on the constraints, its rates, its energy.
-void Crossing::begin(double t, const VectorXd& y) {
+/// At the start of the leap: the state on the constraints, its rates, its energy. False where it is too far from them,
+/// as in a run that diverges.
+bool Crossing::begin(double t, const VectorXd& y) {
   allocate(t, y);
   dynamics_.evaluate(t, leap_.y);
-  projection_.positions(t, leap_.y);
-  projection_.velocities(t, leap_.y);
+  try {
+    projection_.positions(t, leap_.y);
+    projection_.velocities(t, leap_.y);
+  } catch (const NotConvergedError&) {
+    return false;
+  }
   dynamics_.evaluate(t, leap_.y);
   energy_before_ = energy(leap_.y);
   VectorXd lambda(dynamics_.system().row_count());
   dynamics_.refined_accelerations(v_dot_, lambda);
   dynamics_.rates(v_dot_, lambda, rates_before_);
+  return true;
 }
 
 Crossing::Quality Crossing::attempt() {
