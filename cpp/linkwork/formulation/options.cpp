@@ -134,6 +134,7 @@ void check_limits(const Options& options) {
 
 const std::vector<OptionInfo>& option_infos() {
   static const std::vector<OptionInfo> infos = {
+  // clang-format off: it has no fixed point here
 #define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
   {#NAME, type_name<TYPE>, choices_of(VALUES), excludes_zero(VALUES), {}, UNIT, HELP, {}},
 #define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) \
@@ -141,6 +142,7 @@ const std::vector<OptionInfo>& option_infos() {
 #include "linkwork/formulation/options.def"
 #undef LINKWORK_OPTION
 #undef LINKWORK_METHOD_OPTION
+    // clang-format on
   };
   return infos;
 }
