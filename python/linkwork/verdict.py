@@ -1,8 +1,8 @@
 """How accurate a run is, estimated from the run itself.
 
 Some of its steps are taken again in parts, see `linkwork/integration/step_judge.hpp` and `run_judge.hpp`:
-fewer than 100, spread over the run and more where accelerations change most; fewer of short runs, all of few; those in which the balance of energy jumps, and those that contain break points, at which parts end; the
-worst once more in eight parts. Each difference is the local error of that step, by Richardson's
+fewer than 100, spread over the run and more where accelerations change most, all of few; those in which the
+balance of energy jumps, and those that contain break points, at which parts end; the worst once more in eight parts. Each difference is the local error of that step, by Richardson's
 extrapolation, in four lengths of every body: its position, rotation, velocity, angular velocity. Methods with
 memory and integrators of the user's own are compared with another one-step method, penalties and loose
 iterations with equations that are solved exactly. Functions of time of the user's own are looked at between
