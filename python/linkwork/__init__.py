@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from linkwork.analyses.kinematics import kinematics
     from linkwork.analyses.linearization import Linearization, linearize
     from linkwork.analyses.sensitivity import Sensitivity, sensitivity
-    from linkwork.assembly import Assembly, JointResidual, assemble
+    from linkwork.equations.assembly import Assembly, JointResidual, assemble
     from linkwork.comparison import Comparison, compare
-    from linkwork.contact import contact_hysteresis
+    from linkwork.modeling.contact import contact_hysteresis
     from linkwork.errors import (
         AccuracyError,
         Fault,
@@ -41,16 +41,16 @@ if TYPE_CHECKING:
         StepSizeError,
         ViolationError,
     )
-    from linkwork.events import Event, Occurrence, State
-    from linkwork.handles import Body, Force, Joint
+    from linkwork.running.events import Event, Occurrence, State
+    from linkwork.modeling.handles import Body, Force, Joint
     from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
-    from linkwork.model import Model
-    from linkwork.progress import ProgressInfo
-    from linkwork.result import BodyResult, Reaction, Result, SingularPose, Snapshot
-    from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-    from linkwork.simulation import simulate
-    from linkwork.system import System
-    from linkwork.verdict import StepEstimate, Verdict
+    from linkwork.modeling.model import Model
+    from linkwork.running.progress import ProgressInfo
+    from linkwork.results.result import BodyResult, Reaction, Result, SingularPose, Snapshot
+    from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+    from linkwork.running.simulation import simulate
+    from linkwork.equations.system import System
+    from linkwork.accuracy.verdict import StepEstimate, Verdict
 
 __all__ = [
     "AccuracyError",
@@ -125,22 +125,22 @@ _PLACES = {
     "linkwork.analyses.kinematics": ("kinematics",),
     "linkwork.analyses.linearization": ("Linearization", "linearize"),
     "linkwork.analyses.sensitivity": ("Sensitivity", "sensitivity"),
-    "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
+    "linkwork.equations.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
-    "linkwork.contact": ("contact_hysteresis",),
-    "linkwork.events": ("Event", "Occurrence", "State"),
-    "linkwork.handles": ("Body", "Force", "Joint"),
+    "linkwork.modeling.contact": ("contact_hysteresis",),
+    "linkwork.running.events": ("Event", "Occurrence", "State"),
+    "linkwork.modeling.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
                         "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
                         "SingularSystemError", "StepSizeError", "ViolationError"),
     "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),
-    "linkwork.model": ("Model",),
-    "linkwork.progress": ("ProgressInfo",),
-    "linkwork.result": ("BodyResult", "Reaction", "Result", "SingularPose", "Snapshot"),
-    "linkwork.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
-    "linkwork.simulation": ("simulate",),
-    "linkwork.system": ("System",),
-    "linkwork.verdict": ("StepEstimate", "Verdict"),
+    "linkwork.modeling.model": ("Model",),
+    "linkwork.running.progress": ("ProgressInfo",),
+    "linkwork.results.result": ("BodyResult", "Reaction", "Result", "SingularPose", "Snapshot"),
+    "linkwork.modeling.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
+    "linkwork.running.simulation": ("simulate",),
+    "linkwork.equations.system": ("System",),
+    "linkwork.accuracy.verdict": ("StepEstimate", "Verdict"),
 }  # fmt: skip
 _HOME = {name: module for module, names in _PLACES.items() for name in names}
 

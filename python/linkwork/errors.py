@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from linkwork.result import Result, Snapshot
+    from linkwork.results.result import Result, Snapshot
 
 __all__ = [
     "AccuracyError",

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork.errors import ModelError
-from linkwork.given import array
+from linkwork.arguments import array
 
 __all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
 

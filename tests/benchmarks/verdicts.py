@@ -34,7 +34,7 @@ from typing import Any
 
 import linkwork as lw
 import numpy as np
-from linkwork.comparison.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
 from linkwork.errors import LinkworkError, LinkworkWarning
 from linkwork.integrators import METHODS, EmbeddedPair, HalfExplicit
 from numpy.typing import NDArray

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from linkwork.header import Floats, Header
+from linkwork.motion.header import Floats, Header
 
 
 def header(

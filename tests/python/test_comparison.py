@@ -25,7 +25,7 @@ from commands import running
 from linkwork import mechanisms
 from linkwork.cli import run
 from linkwork.comparison import Comparison, text, workers
-from linkwork.comparison.measures import Differences, Sampled, Scales
+from linkwork.accuracy.measures import Differences, Sampled, Scales
 from linkwork.comparison.reference import solved_reference
 from linkwork.validation import Series
 from linkwork.validation.series import Floats

@@ -9,7 +9,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core
-from linkwork.checks import joint_residuals
+from linkwork.running.checks import joint_residuals
 from linkwork.mechanisms import MECHANISMS, Mechanism
 from numpy.typing import NDArray
 

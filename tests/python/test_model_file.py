@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from linkwork import _core, model_file
+from linkwork import _core
+from linkwork.modeling import files as model_file
 from linkwork.cli import run
 from linkwork.functions import Sum
 from linkwork.mechanisms import MECHANISMS
-from linkwork.model_file import schema
-from linkwork.model_file.writing import json_lines, record_of, yaml_lines
+from linkwork.modeling.files import schema
+from linkwork.modeling.files.writing import json_lines, record_of, yaml_lines
 from random_mechanisms import FORCES, JOINTS, Maker, Mechanism, examples, make
 
 SUFFIXES = (".yaml", ".json")
@@ -335,7 +336,7 @@ def _plain(value: Any) -> Any:
 
 
 def _function(value: Any) -> Any:
-    from linkwork.model_file.writing import _function_record
+    from linkwork.modeling.files.writing import _function_record
 
     return _function_record(value, "") if isinstance(value, lw.functions.TimeFunction) else value
 
@@ -390,7 +391,7 @@ def test_saved_documents_obey_the_published_schema() -> None:
 
 def test_yaml_and_json_hold_the_same_document() -> None:
     document = record_of(crank_and_rod(), {"t_end": 1.0})
-    from linkwork.model_file.yaml_text import YamlText
+    from linkwork.modeling.files.yaml_text import YamlText
 
     assert (
         YamlText("".join(yaml_lines(document))).data == json.loads("".join(json_lines(document))) == document

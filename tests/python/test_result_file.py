@@ -20,10 +20,11 @@ import linkwork as lw
 import numpy as np
 import pytest
 import synthetic
-from linkwork import Result, result_file
+from linkwork import Result
+from linkwork.results import writing as result_file
 from linkwork.errors import FileError
-from linkwork.header import Header
-from linkwork.result_file import ResultWriter
+from linkwork.motion.header import Header
+from linkwork.results.writing import ResultWriter
 
 FIELDS = (
     "t",
@@ -190,7 +191,7 @@ def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -
 
 BEGIN_A_LARGE_FILE = """
     import sys, synthetic
-    from linkwork.result_file import ResultWriter
+    from linkwork.results.writing import ResultWriter
     header = synthetic.header(20000, 20000)
     print("started", flush=True)
     while True:

@@ -16,7 +16,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.progress import ProgressInfo
+from linkwork.running.progress import ProgressInfo
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 

@@ -302,7 +302,7 @@ def shared(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Fl
 
     What drivers would need to accelerate at t is not in them: they hold at rest.
     """
-    from linkwork.system import System
+    from linkwork.equations.system import System
 
     if not len(multipliers):
         return multipliers

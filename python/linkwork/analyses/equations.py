@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import _core, checks, rotation
-from linkwork.model import Model
+from linkwork import _core, rotation
+from linkwork.running import checks
+from linkwork.modeling.model import Model
 
 __all__ = ["Equations", "Terms", "Sparse"]
 

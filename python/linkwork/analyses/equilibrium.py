@@ -14,8 +14,8 @@ from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.errors import ModelError, NotConvergedError, nearest
-from linkwork.model import Model
-from linkwork.result import Reaction, Snapshot
+from linkwork.modeling.model import Model
+from linkwork.results.result import Reaction, Snapshot
 
 __all__ = ["Equilibrium", "equilibrium"]
 

@@ -9,13 +9,14 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core, checks
+from linkwork import _core
+from linkwork.running import checks
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
-from linkwork.elements import KINDS
+from linkwork.modeling.elements import KINDS
 from linkwork.errors import ModelError, OptionError, nearest
-from linkwork.model import Model
-from linkwork.result import Result
+from linkwork.modeling.model import Model
+from linkwork.results.result import Result
 
 __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
 

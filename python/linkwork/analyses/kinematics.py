@@ -10,7 +10,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core, checks
+from linkwork import _core
+from linkwork.running import checks
 from linkwork.analyses.constraint_solver import (
     Constraints,
     SparseConstraints,
@@ -27,12 +28,12 @@ from linkwork.errors import (
     SingularSystemError,
     warn,
 )
-from linkwork.given import array, one_of
-from linkwork.header import Header
-from linkwork.manifest import manifest
-from linkwork.model import Model
-from linkwork.result import Result, Snapshot
-from linkwork.system import System
+from linkwork.arguments import array, one_of
+from linkwork.motion.header import Header
+from linkwork.running.manifest import manifest
+from linkwork.modeling.model import Model
+from linkwork.results.result import Result, Snapshot
+from linkwork.equations.system import System
 
 __all__ = ["kinematics"]
 

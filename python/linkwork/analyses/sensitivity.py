@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.checks import check_bodies
+from linkwork.running.checks import check_bodies
 from linkwork.errors import ModelError, OptionError, nearest
-from linkwork.model import Model
-from linkwork.result import Result
-from linkwork.simulation import simulate
+from linkwork.modeling.model import Model
+from linkwork.results.result import Result
+from linkwork.running.simulation import simulate
 
 __all__ = ["Sensitivity", "sensitivity"]
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import simulation
+from linkwork.running import simulation
 from linkwork.benchmark import memory
 from linkwork.benchmark.subject import Subject
 

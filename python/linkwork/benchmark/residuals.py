@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.system import System
+from linkwork.equations.system import System
 
 Floats = NDArray[np.float64]
 

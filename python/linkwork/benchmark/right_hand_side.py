@@ -16,10 +16,10 @@ from linkwork.benchmark.residuals import residuals
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import Timing
 from linkwork.errors import LinkworkError
-from linkwork.model import Model
+from linkwork.modeling.model import Model
 from linkwork.options import Options
-from linkwork.progress import ShowOption, counting
-from linkwork.system import System
+from linkwork.running.progress import ShowOption, counting
+from linkwork.equations.system import System
 
 ROUNDS, LIMIT_SECONDS = 15, 30.0
 

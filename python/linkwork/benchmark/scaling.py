@@ -19,8 +19,8 @@ from linkwork.benchmark.timing import Timing
 from linkwork.errors import OptionError
 from linkwork.mechanisms import four_bar
 from linkwork.options import Options
-from linkwork.progress import ShowOption, counting
-from linkwork.system import System
+from linkwork.running.progress import ShowOption, counting
+from linkwork.equations.system import System
 
 Floats = NDArray[np.float64]
 

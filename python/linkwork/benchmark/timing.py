@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.system import System
+from linkwork.equations.system import System
 
 Floats = NDArray[np.float64]
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwork import _core, checks
+from linkwork import _core
+from linkwork.running import checks
 from linkwork.cli import output as out
 from linkwork.errors import LinkworkError
 

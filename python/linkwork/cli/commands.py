@@ -249,7 +249,7 @@ def schema() -> None:
     \b
     linkwork schema > linkwork.schema.json
     """
-    from linkwork import model_file
+    from linkwork.modeling import files as model_file
     from linkwork.cli.output import print_json
 
     print_json(model_file.json_schema())

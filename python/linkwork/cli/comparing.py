@@ -37,7 +37,7 @@ def compare_and_show(
     for path in filter(None, files.values()):
         out.check_writable(path)
     if plot is not None:
-        from linkwork import plotting
+        from linkwork.plots import figures as plotting
 
         plotting.check_format(plot)
     given = {key: values[key] for key in compare_options.NAMES if values[key] is not None}

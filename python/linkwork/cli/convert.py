@@ -6,10 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import linkwork
-from linkwork import importers, model_file
+from linkwork import importers
+from linkwork.modeling import files as model_file
 from linkwork.cli import output as out
 from linkwork.errors import FileError
-from linkwork.model_file.syntax import check_suffix
+from linkwork.modeling.files.syntax import check_suffix
 
 
 def convert_and_show(

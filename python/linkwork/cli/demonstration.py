@@ -13,7 +13,7 @@ from linkwork.cli import output as out
 from linkwork.errors import FileError, cause
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 MECHANISM = "spatial_slider_crank"
 
@@ -85,7 +85,7 @@ ROWS = (
 
 def show(output_dir: str, as_json: bool) -> None:
     """Run every method, print the table, write the default method's result and the picture."""
-    from linkwork import plotting
+    from linkwork.plots import figures as plotting
     from linkwork.mechanisms import MECHANISMS
 
     files = {

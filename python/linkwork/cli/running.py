@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
 from linkwork.errors import OptionError
-from linkwork.result import Result, Snapshot
+from linkwork.results.result import Result, Snapshot
 
 if TYPE_CHECKING:
     from linkwork import Model
@@ -25,10 +25,10 @@ def simulate_and_show(
 ) -> None:
     """Run with the mechanism's recommended settings where no option was given."""
     import linkwork as lw
-    from linkwork import summary
+    from linkwork.motion import summary
 
     if plot is not None:
-        from linkwork import plotting
+        from linkwork.plots import figures as plotting
 
         out.check_writable(plot)
         plotting.check_format(plot)

@@ -9,7 +9,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from linkwork.checks import check_bodies
+from linkwork.running.checks import check_bodies
 from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
@@ -19,12 +19,12 @@ from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
 from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError, warn
-from linkwork.manifest import platform_facts
-from linkwork.model import Model
+from linkwork.running.manifest import platform_facts
+from linkwork.modeling.model import Model
 from linkwork.options import TABLE, Policy, check_name, check_number, check_option, names
-from linkwork.progress import ShowOption, counting
-from linkwork.recording import frame_bytes
-from linkwork.result import Result
+from linkwork.running.progress import ShowOption, counting
+from linkwork.running.recording import frame_bytes
+from linkwork.results.result import Result
 
 __all__ = ["compare"]
 
@@ -241,7 +241,7 @@ def _checked(reference: Reference, model: Model, t_end: float) -> Reference:
 
 def _suggested_steps(model: Model, t_end: float, processes: int | None) -> list[float]:
     """From the steps of a run with an error of about USUAL_ERROR by a method of order 5."""
-    from linkwork.simulation import simulate
+    from linkwork.running.simulation import simulate
 
     try:
         with warnings.catch_warnings():

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from linkwork.comparison.runs import WRONG, Outcome
 from linkwork.errors import OptionError, nearest
-from linkwork.plotting import COLORS, check_format
+from linkwork.plots.figures import COLORS, check_format
 
 if TYPE_CHECKING:
     from linkwork.comparison.table import Comparison

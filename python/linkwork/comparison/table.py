@@ -39,7 +39,7 @@ COSTS = {"seconds": "s", "evaluations": "evaluations", "factorizations": "factor
 class Comparison:
     """Cells in the order of the grid: each method from its largest step to its smallest.
 
-    `print(comparison)` shows the table; `linkwork.comparison.measures` defines the errors.
+    `print(comparison)` shows the table; `linkwork.accuracy.measures` defines the errors.
     """
 
     outcomes: Sequence[Outcome]

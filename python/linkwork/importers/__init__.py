@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from linkwork.errors import FileError, nearest
-from linkwork.given import path as path_of
+from linkwork.arguments import path as path_of
 from linkwork.importers.description import Imported, Note
 from linkwork.importers.mjcf import import_mjcf
 from linkwork.importers.sdf import import_sdf

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import rotation
-from linkwork.elements import KINDS
+from linkwork.modeling.elements import KINDS
 from linkwork.errors import Fault, LinkworkError, ModelFileError, OptionError, nearest
-from linkwork.handles import Body
+from linkwork.modeling.handles import Body
 from linkwork.importers.alignment import align_axes
 from linkwork.importers.description import (
     WORLD,
@@ -25,8 +25,8 @@ from linkwork.importers.description import (
 )
 from linkwork.importers.frames import Frame
 from linkwork.importers.tree import LinkState, link_states
-from linkwork.model import Model
-from linkwork.placement import Attachment
+from linkwork.modeling.model import Model
+from linkwork.modeling.placement import Attachment
 
 __all__ = ["Options", "build"]
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwork.errors import warn
 from linkwork.importers.frames import Frame, turned
-from linkwork.model import Model
+from linkwork.modeling.model import Model
 
 __all__ = ["Coupling", "Description", "Imported", "JointDescription", "LinkDescription", "Motion", "Note"]
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.assembly import assemble
+from linkwork.equations.assembly import assemble
 from linkwork.functions import TimeFunction, harmonic
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.rods import square_rod

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import Model
 from linkwork.errors import ModelError
-from linkwork.handles import Body
+from linkwork.modeling.handles import Body
 
 __all__ = ["meet", "polar", "tube_link"]
 

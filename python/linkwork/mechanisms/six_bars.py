@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.assembly import assemble
+from linkwork.equations.assembly import assemble
 from linkwork.errors import ModelError
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.planar import meet, polar, tube_link

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import Model, rotation
-from linkwork.contact import contact_hysteresis
+from linkwork.modeling.contact import contact_hysteresis
 from linkwork.errors import ModelError
 from linkwork.functions import polynomial
-from linkwork.handles import Body, Range
+from linkwork.modeling.handles import Body, Range
 from linkwork.mechanisms.mechanism import Mechanism
 
 Floats = NDArray[np.float64]

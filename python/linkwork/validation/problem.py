@@ -11,11 +11,11 @@ import numpy as np
 
 from linkwork.errors import LinkworkError, OptionError, nearest
 from linkwork.mechanisms import MECHANISMS
-from linkwork.simulation import simulate
+from linkwork.running.simulation import simulate
 from linkwork.validation.series import Floats, Series
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 __all__ = ["Figure", "Problem", "Verdict", "validate"]
 

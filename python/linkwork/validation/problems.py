@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from linkwork import rotation
-from linkwork.result import Result
+from linkwork.results.result import Result
 from linkwork.validation.problem import Figure, Problem, largest, relative
 from linkwork.validation.series import Floats, Series
 

@@ -15,14 +15,14 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from linkwork import rotation
-from linkwork.elements import KINDS
-from linkwork.header import Floats, Header
-from linkwork.joint_motion import Holds, joint_kinds, separations
-from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.modeling.elements import KINDS
+from linkwork.motion.header import Floats, Header
+from linkwork.motion.joints import Holds, joint_kinds, separations
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.view import meshes
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 Role = Literal["joint", "force"]
 Form = Literal["bar", "coil", "damper"]

@@ -15,15 +15,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import given, rotation
+from linkwork import rotation
+from linkwork import arguments as given
 from linkwork.errors import FileError, OptionError, unwritable
-from linkwork.header import Floats
-from linkwork.plotting import new_figure
-from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.motion.header import Floats
+from linkwork.plots.figures import new_figure
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.view.appearance import Scene, Solid, Span, scene
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 #: More faces than these take minutes to paint.
 MOST_FACES = 200_000

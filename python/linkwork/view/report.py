@@ -14,14 +14,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwork import plot_kinds, summary
+from linkwork.plots import kinds as plot_kinds
+from linkwork.motion import summary
 from linkwork.errors import OptionError
 from linkwork.view.page import Page, view
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 #: Rows of a table; the rest is counted.
 ROWS = 100

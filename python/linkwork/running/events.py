@@ -1,0 +1,219 @@
+"""Events of a run: what happens when a function of time and state passes through zero."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.errors import ModelError, OptionError
+from linkwork.arguments import UNREADABLE, is_number
+from linkwork.modeling.handles import Body
+from linkwork.modeling.model import Model
+
+__all__ = ["Event", "Occurrence", "State", "compile_events"]
+
+Floats = NDArray[np.float64]
+
+
+class BodyState:
+    """Of one body: what is assigned to it, whole or in part, changes the state that it is of."""
+
+    def __init__(self, q: Floats, v: Floats) -> None:
+        self._q, self._v = q, v
+
+    @property
+    def position(self) -> Floats:
+        """Center of mass (3,), inertial [m]."""
+        return self._q[:3]
+
+    @position.setter
+    def position(self, value: ArrayLike) -> None:
+        self._q[:3] = value
+
+    @property
+    def orientation(self) -> Floats:
+        """Euler parameters (4,), scalar first."""
+        return self._q[3:]
+
+    @orientation.setter
+    def orientation(self, value: ArrayLike) -> None:
+        self._q[3:] = value
+
+    @property
+    def velocity(self) -> Floats:
+        """Of the center of mass (3,), inertial [m/s]."""
+        return self._v[:3]
+
+    @velocity.setter
+    def velocity(self, value: ArrayLike) -> None:
+        self._v[:3] = value
+
+    @property
+    def omega(self) -> Floats:
+        """Angular velocity (3,), body axes [rad/s]."""
+        return self._v[3:]
+
+    @omega.setter
+    def omega(self, value: ArrayLike) -> None:
+        self._v[3:] = value
+
+
+class State:
+    """Positions and velocities of all bodies: q (n, 7) and v (n, 6) as in `Result`, or `body(name)`."""
+
+    def __init__(self, model: Model, y: Floats) -> None:
+        """`y` (13n,) = (q, v); the state is a view of it."""
+        split = 7 * model.body_count
+        self._model = model
+        self._q, self._v = y[:split].reshape(-1, 7), y[split:].reshape(-1, 6)
+
+    @property
+    def q(self) -> Floats:
+        """Poses (n, 7): position, then Euler parameters."""
+        return self._q
+
+    @q.setter
+    def q(self, value: ArrayLike) -> None:
+        self._q[:] = value
+
+    @property
+    def v(self) -> Floats:
+        """Velocities (n, 6): inertial velocity, then body-fixed angular velocity."""
+        return self._v
+
+    @v.setter
+    def v(self, value: ArrayLike) -> None:
+        self._v[:] = value
+
+    def body(self, name: str | Body) -> BodyState:
+        """The state of one body, by name or handle. ModelError: no such body."""
+        name = name.name if isinstance(name, Body) else name
+        place = self._model.compiled().find_body(name)
+        if place < 0:
+            self._model.find(name)  # says what is near
+            raise ModelError("the ground has no state", code="unknown_name")
+        return BodyState(self._q[place], self._v[place])
+
+
+@dataclass(frozen=True)
+class Event:
+    """A function of (t [s], state) that passes through zero; adaptive runs only.
+
+    direction  1: rising, -1: falling, 0: both
+    terminal   the run ends there
+    change     change(t, state) gives the state other values in place, an impact for example. The state then
+               goes to the constraints with the least change in the metric of the masses: joints answer an
+               impulse on one body with impulses of their own. The run goes on from there, or ends there where
+               `change` returns True
+    tolerance  of the time [s], beside roundoff
+
+    A step is looked at in four places: an event between two of which the function returns to its sign is
+    not seen; `step` in `simulate` limits them. A value of zero at the start of the run is no event. Events
+    that come after ever shorter times, like the bounces of a ball, end the run with a StepSizeError; so does
+    what a change has stopped and a force pushes through zero again.
+    """
+
+    function: Callable[[float, State], float]
+    name: str = ""
+    direction: int = 0
+    terminal: bool = False
+    change: Callable[[float, State], bool | None] | None = None
+    tolerance: float = 1e-12
+
+    @property
+    def label(self) -> str:
+        """Its name, or that of its function."""
+        return (
+            self.name
+            if isinstance(self.name, str) and self.name
+            else str(getattr(self.function, "__name__", "event"))
+        )
+
+    def _check(self) -> None:
+        who = f"event '{self.label}'"
+        if not isinstance(self.name, str):
+            raise OptionError(f"event: name {self.name!r:.80} is no text", code="event")
+        if isinstance(self.direction, bool) or not isinstance(self.direction, int) or abs(self.direction) > 1:
+            raise OptionError(f"{who}: direction {self.direction!r:.80} is not -1, 0 or 1", code="event")
+        if not isinstance(self.terminal, bool | np.bool_):
+            raise OptionError(f"{who}: terminal {self.terminal!r:.80} is not True or False", code="event")
+        if not is_number(self.tolerance) or self.tolerance < 0:
+            raise OptionError(
+                f"{who}: tolerance {self.tolerance!r:.80} must be zero or positive [s]", code="event"
+            )
+
+    def compiled(self, model: Model) -> _core.Event:
+        """The same event of a run of `model` in the compiled module.
+
+        OptionError: what is no function, or no direction, tolerance, or answer to whether it is terminal.
+        """
+        self._check()
+        for what, given in (("function", self.function), ("change", self.change)):
+            if not callable(given) and not (given is None and what == "change"):
+                raise OptionError(
+                    f"event '{self.label}': {what} {given!r} is no function of (t, state)", code="event"
+                )
+
+        def function(t: float, y: Floats) -> float:
+            value = self.function(t, State(model, y))
+            try:
+                return float(value)
+            except UNREADABLE as error:
+                raise OptionError(
+                    f"event '{self.label}': its function returned {value!r}, no number (t = {t:g} s)",
+                    code="event",
+                ) from error
+
+        def change(t: float, y: Floats) -> tuple[ArrayLike, bool]:
+            changed = np.array(y)
+            assert self.change is not None
+            ends = self.change(t, State(model, changed))
+            if not isinstance(ends, bool | np.bool_ | None):
+                raise OptionError(
+                    f"event '{self.label}': change must alter the state in place and return nothing, or True "
+                    "to end the run",
+                    code="event",
+                )
+            return changed, bool(ends)
+
+        return _core.Event(
+            self.label,
+            function,
+            int(self.direction),
+            bool(self.terminal),
+            None if self.change is None else change,
+            self.tolerance,
+        )
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """An event that came: poses q (n, 7) and velocities v (n, 6) before and after it."""
+
+    name: str
+    t: float
+    q_before: Floats
+    v_before: Floats
+    q_after: Floats
+    v_after: Floats
+
+    @classmethod
+    def of(cls, name: str, t: float, before: Floats, after: Floats) -> Occurrence:
+        """From y = (q, v) (13n,) before and after."""
+        split = 7 * (len(before) // 13)
+        parts = [part.reshape(-1, width) for y in (before, after)
+                 for part, width in ((y[:split], 7), (y[split:], 6))]  # fmt: skip
+        return cls(name, t, *parts)
+
+
+def compile_events(events: object, model: Model) -> list[tuple[str, _core.Event]]:
+    """Label and compiled event of each. OptionError: something that is no Event."""
+    listed = list(events) if isinstance(events, Iterable) else [] if events is None else [events]
+    for event in listed:
+        if not isinstance(event, Event):
+            raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
+    return [(event.label, event.compiled(model)) for event in listed]
