@@ -18,14 +18,15 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
+    from linkwork.accuracy.verdict import StepEstimate, Verdict
     from linkwork.analyses.equilibrium import Equilibrium, equilibrium
     from linkwork.analyses.inverse_dynamics import Drive, InverseDynamics, inverse_dynamics
     from linkwork.analyses.kinematics import kinematics
     from linkwork.analyses.linearization import Linearization, linearize
     from linkwork.analyses.sensitivity import Sensitivity, sensitivity
-    from linkwork.equations.assembly import Assembly, JointResidual, assemble
     from linkwork.comparison import Comparison, compare
-    from linkwork.modeling.contact import contact_hysteresis
+    from linkwork.equations.assembly import Assembly, JointResidual, assemble
+    from linkwork.equations.system import System
     from linkwork.errors import (
         AccuracyError,
         Fault,
@@ -41,16 +42,16 @@ if TYPE_CHECKING:
         StepSizeError,
         ViolationError,
     )
-    from linkwork.running.events import Event, Occurrence, State
-    from linkwork.modeling.handles import Body, Force, Joint
     from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
+    from linkwork.modeling.contact import contact_hysteresis
+    from linkwork.modeling.handles import Body, Force, Joint
     from linkwork.modeling.model import Model
-    from linkwork.running.progress import ProgressInfo
-    from linkwork.results.result import BodyResult, Reaction, Result, SingularPose, Snapshot
     from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+    from linkwork.motion.records import BodyResult, Occurrence, Reaction, SingularPose, Snapshot
+    from linkwork.results.result import Result
+    from linkwork.running.events import Event, State
+    from linkwork.running.progress import ProgressInfo
     from linkwork.running.simulation import simulate
-    from linkwork.equations.system import System
-    from linkwork.accuracy.verdict import StepEstimate, Verdict
 
 __all__ = [
     "AccuracyError",
@@ -128,7 +129,7 @@ _PLACES = {
     "linkwork.equations.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
     "linkwork.modeling.contact": ("contact_hysteresis",),
-    "linkwork.running.events": ("Event", "Occurrence", "State"),
+    "linkwork.running.events": ("Event", "State"),
     "linkwork.modeling.handles": ("Body", "Force", "Joint"),
     "linkwork.errors": ("AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
                         "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
@@ -136,7 +137,8 @@ _PLACES = {
     "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),
     "linkwork.modeling.model": ("Model",),
     "linkwork.running.progress": ("ProgressInfo",),
-    "linkwork.results.result": ("BodyResult", "Reaction", "Result", "SingularPose", "Snapshot"),
+    "linkwork.results.result": ("Result",),
+    "linkwork.motion.records": ("BodyResult", "Occurrence", "Reaction", "SingularPose", "Snapshot"),
     "linkwork.modeling.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
     "linkwork.running.simulation": ("simulate",),
     "linkwork.equations.system": ("System",),

@@ -8,18 +8,21 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.errors import FileError, LinkworkError, OptionError, nearest
+from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
 __all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "whole"]
 
 Floats = NDArray[np.float64]
+
+#: A shape (size,) of an array; None stands for any length.
+ArrayShape = tuple[int | None, ...]
 
 #: What NumPy and Python raise for what is not made of numbers.
 UNREADABLE = (TypeError, ValueError, OverflowError)
@@ -84,3 +87,18 @@ def path(given: Any, what: str) -> Path:
     except TypeError:
         pass
     raise FileError(f"{what} {given!r:.80} is no path of a file: give its name", code="path")
+
+
+def shaped(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:
+    """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
+    with about(what, who):
+        numbers = array(value, f"{who}: {what}", ModelError)
+    for shape in shapes:
+        if len(shape) == numbers.ndim and all(
+            n in (None, m) for n, m in zip(shape, numbers.shape, strict=True)
+        ):
+            return numbers
+    wanted = " or ".join(str(shape).replace("None", "k") for shape in shapes)
+    raise ModelError(
+        f"{who}: {what} has shape {numbers.shape}, not {wanted}", code="shape", subject=who, field=what
+    )

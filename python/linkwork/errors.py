@@ -16,7 +16,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from linkwork.results.result import Result, Snapshot
+    from linkwork.motion.records import Snapshot
+    from linkwork.results.result import Result
 
 __all__ = [
     "AccuracyError",

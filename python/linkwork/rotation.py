@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.errors import ModelError
 from linkwork.arguments import array
+from linkwork.errors import ModelError
 
 __all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
 

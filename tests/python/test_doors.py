@@ -10,9 +10,9 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core, mechanisms
-from linkwork.running import duration
-from linkwork.integrators import METHODS
 from linkwork.equations.stiffness import GROWTH
+from linkwork.integrators import METHODS
+from linkwork.running import duration
 from small_mechanisms import slider_crank_at
 
 

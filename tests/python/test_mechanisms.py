@@ -9,8 +9,8 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core
-from linkwork.running.checks import joint_residuals
 from linkwork.mechanisms import MECHANISMS, Mechanism
+from linkwork.running.checks import joint_residuals
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]

@@ -9,11 +9,11 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core
-from linkwork.running import checks
 from linkwork.cli.checking import examine
-from linkwork.modeling.elements import KINDS
 from linkwork.mechanisms import MECHANISMS
+from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import model_of, record_of
+from linkwork.running import checks
 from test_invariance import Units, factor
 
 UNITS = {

@@ -13,10 +13,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from linkwork import _core
-from linkwork.modeling import files as model_file
 from linkwork.cli import run
 from linkwork.functions import Sum
 from linkwork.mechanisms import MECHANISMS
+from linkwork.modeling import files
 from linkwork.modeling.files import schema
 from linkwork.modeling.files.writing import json_lines, record_of, yaml_lines
 from random_mechanisms import FORCES, JOINTS, Maker, Mechanism, examples, make
@@ -368,7 +368,7 @@ def test_elements_that_follow_each_other_are_as_if_added_one_by_one(tmp_path: Pa
 
 
 def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
-    published = model_file.json_schema()
+    published = files.json_schema()
     text = json.dumps(published)
     kinds = [kind.name for kind in (*_core.joint_kinds(), *_core.force_kinds())]
     assert all(f'"const": "{kind}"' in text for kind in kinds)
@@ -377,7 +377,7 @@ def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
 
 
 def test_saved_documents_obey_the_published_schema() -> None:
-    validator = jsonschema.Draft202012Validator(model_file.json_schema())
+    validator = jsonschema.Draft202012Validator(files.json_schema())
     for model in (
         crank_and_rod(),
         make(3, sorted(JOINTS)[:8]).model,

@@ -6,8 +6,8 @@ balance of energy jumps, and those that contain break points, at which parts end
 eight parts. Each difference is the local error of that step, by Richardson's extrapolation, in four lengths
 of every body: its position, rotation, velocity, angular velocity. Methods with memory and integrators of
 the user's own are compared with another one-step method, penalties and loose iterations with equations that
-are solved exactly. Functions of time of the user's own are looked at between steps, too, see
-`linkwork.running.pulses`. Errors are relative: of poses to L, half of the box in which centers of mass move or the
+are solved exactly. Functions of time of the user's own are looked at between steps, too (running.pulses).
+Errors are relative: of poses to L, half of the box in which centers of mass move or the
 longest arm, or to the path where that is shorter; of velocities to V, the largest speed.
 
 Over the run local errors add up. An error of a velocity is also one of positions later: it grows with time,

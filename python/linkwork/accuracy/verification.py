@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
 from linkwork.motion.header import Floats
 
 if TYPE_CHECKING:
@@ -67,8 +68,6 @@ def band(factor: float) -> Callable[[Floats, Floats], Floats]:
 
 def state_error(first: Result, finer: Finer) -> float:
     """Largest error of poses and velocities, relative as those of linkwork.accuracy.measures."""
-    from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
-
     exact = Sampled.of(finer.result)
     differences = Differences.between(Sampled.of(first), exact)
     state = differences.state(Scales.of(exact, longest_arm(finer.result)))

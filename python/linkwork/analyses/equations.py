@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core, rotation
-from linkwork.running import checks
 from linkwork.modeling.model import Model
+from linkwork.running import checks
 
 __all__ = ["Equations", "Terms", "Sparse"]
 

@@ -15,7 +15,7 @@ from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.errors import ModelError, NotConvergedError, nearest
 from linkwork.modeling.model import Model
-from linkwork.results.result import Reaction, Snapshot
+from linkwork.motion.records import Reaction, Snapshot
 
 __all__ = ["Equilibrium", "equilibrium"]
 

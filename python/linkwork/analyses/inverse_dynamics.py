@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.running import checks
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
-from linkwork.modeling.elements import KINDS
 from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.modeling.elements import KINDS
 from linkwork.modeling.model import Model
 from linkwork.results.result import Result
+from linkwork.running import checks
 
 __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
 

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.running import checks
 from linkwork.analyses.constraint_solver import (
     Constraints,
     SparseConstraints,
@@ -20,6 +19,8 @@ from linkwork.analyses.constraint_solver import (
 )
 from linkwork.analyses.equations import LISTED, Equations, Sparse
 from linkwork.analyses.tangent import displaced, rate_of_change, turned_in, turned_out
+from linkwork.arguments import array, one_of
+from linkwork.equations.system import System
 from linkwork.errors import (
     LinkworkError,
     ModelError,
@@ -28,12 +29,12 @@ from linkwork.errors import (
     SingularSystemError,
     warn,
 )
-from linkwork.arguments import array, one_of
-from linkwork.motion.header import Header
-from linkwork.running.manifest import manifest
 from linkwork.modeling.model import Model
-from linkwork.results.result import Result, Snapshot
-from linkwork.equations.system import System
+from linkwork.motion.header import Header
+from linkwork.motion.records import Snapshot
+from linkwork.results.result import Result
+from linkwork.running import checks
+from linkwork.running.manifest import manifest
 
 __all__ = ["kinematics"]
 

@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.running import checks
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import displaced, turned_out
+from linkwork.equations.system import System
 from linkwork.errors import ModelError, NotConvergedError, OptionError
 from linkwork.modeling.model import Model
-from linkwork.results.result import Snapshot
-from linkwork.equations.system import System
+from linkwork.motion.records import Snapshot
+from linkwork.running import checks
 
 __all__ = ["Linearization", "linearize"]
 

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.running.checks import check_bodies
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model
 from linkwork.results.result import Result
+from linkwork.running.checks import check_bodies
 from linkwork.running.simulation import simulate
 
 __all__ = ["Sensitivity", "sensitivity"]

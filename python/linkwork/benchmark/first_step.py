@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.running import simulation
 from linkwork.benchmark import memory
 from linkwork.benchmark.subject import Subject
+from linkwork.running import simulation
 
 Floats = NDArray[np.float64]
 

@@ -15,11 +15,11 @@ from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.residuals import residuals
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import Timing
+from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
 from linkwork.modeling.model import Model
 from linkwork.options import Options
 from linkwork.running.progress import ShowOption, counting
-from linkwork.equations.system import System
 
 ROUNDS, LIMIT_SECONDS = 15, 30.0
 

@@ -16,11 +16,11 @@ from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import Timing
+from linkwork.equations.system import System
 from linkwork.errors import OptionError
 from linkwork.mechanisms import four_bar
 from linkwork.options import Options
 from linkwork.running.progress import ShowOption, counting
-from linkwork.equations.system import System
 
 Floats = NDArray[np.float64]
 

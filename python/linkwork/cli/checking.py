@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from linkwork import _core
-from linkwork.running import checks
 from linkwork.cli import output as out
 from linkwork.errors import LinkworkError
+from linkwork.running import checks
 
 if TYPE_CHECKING:
     from linkwork import Model

@@ -37,9 +37,9 @@ def compare_and_show(
     for path in filter(None, files.values()):
         out.check_writable(path)
     if plot is not None:
-        from linkwork.plots import figures as plotting
+        from linkwork.plots import figures
 
-        plotting.check_format(plot)
+        figures.check_format(plot)
     given = {key: values[key] for key in compare_options.NAMES if values[key] is not None}
     settings = mechanism.settings
     if "t_end" in settings:

@@ -10,8 +10,8 @@ from typing import Any, Literal, get_args, get_origin
 import click
 
 from linkwork.cli import shells
-from linkwork.options.types import described
 from linkwork.options import TABLE
+from linkwork.options.types import described
 from linkwork.running.simulation import simulate
 
 

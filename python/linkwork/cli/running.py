@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
 from linkwork.errors import OptionError
-from linkwork.results.result import Result, Snapshot
+from linkwork.motion.records import Snapshot
+from linkwork.results.result import Result
 
 if TYPE_CHECKING:
     from linkwork import Model
@@ -28,10 +29,10 @@ def simulate_and_show(
     from linkwork.motion import summary
 
     if plot is not None:
-        from linkwork.plots import figures as plotting
+        from linkwork.plots import figures
 
         out.check_writable(plot)
-        plotting.check_format(plot)
+        figures.check_format(plot)
     model = mechanism.function(**parameters)
     settings = _settings(mechanism, options)
     if "start" in settings:

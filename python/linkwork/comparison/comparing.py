@@ -9,7 +9,6 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from linkwork.running.checks import check_bodies
 from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
@@ -19,12 +18,13 @@ from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
 from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError, warn
-from linkwork.running.manifest import platform_facts
 from linkwork.modeling.model import Model
 from linkwork.options import TABLE, Policy, check_name, check_number, check_option, names
+from linkwork.results.result import Result
+from linkwork.running.checks import check_bodies
+from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.recording import frame_bytes
-from linkwork.results.result import Result
 
 __all__ = ["compare"]
 

@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.motion import summary
 from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError, ModelError, OptionError
 from linkwork.modeling.model import Model
+from linkwork.motion import summary
 from linkwork.results.result import Result
 from linkwork.running.simulation import simulate
 

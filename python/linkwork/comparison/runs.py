@@ -11,9 +11,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork.accuracy.measures import Differences, Sampled
 from linkwork.comparison import order
 from linkwork.comparison.choices import Cell
-from linkwork.accuracy.measures import Differences, Sampled
 from linkwork.comparison.reference import ERRORS, Reference, largest
 from linkwork.errors import (
     LinkworkError,

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
+from linkwork.arguments import is_number
 from linkwork.equations import branches
 from linkwork.errors import ModelError, NotConvergedError
-from linkwork.arguments import is_number
 from linkwork.modeling.handles import BodiesLike, BodyLike
 from linkwork.modeling.model import Model, check_model
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
 from linkwork.modeling.extent import extent
-from linkwork.equations.system import System
 
 Floats = NDArray[np.float64]
 

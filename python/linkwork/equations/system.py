@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import OptionError
 from linkwork.arguments import array, number
+from linkwork.errors import OptionError
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import LEVELS, TABLE, Options, compile_options
 

@@ -1,11 +1,4 @@
-"""Functions of time [s] for what a model lets vary: forces, free lengths, the length of a distance joint.
-
-    model.force(rod, force=(lw.functions.harmonic(amplitude=5.0, frequency=3.0), 0, 0))
-
-Each is a small record that the compiled module evaluates with its first two derivatives; no Python runs in
-the loop, except for `Callback`. A table is never held or extrapolated: a run that goes beyond it is an error
-before the first step.
-"""
+"""The kinds of functions of time, and how each is told to the compiled module."""
 
 from __future__ import annotations
 
@@ -20,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import ModelError
 from linkwork.arguments import UNREADABLE, array, number
+from linkwork.errors import ModelError
 
 __all__ = [
     "TimeFunction",

@@ -14,8 +14,8 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from linkwork.errors import FileError, nearest
 from linkwork.arguments import path as path_of
+from linkwork.errors import FileError, nearest
 from linkwork.importers.description import Imported, Note
 from linkwork.importers.mjcf import import_mjcf
 from linkwork.importers.sdf import import_sdf

@@ -11,9 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import rotation
-from linkwork.modeling.elements import KINDS
 from linkwork.errors import Fault, LinkworkError, ModelFileError, OptionError, nearest
-from linkwork.modeling.handles import Body
 from linkwork.importers.alignment import align_axes
 from linkwork.importers.description import (
     WORLD,
@@ -25,6 +23,8 @@ from linkwork.importers.description import (
 )
 from linkwork.importers.frames import Frame
 from linkwork.importers.tree import LinkState, link_states
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 from linkwork.modeling.placement import Attachment
 

@@ -23,9 +23,9 @@ def is_file(name: str) -> bool:
 def is_model_file(name: str) -> bool:
     """Whether the extension is that of a file with a model, such as .yaml or .urdf; results have another."""
     from linkwork import importers
-    from linkwork.modeling import files as model_file
+    from linkwork.modeling import files
 
-    return importers.is_importable(name) or PurePath(name).suffix.lower() in model_file.SUFFIXES
+    return importers.is_importable(name) or PurePath(name).suffix.lower() in files.SUFFIXES
 
 
 def mechanism_of_file(path: str) -> Mechanism:
@@ -45,11 +45,13 @@ def mechanism_of_file(path: str) -> Mechanism:
 
 def _read(path: str) -> tuple[Model, Mapping[str, Any]]:
     from linkwork import importers
-    from linkwork.modeling import files as model_file
+    from linkwork.modeling import files
 
     if importers.is_importable(path):
         imported = importers.read(path)
         imported.warn()
         return imported.model, {}
-    file = model_file.read(path)
+    from linkwork.modeling.model import Model
+
+    file = files.read(path, Model)
     return file.model, file.simulation

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import Model, rotation
-from linkwork.modeling.contact import contact_hysteresis
 from linkwork.errors import ModelError
 from linkwork.functions import polynomial
-from linkwork.modeling.handles import Body, Range
 from linkwork.mechanisms.mechanism import Mechanism
+from linkwork.modeling.contact import contact_hysteresis
+from linkwork.modeling.handles import Body, Range
 
 Floats = NDArray[np.float64]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from linkwork.errors import OptionError
 from linkwork.arguments import is_number, one_of
+from linkwork.errors import OptionError
 
 __all__ = ["contact_hysteresis"]
 

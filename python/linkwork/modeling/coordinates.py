@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.modeling.elements import KINDS
-from linkwork.errors import ModelError
 from linkwork.arguments import is_one_of
+from linkwork.errors import ModelError
+from linkwork.modeling.elements import KINDS
 
 Floats = NDArray[np.float64]
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
+from linkwork.arguments import UNREADABLE, one_of
 from linkwork.errors import OptionError, about
 from linkwork.functions import TimeFunction, as_time_function
-from linkwork.arguments import UNREADABLE, one_of
 from linkwork.modeling.placement import PLACEMENTS, Attachment, Place, Subject
 
 Floats = NDArray[np.float64]

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from linkwork.modeling.model import Model
     from linkwork.modeling.shapes import Shape
 
-__all__ = ["BodiesLike", "Body", "BodyLike", "Force", "Joint", "Range"]
+__all__ = ["BodiesLike", "Body", "BodyLike", "Force", "Joint", "Named", "Range"]
 
 
 @dataclass(frozen=True)
@@ -83,3 +83,6 @@ BodyLike = Body | str
 
 #: Many bodies: a Range, handles, names, or indices (k,) with -1 the ground; one body stands for all.
 BodiesLike = BodyLike | Range[Body] | Sequence[BodyLike] | NDArray[np.integer]
+
+#: A body or a joint by its name, its index, or the handle that the model gave.
+Named = str | int | Body | Joint

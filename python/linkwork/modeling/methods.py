@@ -1,12 +1,11 @@
 """One method of Model for every registered joint and force, made from what the compiled module says about it.
 
 One added there (one file, one line) appears here by itself, with its documentation. Type checkers read
-element_methods.pyi; `python -m linkwork.modeling.methods --stub` prints it anew.
+methods.pyi; `./dev stubs` writes it.
 """
 
 from __future__ import annotations
 
-import sys
 import textwrap
 from collections.abc import Callable, Iterator
 from inspect import Parameter, Signature
@@ -160,7 +159,7 @@ def stub() -> str:
 
 
 _STUB_HEAD = '''\
-"""Printed by `python -m linkwork.modeling.methods --stub`."""
+"""Written by `./dev stubs`."""
 
 from numpy.typing import ArrayLike
 
@@ -193,9 +192,3 @@ def _stub_method(kind: _core.KindInfo) -> str:
     lines += ['        frames: Frames = "space",', "        name: str | None = None,", f"    ) -> {result}:"]
     text = textwrap.indent(_documentation(kind), " " * 8).lstrip()
     return "\n".join([*lines, f'        """{text}\n        """', ""])
-
-
-if __name__ == "__main__":
-    if sys.argv[1:] != ["--stub"]:
-        sys.exit("usage: python -m linkwork.modeling.methods --stub")
-    print(stub(), end="")

@@ -1,4 +1,4 @@
-"""Printed by `python -m linkwork.modeling.methods --stub`."""
+"""Written by `./dev stubs`."""
 
 from numpy.typing import ArrayLike
 

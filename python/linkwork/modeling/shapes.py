@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import rotation
-from linkwork.errors import FileError, ModelError
 from linkwork.arguments import array, is_number
+from linkwork.errors import FileError, ModelError
 
 __all__ = ["Box", "Cylinder", "Mesh", "Rod", "Shape", "Shapes", "ShapesLike", "Sphere"]
 

@@ -12,15 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
 from linkwork import _core, rotation
+from linkwork.arguments import UNREADABLE, is_one_of
 from linkwork.errors import ModelError
 from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken
-from linkwork.arguments import UNREADABLE, is_one_of
-from linkwork.modeling.handles import BodyLike, Joint
 from linkwork.modeling.coordinates import coordinate_of
+from linkwork.modeling.handles import BodyLike, Joint
 from linkwork.modeling.placement import Frames, Subject
 
 if TYPE_CHECKING:
-    from linkwork.modeling.model import Model
+    from linkwork.modeling.builder import ModelBuilder
 
 Floats = NDArray[np.float64]
 
@@ -134,7 +134,7 @@ class SpecialJointMethods:
 
         ModelError: no such joint or coordinate, a factor that is no number or zero, a taken name.
         """
-        model = cast("Model", self)
+        model = cast("ModelBuilder", self)
         name = model._named(name, "coupler", model._counts["coupler"])
         who = f"coupler '{name}'"
         terms = _coupled(model._core, coordinates, who)
@@ -178,7 +178,7 @@ class SpecialJointMethods:
 
         ModelError: too few points, two that coincide, a curve that turns too sharply for its points.
         """
-        model = cast("Model", self)
+        model = cast("ModelBuilder", self)
         name = model._named(name, "point_on_curve", model._counts["point_on_curve"])
         subject = Subject("point_on_curve", name, False, 1)
         bodies = model._bodies.pair(a, b, subject)

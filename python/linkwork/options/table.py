@@ -9,8 +9,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any, Literal, get_args
 
-from linkwork import _core
-from linkwork import arguments as given
+from linkwork import _core, arguments
 from linkwork.errors import OptionError, nearest
 from linkwork.options.types import Level, Options
 
@@ -22,6 +21,12 @@ LEVELS: tuple[Level, ...] = get_args(Level)
 Policy = Literal["pass", "warn", "stop"]
 
 TABLE: Mapping[str, _core.OptionInfo] = {option.name: option for option in _core.options()}
+
+#: Arguments of `simulate` beside the options that are data: a model file may recommend them.
+RUN_SETTINGS = (
+    "t_end", "step", "integrator", "rtol", "atol", "record_every", "breaks", "assemble", "on_inaccurate",
+    "verify",
+)  # fmt: skip
 
 #: Former names and those of today: files are still read with them, code is told.
 RENAMED = {"system": "matrix_form"}
@@ -60,7 +65,7 @@ def names() -> dict[str, list[str]]:
 
 def check_name(what: str, name: Any, known: Iterable[str]) -> None:
     """OptionError: it is none of the known."""
-    given.one_of(name, known, what)
+    arguments.one_of(name, known, what)
 
 
 def _checked(option: _core.OptionInfo, value: Any) -> Any:
@@ -78,7 +83,7 @@ def _checked(option: _core.OptionInfo, value: Any) -> Any:
 
 def check_number(name: str, value: Any, *, positive: bool, unit: str = "") -> None:
     """OptionError: not a finite number, or negative, or (`positive`) zero."""
-    if not given.is_number(value) or value < 0 or (positive and value == 0):
+    if not arguments.is_number(value) or value < 0 or (positive and value == 0):
         wanted = "positive" if positive else "zero or positive"
         raise OptionError(
             f"{name} {value!r:.80}{unit and ' ' + unit} must be a finite number, {wanted}", code=name

@@ -1,12 +1,10 @@
 """The types of the choices of a run, from the compiled module's table of options and the integrators.
 
-Type checkers read option_types.pyi, where names are literals; `python -m linkwork.options.types --stub`
-prints it.
+Type checkers read types.pyi, where names are literals; `./dev stubs` writes it.
 """
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from typing import Any, Literal, TypedDict
 
@@ -42,14 +40,14 @@ def described(option: _core.OptionInfo) -> str:
     return f"{option.documentation}{unit}{names}{methods}{usual}"
 
 
-def _stub() -> str:
-    """The text of option_types.pyi."""
+def stub() -> str:
+    """The text of types.pyi."""
     types = {"number": "float", "whole": "int", "limits": "float | Mapping[Level, float]"}
     fields = "\n".join(
         f"    {it.name}: " + (f"{types[it.type]} | None" if it.type in types else f"Literal{it.choices}")
         + f'\n    """{described(it)}"""' for it in _core.options()
     )  # fmt: skip
-    return f'''"""Printed by `python -m linkwork.options.types --stub`."""
+    return f'''"""Written by `./dev stubs`."""
 
 from collections.abc import Mapping
 from typing import Literal, TypedDict
@@ -66,9 +64,3 @@ class Options(TypedDict, total=False):
 
 def described(option: _core.OptionInfo) -> str: ...
 '''
-
-
-if __name__ == "__main__":
-    if sys.argv[1:] != ["--stub"]:
-        sys.exit("usage: python -m linkwork.options.types --stub")
-    print(_stub(), end="")

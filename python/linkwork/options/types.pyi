@@ -1,4 +1,4 @@
-"""Printed by `python -m linkwork.options.types --stub`."""
+"""Written by `./dev stubs`."""
 
 from collections.abc import Mapping
 from typing import Literal, TypedDict

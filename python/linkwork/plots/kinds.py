@@ -10,18 +10,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from linkwork.plots import figures as plotting
-from linkwork.errors import ModelError, OptionError
 from linkwork.arguments import one_of
-from linkwork.motion.header import Floats
+from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.coordinates import known_coordinates
+from linkwork.motion.header import Floats
+from linkwork.plots import figures
 from linkwork.plots.figures import BODIES, COLORS, JOINTS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from linkwork.results.result import Named, Result
+    from linkwork.modeling.handles import Named
+    from linkwork.results.result import Result
 
 #: Unit of a coordinate, and of its rate.
 UNITS = {"angle": ("rad", "rad/s"), "displacement": ("m", "m/s")}
@@ -52,29 +53,29 @@ def plot(
         raise OptionError("the result has no frames: there is nothing to plot", code="empty")
     chosen = Chosen([result.index("body", it) for it in bodies], [result.index("joint", it) for it in joints])
     if kind == "overview":
-        return plotting.plot(result, path)
+        return figures.plot(result, path)
     figure = KINDS[kind](result, chosen)
-    figure.suptitle(plotting.title_of(result), fontsize=11)
-    return plotting.written(figure, path)
+    figure.suptitle(figures.title_of(result), fontsize=11)
+    return figures.written(figure, path)
 
 
 def _energy(result: Result, chosen: Chosen) -> Figure:
     figure, (upper, lower) = _over_time(2)
-    plotting.plot_energies(upper, result)
-    plotting.plot_energy_error(lower, result)
+    figures.plot_energies(upper, result)
+    figures.plot_energy_error(lower, result)
     return figure
 
 
 def _violation(result: Result, chosen: Chosen) -> Figure:
     figure, (ax,) = _over_time(1)
-    plotting.plot_violation(ax, result)
+    figures.plot_violation(ax, result)
     return figure
 
 
 def _reactions(result: Result, chosen: Chosen) -> Figure:
     figure, (upper, lower) = _over_time(2)
-    plotting.plot_reactions(upper, result, "force", "N", chosen.joints)
-    plotting.plot_reactions(lower, result, "torque", "N m", chosen.joints)
+    figures.plot_reactions(upper, result, "force", "N", chosen.joints)
+    figures.plot_reactions(lower, result, "torque", "N m", chosen.joints)
     return figure
 
 
@@ -84,15 +85,15 @@ def _coordinates(result: Result, chosen: Chosen) -> Figure:
     shown = [which for which in UNITS if any(motion.which == which for motion in motions)]
     if chosen.bodies or not shown:
         figure, (ax,) = _over_time(1)
-        plotting.plot_positions(ax, result, chosen.bodies)
+        figures.plot_positions(ax, result, chosen.bodies)
         return figure
     figure, axes = _over_time(len(shown))
     for ax, which in zip(axes, shown, strict=True):
-        plotting.style(ax, f"{which} [{UNITS[which][0]}]")
+        figures.style(ax, f"{which} [{UNITS[which][0]}]")
         for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
             ax.plot(result.t, motion.value, color=color, label=motion.name)
-            plotting.plot_band(ax, result, motion.value, color, partial(_coordinate_error, result, motion))
-        plotting.legend(ax, _share(result, motions, chosen))
+            figures.plot_band(ax, result, motion.value, color, partial(_coordinate_error, result, motion))
+        figures.legend(ax, _share(result, motions, chosen))
     return figure
 
 
@@ -107,27 +108,27 @@ def _phase(result: Result, chosen: Chosen) -> Figure:
     if not motions:
         return _phase_of_bodies(result, chosen)
     shown = [which for which in UNITS if any(motion.which == which for motion in motions)]
-    figure = plotting.new_figure(5.2 * len(shown), 4.8)
+    figure = figures.new_figure(5.2 * len(shown), 4.8)
     for ax, which in zip(np.atleast_1d(figure.subplots(1, len(shown))), shown, strict=True):
         unit, rate_unit = UNITS[which]
-        plotting.style(ax, f"rate [{rate_unit}]")
+        figures.style(ax, f"rate [{rate_unit}]")
         ax.set_xlabel(f"{which} [{unit}]")
         for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
             _orbit(ax, motion.value, motion.rate, color, motion.name)
-        plotting.legend(ax, _share(result, motions, chosen))
+        figures.legend(ax, _share(result, motions, chosen))
     return figure
 
 
 def _phase_of_bodies(result: Result, chosen: Chosen) -> Figure:
-    figure = plotting.new_figure(12.0, 4.4)
-    bodies = chosen.bodies or plotting.largest_places(plotting.travel_of(result), BODIES)
+    figure = figures.new_figure(12.0, 4.4)
+    bodies = chosen.bodies or figures.largest_places(figures.travel_of(result), BODIES)
     for axis, ax in enumerate(figure.subplots(1, 3)):
-        plotting.style(ax, "velocity [m/s]")
+        figures.style(ax, "velocity [m/s]")
         ax.set_xlabel(f"{'xyz'[axis]} [m]")
         for color, body in zip(COLORS, bodies, strict=False):
             motion = result.body(body)
             _orbit(ax, motion.position[:, axis], motion.velocity[:, axis], color, motion.name)
-        plotting.legend(ax)
+        figures.legend(ax)
     return figure
 
 
@@ -142,7 +143,7 @@ def _step(result: Result, chosen: Chosen) -> Figure:
     """Sizes of steps where every step was recorded, the time between frames otherwise."""
     figure, (ax,) = _over_time(1)
     every_step = int(result.statistics.get("steps", -1)) == len(result) - 1
-    plotting.style(ax, "step [s]" if every_step else "time between frames [s]")
+    figures.style(ax, "step [s]" if every_step else "time between frames [s]")
     ax.step(result.t[1:], np.diff(result.t), where="pre", color=COLORS[0], lw=1.0)
     ax.set_yscale("log")
     if not every_step:
@@ -151,7 +152,7 @@ def _step(result: Result, chosen: Chosen) -> Figure:
 
 
 KINDS: dict[str, Callable[[Result, Chosen], Figure]] = {
-    "overview": lambda result, chosen: plotting.plot(result),
+    "overview": lambda result, chosen: figures.plot(result),
     "energy": _energy,
     "violation": _violation,
     "coordinates": _coordinates,
@@ -192,11 +193,11 @@ def _motions(result: Result, chosen: Chosen) -> list[_Motion]:
 def _share(result: Result, motions: Sequence[_Motion], chosen: Chosen) -> str:
     free = sum(bool(known_coordinates(kind)) for kind in result.header.joint_kinds)
     shown = len({motion.name for motion in motions})
-    return "" if chosen.joints else plotting.share(shown, free, "joints with a coordinate, the first")
+    return "" if chosen.joints else figures.share(shown, free, "joints with a coordinate, the first")
 
 
 def _over_time(rows: int) -> tuple[Figure, Sequence[Axes]]:
-    figure = plotting.new_figure(8.0, 1.6 + 2.5 * rows)
+    figure = figures.new_figure(8.0, 1.6 + 2.5 * rows)
     axes = np.atleast_1d(figure.subplots(rows, 1, sharex=True))
     axes[-1].set_xlabel("time [s]")
     return figure, list(axes)

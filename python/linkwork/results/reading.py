@@ -21,11 +21,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.errors import FileError, cause
-from linkwork.running.events import Occurrence
 from linkwork.motion.header import MODEL_NAMES, Floats, Header
+from linkwork.motion.records import Occurrence
 from linkwork.options import renamed
-from linkwork.results.writing import FORMAT, MODEL_ARRAYS, VERSION
 from linkwork.results.shapes import read_shapes
+from linkwork.results.writing import FORMAT, MODEL_ARRAYS, VERSION
 
 #: In HDF5's message about a file of another kind, and what is said instead.
 NO_SIGNATURE = "file signature not found"

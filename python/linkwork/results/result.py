@@ -5,107 +5,32 @@ from __future__ import annotations
 import os
 import uuid
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.errors import ModelError, OptionError, nearest, warn
-from linkwork.arguments import one_of
-from linkwork.arguments import path as path_of
-from linkwork.modeling.handles import Body, Joint
-from linkwork.motion.header import Floats, Header, record_reactions
-from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
+from linkwork.arguments import one_of
+from linkwork.arguments import path as path_of
+from linkwork.errors import ModelError, OptionError, nearest, warn
+from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
+from linkwork.modeling.handles import Body, Joint, Named
+from linkwork.motion.header import Floats, Header, record_reactions
+from linkwork.motion.records import BodyResult, Excess, Reaction, SingularPose, Snapshot, rotate
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from linkwork.running.events import Occurrence
+    from linkwork.motion.records import Occurrence
     from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
 
-#: A body or a joint by its name, its index, or the handle that the model gave.
-Named = str | int | Body | Joint
-
 #: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
 MISSED_TURN = np.pi / 2
-
-
-class Reaction(NamedTuple):
-    """What a joint does to its second body at the joint's point: force [N] and torque [N m] (k, 3)."""
-
-    force: Floats
-    torque: Floats
-
-
-@dataclass(frozen=True)
-class BodyResult:
-    """The motion of one body's center of mass and its rotation; k frames, SI units."""
-
-    name: str
-    position: Floats  # (k, 3) inertial
-    orientation: Floats  # (k, 4) Euler parameters, scalar first
-    velocity: Floats  # (k, 3) inertial
-    omega: Floats  # (k, 3) body-fixed
-    acceleration: Floats  # (k, 3) inertial
-    angular_acceleration: Floats  # (k, 3) body-fixed
-
-    @property
-    def omega_inertial(self) -> Floats:
-        """Angular velocity (k, 3), inertial axes [rad/s]."""
-        return rotate(self.orientation, self.omega)
-
-
-class Snapshot(NamedTuple):
-    """The state of a run at one time, from which another can start."""
-
-    t: float  #: [s]
-    q: Floats  #: (n, 7) position [m] and Euler parameters of each body
-    v: Floats  #: (n, 6) velocity, inertial [m/s], and angular velocity, body axes [rad/s]
-    #: (h,) history variables of springs, stops, contacts and couplers: full turns, speeds at which contacts
-    #: began, see linkwork.System; none: they begin anew
-    history: Sequence[float] | Floats = ()
-    #: of the runs that led there, see `Verdict.before`
-    error: float = 0.0
-
-    @classmethod
-    def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:
-        """From y = (q, v) (13n,)."""
-        split = 7 * (len(y) // 13)
-        return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), history)
-
-    @property
-    def memory(self) -> Sequence[float] | Floats:
-        """The name that `history` had in version 0.1."""
-        return self.history
-
-    @property
-    def y(self) -> Floats:
-        """(q, v) in one (13n,)."""
-        return np.concatenate([np.ravel(self.q), np.ravel(self.v)]).astype(float)
-
-
-class Excess(NamedTuple):
-    """A time in which the constraints were violated by more than the run's limit."""
-
-    level: str  #: "position", "velocity" or "acceleration"
-    t: float  #: when it began [s]
-    largest: float  #: [m or 1, with 1/s or 1/s^2]
-    joint: str  #: of the largest
-
-
-class SingularPose(NamedTuple):
-    """A passage through, or near, a pose in which equations of loops depend on each other for a moment."""
-
-    t: float  #: nearest to it [s]
-    joints: tuple[str, ...]  #: whose equations they are (the first 16)
-    pivot: float  #: smallest pivot of the factorizations there, relative to the usual one; 0: singular
-    taken_over: int  #: evaluations there by a rank-revealing factorization
 
 
 class Result:
@@ -470,21 +395,21 @@ class Result:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write everything to an HDF5 file (replaced only when the new one is complete). FileError."""
-        from linkwork.results import writing as result_file
+        from linkwork.results import writing
 
         self._need_reactions()
-        result_file.save(
+        writing.save(
             path_of(path, "result"), self._header, self._frames, self.statistics, self._run, self._events
         )
         if self._finer is not None:
-            result_file.add_finer(path_of(path, "result"), self._finer, self.statistics)
+            writing.add_finer(path_of(path, "result"), self._finer, self.statistics)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
         """A result file, also of an interrupted run. FileError: missing, damaged, or of another kind."""
-        from linkwork.results import reading as stored_result
+        from linkwork.results import reading
 
-        stored = stored_result.read(path_of(path, "result"))
+        stored = reading.read(path_of(path, "result"))
         result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
         if stored.finer is not None:
             factor, fields = stored.finer
@@ -510,10 +435,10 @@ class Result:
         Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind.
         ModelError: no such body or joint. FileError: `path` cannot be written.
         """
-        from linkwork.plots import kinds as plot_kinds
+        from linkwork.plots import kinds
 
         path = None if path is None else path_of(path, "picture")
-        return plot_kinds.plot(self, path, kind, bodies, joints)
+        return kinds.plot(self, path, kind, bodies, joints)
 
     def index(self, what: Literal["body", "joint"], name: Named) -> int:
         """Place of a body or a joint in the arrays, by name, index or handle. ModelError: no such one."""
@@ -648,10 +573,3 @@ def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
             f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell how "
             "often it went round between them: record more frames"
         )
-
-
-def rotate(p: Floats, u: Floats) -> Floats:
-    """A(p) u for Euler parameters p (..., 4) and body vectors u (..., 3), both to (..., 3) inertial."""
-    e0, e = p[..., :1], p[..., 1:]
-    turned: Floats = u + 2 * np.cross(e, np.cross(e, u) + e0 * u)
-    return turned

@@ -36,12 +36,12 @@ import h5py
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.errors import FileError, cause, unwritable
-from linkwork.running.events import Occurrence
-from linkwork.arguments import path as path_of
-from linkwork.motion.header import MODEL_NAMES, Floats, Header, record_reactions
-from linkwork.results.shapes import write_shapes
 from linkwork.accuracy.verification import Finer
+from linkwork.arguments import path as path_of
+from linkwork.errors import FileError, cause, unwritable
+from linkwork.motion.header import MODEL_NAMES, Floats, Header, record_reactions
+from linkwork.motion.records import Occurrence
+from linkwork.results.shapes import write_shapes
 
 fcntl: ModuleType | None
 try:

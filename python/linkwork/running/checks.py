@@ -11,15 +11,15 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from linkwork import _core
+from linkwork.arguments import array, number
 from linkwork.equations import stiffness
 from linkwork.equations.assembly import Assembly, assemble
+from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.functions import Callback
-from linkwork.arguments import array, number
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.modeling.model import Model, check_model
-from linkwork.results.result import Snapshot
-from linkwork.equations.system import System
+from linkwork.motion.records import Snapshot
 
 Floats = NDArray[np.float64]
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import time
 
+from linkwork.equations.system import System
 from linkwork.errors import LinkworkError, OptionError, warn
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
+from linkwork.motion.records import Snapshot
 from linkwork.options import Options
 from linkwork.running.recording import PythonStep
-from linkwork.results.result import Snapshot
-from linkwork.equations.system import System
 
 __all__ = ["announce"]
 

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import ModelError, OptionError
 from linkwork.arguments import UNREADABLE, is_number
+from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 
-__all__ = ["Event", "Occurrence", "State", "compile_events"]
+__all__ = ["Event", "State", "compile_events"]
 
 Floats = NDArray[np.float64]
 
@@ -188,26 +188,6 @@ class Event:
             None if self.change is None else change,
             self.tolerance,
         )
-
-
-@dataclass(frozen=True)
-class Occurrence:
-    """An event that came: poses q (n, 7) and velocities v (n, 6) before and after it."""
-
-    name: str
-    t: float
-    q_before: Floats
-    v_before: Floats
-    q_after: Floats
-    v_after: Floats
-
-    @classmethod
-    def of(cls, name: str, t: float, before: Floats, after: Floats) -> Occurrence:
-        """From y = (q, v) (13n,) before and after."""
-        split = 7 * (len(before) // 13)
-        parts = [part.reshape(-1, width) for y in (before, after)
-                 for part, width in ((y[:split], 7), (y[split:], 6))]  # fmt: skip
-        return cls(name, t, *parts)
 
 
 def compile_events(events: object, model: Model) -> list[tuple[str, _core.Event]]:

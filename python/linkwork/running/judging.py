@@ -7,17 +7,27 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from linkwork import _core
-from linkwork.running import callbacks
-from linkwork.running import pulses as narrow
-from linkwork.errors import AccuracyError, warn
-from linkwork.motion.header import Floats
-from linkwork.integrators import METHODS, EmbeddedPair, Integrator
-from linkwork.options import Options
-from linkwork.results.result import Result, Snapshot
-from linkwork.running.schedule import Adaptive, Fixed
-from linkwork.equations.system import System
-from linkwork.accuracy.verdict import GOOD, Energies, Method, Verdict, estimate, leaping, say, verified, without_steps
+from linkwork.accuracy.verdict import (
+    GOOD,
+    Energies,
+    Method,
+    Verdict,
+    estimate,
+    leaping,
+    say,
+    verified,
+    without_steps,
+)
 from linkwork.accuracy.verification import Finer, state_error
+from linkwork.equations.system import System
+from linkwork.errors import AccuracyError, warn
+from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.motion.header import Floats
+from linkwork.motion.records import Snapshot
+from linkwork.options import Options
+from linkwork.results.result import Result
+from linkwork.running import callbacks, pulses
+from linkwork.running.schedule import Adaptive, Fixed
 
 __all__ = ["Judge", "heed", "strict"]
 
@@ -56,7 +66,7 @@ class Judge:
         self._own_contents = callbacks.contents(self._own)
         t_start = start.t if start is not None else 0.0
         evaluations = plan.evaluations(method, t_start)
-        self._moments = narrow.moments(system.model, t_start, plan.t_end, evaluations)
+        self._moments = pulses.moments(system.model, t_start, plan.t_end, evaluations)
         run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._moments)}))
 
     def look(self, frames: Mapping[str, Floats]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime
 import functools
+import importlib.metadata
 import os
 import platform
 from collections.abc import Mapping
@@ -28,11 +29,9 @@ def manifest(model: Model, given: Mapping[str, Any], chosen: Mapping[str, Any]) 
 
 def platform_facts() -> dict[str, Any]:
     """Versions, platform, processor and its cores."""
-    import linkwork
-
     return {
         "versions": {
-            "linkwork": linkwork.__version__,
+            "linkwork": importlib.metadata.version("linkwork"),
             "numpy": np.__version__,
             "python": platform.python_version(),
         },

@@ -16,9 +16,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.running import callbacks
 from linkwork.functions import Broken, Callback, Expression, Sum, TimeFunction
 from linkwork.modeling.model import Model
+from linkwork.running import callbacks
 
 __all__ = ["Moment", "moments"]
 

@@ -12,15 +12,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.errors import FileError, LinkworkError, OptionError, warn
-from linkwork.running.events import Occurrence
-from linkwork.motion.header import Header, frame_shapes
-from linkwork.integrators import Integrator
-from linkwork.running.interrupts import Interrupts
-from linkwork.modeling.model import Model
-from linkwork.running.progress import Report
-from linkwork.results.result import Result, Snapshot
 from linkwork.equations.system import System
+from linkwork.errors import FileError, LinkworkError, OptionError, warn
+from linkwork.integrators import Integrator
+from linkwork.modeling.model import Model
+from linkwork.motion.header import Header, frame_shapes
+from linkwork.motion.records import Occurrence, Snapshot
+from linkwork.results.result import Result
+from linkwork.running.interrupts import Interrupts
+from linkwork.running.progress import Report
 
 if TYPE_CHECKING:
     from linkwork.running.judging import Judge

@@ -11,14 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.running import checks
-from linkwork.errors import OptionError
 from linkwork.arguments import array
-from linkwork.integrators import METHODS, EmbeddedPair, Integrator
-from linkwork.options import check_number
-from linkwork.running.recording import PythonStep
-from linkwork.results.result import Snapshot
 from linkwork.equations.system import System
+from linkwork.errors import OptionError
+from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.motion.records import Snapshot
+from linkwork.options import check_number
+from linkwork.running import checks
+from linkwork.running.recording import PythonStep
 
 __all__ = ["Adaptive", "Fixed", "plan"]
 

@@ -13,27 +13,23 @@ from typing import Any, Unpack
 from numpy.typing import ArrayLike
 
 from linkwork import integrators
-from linkwork.running import breaks as break_points
-from linkwork.running import checks
-from linkwork.running import duration
-from linkwork.running import judging
-from linkwork.running import recording
-from linkwork.running import schedule
-from linkwork.equations.assembly import Assembly
-from linkwork.errors import OptionError, unwritable
-from linkwork.running.events import Event, compile_events
 from linkwork.arguments import path as path_of
-from linkwork.motion.header import Header
+from linkwork.equations.assembly import Assembly
+from linkwork.equations.system import System
+from linkwork.errors import OptionError, unwritable
 from linkwork.integrators import HalfExplicit, Integrator
+from linkwork.modeling.model import Model
+from linkwork.motion.header import Header
+from linkwork.motion.records import Snapshot
+from linkwork.options import TABLE, Options, Policy, check_name, names
+from linkwork.options.types import IntegratorName, described
+from linkwork.results.result import Result
+from linkwork.running import breakpoints, checks, duration, judging, recording, schedule
+from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
-from linkwork.modeling.model import Model
-from linkwork.options.types import IntegratorName, described
-from linkwork.options import TABLE, Options, Policy, check_name, names
 from linkwork.running.progress import ProgressOption, check_progress, reporting
 from linkwork.running.recording import PythonStep
-from linkwork.results.result import Result, Snapshot
-from linkwork.equations.system import System
 
 __all__ = ["PythonStep", "simulate"]
 
@@ -123,8 +119,8 @@ def simulate(
         if not isinstance(choice, bool):
             raise OptionError(f"{name} {choice!r:.80} is not True or False", code=name)
     checks.check_tables(model, t_end)
-    known = break_points.of_run(model, breaks, t_start, t_end)
-    break_points.check_drivers(model, t_start, t_end, adaptive=isinstance(plan, schedule.Adaptive))
+    known = breakpoints.of_run(model, breaks, t_start, t_end)
+    breakpoints.check_drivers(model, t_start, t_end, adaptive=isinstance(plan, schedule.Adaptive))
     watched = compile_events(events, model)
     method = _method(plan.usual_integrator if integrator is None else integrator)
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,

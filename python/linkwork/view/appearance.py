@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from linkwork import rotation
+from linkwork.modeling.shapes import Box, Cylinder, Rod, Shape, Sphere
 from linkwork.motion.header import Floats, Header
 from linkwork.motion.joints import Holds, gaps, joint_kinds
-from linkwork.modeling.shapes import Box, Cylinder, Rod, Shape, Sphere
 from linkwork.view import machine_elements
 from linkwork.view.machine_elements import Form, at
 

@@ -16,9 +16,9 @@ import numpy as np
 
 from linkwork import rotation
 from linkwork.modeling.elements import KINDS
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Floats, Header
 from linkwork.motion.joints import Holds, joint_kinds, separations
-from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.view import meshes
 
 if TYPE_CHECKING:

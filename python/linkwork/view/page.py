@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from linkwork.errors import OptionError, unwritable
 from linkwork.arguments import is_number
+from linkwork.errors import OptionError, unwritable
 from linkwork.view.run import LIMIT, document
 
 if TYPE_CHECKING:

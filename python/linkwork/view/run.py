@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.errors import OptionError
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Floats, Header
 from linkwork.motion.joints import joint_kinds, violations
-from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.summary import method
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from linkwork import _core
-from linkwork.modeling.elements import KINDS, Role, placed, with_parameters
 from linkwork.errors import about
 from linkwork.functions import TimeFunction
-from linkwork.modeling.model import Model
+from linkwork.modeling.builder import ModelBuilder
+from linkwork.modeling.elements import KINDS, Role, placed, with_parameters
 from linkwork.modeling.files import schema
 from linkwork.modeling.placement import PLACEMENTS, Attachment, Place, Subject
 
@@ -110,7 +110,7 @@ def _shape(type_: type[schema.Element], info: _core.KindInfo, attached: bool) ->
     return _SHAPES[type_]
 
 
-def add_batch(model: Model, elements: Sequence[Placed]) -> None:
+def add_batch(model: ModelBuilder, elements: Sequence[Placed]) -> None:
     """ModelError: what the model refuses."""
     first = elements[0]
     if isinstance(first.record, schema.Attached):
@@ -121,7 +121,9 @@ def add_batch(model: Model, elements: Sequence[Placed]) -> None:
         schema.method_of(first.record.kind)(model, **first.arguments())
 
 
-def _add(model: Model, elements: Sequence[Placed], info: _core.KindInfo, how: Callable[..., Any]) -> None:
+def _add(
+    model: ModelBuilder, elements: Sequence[Placed], info: _core.KindInfo, how: Callable[..., Any]
+) -> None:
     records = [element.record for element in elements]
     index = model.compiled().find_body
     bodies = np.array([[index(record.a), index(record.b)] for record in records], np.int32)  # type: ignore[attr-defined]

@@ -8,8 +8,8 @@ from typing import Any
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from linkwork.modeling.elements import KINDS
 from linkwork.errors import nearest
+from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import schema
 from linkwork.modeling.files.syntax import Where
 from linkwork.modeling.shapes import KINDS as SHAPES

@@ -9,23 +9,25 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, islice
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from pydantic import ValidationError
 
-from linkwork.modeling.elements import KINDS
 from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, about, nearest
 from linkwork.functions import Sum, TimeFunction, constant
-from linkwork.modeling.model import Model
+from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import schema
 from linkwork.modeling.files.batches import Placed, add_batch, batch_key
 from linkwork.modeling.files.collection import collection_paused
 from linkwork.modeling.files.messages import faults_of_schema
 from linkwork.modeling.files.syntax import Syntax, Where, field, parse
 from linkwork.modeling.files.writing import normalized, normalized_from
-from linkwork.options import RENAMED, renamed
 from linkwork.modeling.shapes import Shape
+from linkwork.options import RENAMED, renamed
+
+if TYPE_CHECKING:
+    from linkwork.modeling.model import Model
 
 #: The most faults that are told.
 MOST = 100
@@ -39,13 +41,13 @@ class ModelFile:
     simulation: Mapping[str, Any]
 
 
-def read(path: str | os.PathLike[str]) -> ModelFile:
-    """ModelFileError: what is wrong in the file. FileError: it cannot be read."""
+def read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
+    """As a model of this class. ModelFileError: what is wrong in the file. FileError: it cannot be read."""
     with collection_paused():
-        return _read(path)
+        return _read(path, kind)
 
 
-def _read(path: str | os.PathLike[str]) -> ModelFile:
+def _read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
     syntax = parse(path)
     checker = _Checker(path, syntax)
     if not isinstance(syntax.data, dict):
@@ -59,13 +61,13 @@ def _read(path: str | os.PathLike[str]) -> ModelFile:
     _check_settings(document, checker)
     _check_names(document, checker)
     checker.finish()
-    return ModelFile(_build(document, checker), renamed(document.simulation))
+    return ModelFile(_build(document, checker, kind), renamed(document.simulation))
 
 
-def model_of(record: Mapping[str, Any]) -> Model:
+def model_of(record: Mapping[str, Any], kind: type[Model]) -> Model:
     """From a document as `record_of` makes it."""
     with collection_paused():
-        return _built(schema.document_type().model_validate(record), _straight)
+        return _built(schema.document_type().model_validate(record), kind, _straight)
 
 
 class _Checker:
@@ -189,10 +191,10 @@ def _named_functions(record: schema.Element) -> Iterator[tuple[str, str]]:
 # --- from records to a model --------------------------------------------------------------------------------
 
 
-def _build(document: schema.Document, checker: _Checker) -> Model:
+def _build(document: schema.Document, checker: _Checker, kind: type[Model]) -> Model:
     """The model; where the compiled model refuses something, all of it is told."""
     try:
-        return _built(document, _straight)
+        return _built(document, kind, _straight)
     except LinkworkError as error:
 
         def one_by_one(
@@ -206,7 +208,7 @@ def _build(document: schema.Document, checker: _Checker) -> Model:
                 if instead is not None:
                     instead()
 
-        _built(document, one_by_one, batches=False)
+        _built(document, kind, one_by_one, batches=False)
         checker.finish()
         raise FileError(str(error), code=error.code) from error  # only where a batch is refused for its size
 
@@ -220,8 +222,8 @@ def _straight(where: Where, add: Callable[[], None], instead: Callable[[], None]
 Attempt = Callable[..., None]
 
 
-def _built(document: schema.Document, attempt: Attempt, batches: bool = True) -> Model:
-    model = Model(document.gravity, document.name)
+def _built(document: schema.Document, kind: type[Model], attempt: Attempt, batches: bool = True) -> Model:
+    model = kind(document.gravity, document.name)
     functions: dict[str, TimeFunction] = {}
 
     def define(name: str, function: Any) -> Callable[[], None]:

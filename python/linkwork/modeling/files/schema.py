@@ -20,12 +20,11 @@ from annotated_types import Len
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_model
 
 from linkwork import _core, functions
-from linkwork.modeling.elements import KINDS, Role, described
 from linkwork.functions.expressions import LONGEST
-from linkwork.modeling.model import Model
-from linkwork.options import TABLE
+from linkwork.modeling.builder import ModelBuilder
+from linkwork.modeling.elements import KINDS, Role, described
 from linkwork.modeling.shapes import KINDS as SHAPES
-from linkwork.running.simulation import simulate
+from linkwork.options import RUN_SETTINGS, TABLE
 
 __all__ = [
     "VERSION",
@@ -268,7 +267,7 @@ _PLACES: Mapping[str, Any] = {
 
 def method_of(kind: str) -> Callable[..., Any]:
     """The method of Model that adds an element of this kind."""
-    method: Callable[..., Any] = getattr(Model, METHODS.get(kind, kind))
+    method: Callable[..., Any] = getattr(ModelBuilder, METHODS.get(kind, kind))
     return method
 
 
@@ -343,7 +342,7 @@ def _drive_type() -> type[Element]:
         "coordinate": (Word | None, Field(None, description="not needed where the joint has only one")),
         **dict.fromkeys(MOTIONS, quantity),
     }
-    documentation = " ".join((inspect.getdoc(Model.drive) or "").partition("ModelError:")[0].split())
+    documentation = " ".join((inspect.getdoc(ModelBuilder.drive) or "").partition("ModelError:")[0].split())
     return create_model("drive", __base__=Element, __doc__=documentation, **fields)
 
 
@@ -395,7 +394,7 @@ def _elements_type(role: Role) -> Any:
         for kind in known
         for attached in (False, True)
         if kind not in (*SPECIAL, DRIVE) or not attached
-        if attached or hasattr(Model, METHODS.get(kind, kind))
+        if attached or hasattr(ModelBuilder, METHODS.get(kind, kind))
     ]
     return Annotated[_union(variants), Discriminator(tag)]
 
@@ -438,14 +437,10 @@ def _shape_type(kind: str) -> type[Record]:
 
 Setting = Annotated[bool | int | float | str | dict[str, float], Field(union_mode="smart")]
 
-#: Arguments of `simulate` that are no data.
-_NOT_SETTINGS = ("model", "output", "progress", "events", "start", "times", "options")
-
 
 def setting_names() -> list[str]:
     """The arguments of `simulate` that a file may recommend."""
-    return [name for name in (*inspect.signature(simulate).parameters, *TABLE)
-            if name not in _NOT_SETTINGS]  # fmt: skip
+    return [*RUN_SETTINGS, *TABLE]
 
 
 class Document(Record):

@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.modeling.elements import KINDS, Role
 from linkwork.errors import ModelError, OptionError, nearest, unwritable
 from linkwork.functions import Sum, Table, TimeFunction
-from linkwork.modeling.model import Model
+from linkwork.modeling.builder import ModelBuilder
+from linkwork.modeling.elements import KINDS, Role
 from linkwork.modeling.files import schema
 from linkwork.modeling.files.collection import collection_paused
 from linkwork.modeling.files.syntax import check_suffix
@@ -35,7 +35,7 @@ _COMMENT = """\
 """
 
 
-def write(model: Model, path: str | os.PathLike[str], simulation: Mapping[str, Any]) -> None:
+def write(model: ModelBuilder, path: str | os.PathLike[str], simulation: Mapping[str, Any]) -> None:
     """ModelError: what a file cannot hold. OptionError: no argument of simulate. FileError: not writable."""
     suffix = check_suffix(path)
     for name in simulation:
@@ -47,7 +47,7 @@ def write(model: Model, path: str | os.PathLike[str], simulation: Mapping[str, A
         _write_whole(Path(path), lines)
 
 
-def record_of(model: Model, simulation: Mapping[str, Any]) -> dict[str, Any]:
+def record_of(model: ModelBuilder, simulation: Mapping[str, Any]) -> dict[str, Any]:
     """The document that describes the model, of plain lists, mappings and numbers.
 
     ModelError: a Python function in it.
@@ -101,7 +101,7 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
         yield record | {what: columns[what][k] for what in columns if given[what][k]}
 
 
-def _shapes(model: Model) -> Iterator[dict[str, Any]]:
+def _shapes(model: ModelBuilder) -> Iterator[dict[str, Any]]:
     """Each run of bodies with the same shapes."""
     for bodies, shapes in model.shapes:
         names = [model.compiled().body_name(body) for body in bodies]
@@ -144,7 +144,7 @@ def normalized(p: Floats) -> Floats:
     return core.q0.reshape(count, 7)[:, 3:]
 
 
-def _elements(model: Model, role: Role, names: Mapping[int, str]) -> Iterator[dict[str, Any]]:
+def _elements(model: ModelBuilder, role: Role, names: Mapping[int, str]) -> Iterator[dict[str, Any]]:
     """Each joint or force in its attached form; special joints have none."""
     core = model.compiled()
     arrays = getattr(core, f"{role}_arrays")()
@@ -176,7 +176,7 @@ def _elements(model: Model, role: Role, names: Mapping[int, str]) -> Iterator[di
         yield record
 
 
-def _function_names(model: Model) -> dict[int, str]:
+def _function_names(model: ModelBuilder) -> dict[int, str]:
     """Names for the functions that more than one element has."""
     core = model.compiled()
     signals = [getattr(core, f"{role}_arrays")()["signals"] for role in KINDS]
