@@ -16,6 +16,8 @@ import logging
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from linkwork import former
+
 if TYPE_CHECKING:
     from linkwork import functions, integrators, mechanisms, rotation
     from linkwork.accuracy.verdict import StepEstimate, Verdict
@@ -118,6 +120,8 @@ __all__ = [
 ]
 
 logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until the user wants to hear
+
+former.install()  # what was pickled by an earlier version loads
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {

@@ -152,7 +152,7 @@ for _kind in _forces():
 
 
 def stub() -> str:
-    """The text of element_methods.pyi."""
+    """The text of methods.pyi."""
     joints = "\n".join(_stub_method(kind) for kind in _core.joint_kinds())
     forces = "\n".join(_stub_method(kind) for kind in _forces())
     return f"{_STUB_HEAD}class JointMethods:\n{joints}\nclass ForceMethods:\n{forces}"

@@ -1,4 +1,4 @@
-"""Result files as they are read: see `result_file` for what is in them.
+"""Result files as they are read: see `writing` for what is in them.
 
 A file is readable whatever ended the run, and also when its end is missing (a copy that broke off, a machine
 that lost power): the frames before the first gap count.
