@@ -177,7 +177,7 @@ def estimate(
     method: Method,
     statistics: Mapping[str, Any],
     before: float = 0.0,
-) -> Verdict:
+) -> Verdict:  # Long: the formulas of one estimate, one after the other.
     """From what `_core.Run.judge` found."""
     ok = found["failed"] == 0
     if not ok.any():

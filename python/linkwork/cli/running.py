@@ -47,16 +47,10 @@ def simulate_and_show(
         result.plot(plot)
     files = {"result": output, "picture": plot}
     if as_json:
-        out.print_json(
-            {
-                "mechanism": name,
-                "parameters": dict(parameters),
-                "result": summary.numbers(result),
-                "statistics": result.statistics,
-                "manifest": result.manifest,
-                "files": files,
-            }
-        )
+        out.print_json({
+            "mechanism": name, "parameters": dict(parameters), "result": summary.numbers(result),
+            "statistics": result.statistics, "manifest": result.manifest, "files": files,
+        })  # fmt: skip
     else:
         out.print_pairs([*summary.lines(result), *((label, path or "") for label, path in files.items())])
 

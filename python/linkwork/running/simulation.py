@@ -7,12 +7,13 @@ import logging
 import os
 import textwrap
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, Unpack
 
 from numpy.typing import ArrayLike
 
-from linkwork import integrators
+from linkwork import _core, integrators
 from linkwork.arguments import path as path_of
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
@@ -55,7 +56,7 @@ def simulate(
     on_inaccurate: Policy = "warn",
     verify: bool = False,
     **options: Unpack[Options],
-) -> Result:
+) -> Result:  # Long: 20 lines are its arguments.
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
 
     t_end         end of the simulated time [s]
@@ -114,60 +115,17 @@ def simulate(
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
-    check_name("on_inaccurate", on_inaccurate, names()["on_inaccurate"])
-    for name, choice in (("assemble", assemble), ("verify", verify)):
-        if not isinstance(choice, bool):
-            raise OptionError(f"{name} {choice!r:.80} is not True or False", code=name)
-    checks.check_tables(model, t_end)
-    known = breakpoints.of_run(model, breaks, t_start, t_end)
-    breakpoints.check_drivers(model, t_start, t_end, adaptive=isinstance(plan, schedule.Adaptive))
-    watched = compile_events(events, model)
-    method = _method(plan.usual_integrator if integrator is None else integrator)
+    _check_choices(on_inaccurate, assemble=assemble, verify=verify)
     given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
              "record_every": record_every, "breaks": breaks, "assemble": assemble,
              "on_inaccurate": on_inaccurate, **options}  # fmt: skip
-    system, assembly = _system(model, method, options, plan, assemble, start)
-
-    run = plan.run(method, system, [event for _, event in watched], start, known)
-    chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
-    facts = {
-        **manifest(model, given, chosen),
-        "breaks": {"count": len(known), **plan.steps_with_breaks(known, t_start)},
-        "constraints": checks.rank_numbers(system.compiled()),
-        "assembled": assembly and str(assembly),
-        "events": [label for label, _ in watched],
-    }
+    prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
     _check_folder(output)
-    duration.announce(system.model, options, method, plan.least_steps(t_start), start)
-    header = Header.of(
-        system.model.compiled(), system.compiled(), facts, plan.expected_frames(run), system.model.shapes,
-        system.model.curves,
-    )  # fmt: skip
-    recorder = recording.recorder(output, header)
-
-    setup_seconds = time.perf_counter() - started
-    log.info("%s: %g to %g s by %s", system.model.describe(), t_start, t_end, _listed(chosen))
-    with Interrupts() as interrupts, reporting(progress, t_end, run.steps_total, t_start) as report:
-        pieces = recording.pieces(run, interrupts, method, system)
-        labels, warns = facts["events"], system.options["on_singular"] == "warn"
-        judge = judging.Judge(
-            run, method, system, options, start, plan, breaks=known, stops=on_inaccurate == "stop"
-        )
-        driver_seconds = recording.record(run, pieces, recorder, report, labels, judge, warns=warns)
-        statistics = {**run.statistics(), **plan.steps_with_breaks(known, t_start)}
-        driven = time.perf_counter()
-        verdict = judge.verdict(statistics)
-        verdict_seconds = time.perf_counter() - driven
-    seconds = time.perf_counter() - started
-    log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
-    times_spent = {"seconds": seconds, "setup_seconds": setup_seconds, "driver_seconds": driver_seconds,
-                   "verdict_seconds": verdict_seconds}  # fmt: skip
-    found = {"verdict": verdict.numbers()} if verdict is not None else {}
-    result = recorder.result({**statistics, **times_spent, **found})
-    checks.warn_of_contradiction(result.statistics)
+    duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
+    result, judge = _carried_out(prepared, output, progress, started)
     if verify:
-        again: dict[str, Any] = {"integrator": method, "events": events, "breaks": breaks, "start": start,
-                                 "assemble": assemble}  # fmt: skip
+        again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
+                                 "start": start, "assemble": assemble}  # fmt: skip
         judge.verify(result, output, lambda finer: simulate(
             model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
             **judging.strict(options),
@@ -190,6 +148,99 @@ simulate.__doc__ = (
         for it in TABLE.values()
     ),
 )
+
+
+@dataclass(frozen=True)
+class _Prepared:
+    """A run before its first step."""
+
+    plan: schedule.Fixed | schedule.Adaptive
+    method: Integrator | PythonStep
+    system: System
+    options: Options
+    start: Snapshot | None
+    breaks: Sequence[float]  # [s], in the run
+    given: Mapping[str, Any]  # as the user wrote it
+    run: _core.Run
+    chosen: Mapping[str, Any]  # options with none left open
+    facts: Mapping[str, Any]  # for the manifest
+
+    @property
+    def t_start(self) -> float:
+        return checks.start_time(self.start)
+
+    def header(self) -> Header:
+        model = self.system.model
+        return Header.of(
+            model.compiled(), self.system.compiled(), self.facts, self.plan.expected_frames(self.run),
+            model.shapes, model.curves,
+        )  # fmt: skip
+
+
+def _prepared(
+    model: Model,
+    plan: schedule.Fixed | schedule.Adaptive,
+    given: Mapping[str, Any],
+    options: Options,
+    watched: Sequence[tuple[str, _core.Event]],
+    start: Snapshot | None,
+) -> _Prepared:
+    """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
+    t_start = checks.start_time(start)
+    checks.check_tables(model, plan.t_end)
+    breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
+    breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
+    method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
+    system, assembly = _system(model, method, options, plan, given["assemble"], start)
+    run = plan.run(method, system, [event for _, event in watched], start, breaks)
+    chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
+    facts = {
+        **manifest(model, given, chosen),
+        "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start)},
+        "constraints": checks.rank_numbers(system.compiled()),
+        "assembled": assembly and str(assembly),
+        "events": [label for label, _ in watched],
+    }
+    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts)
+
+
+def _carried_out(
+    it: _Prepared, output: str | os.PathLike[str] | None, progress: ProgressOption, started: float
+) -> tuple[Result, judging.Judge]:
+    """The result, with what the run took since `started` [s], and who can take steps of it again."""
+    recorder = recording.recorder(output, it.header())
+    model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
+    spent = {"setup_seconds": time.perf_counter() - started}
+    log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
+    with (
+        Interrupts() as interrupts,
+        reporting(progress, plan.t_end, run.steps_total, t_start) as report,
+    ):
+        pieces = recording.pieces(run, interrupts, it.method, it.system)
+        labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
+        judge = judging.Judge(
+            run, it.method, it.system, it.options, it.start, plan, breaks=it.breaks,
+            stops=it.given["on_inaccurate"] == "stop",
+        )  # fmt: skip
+        spent["driver_seconds"] = recording.record(run, pieces, recorder, report, labels, judge, warns=warns)
+        statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
+        driven = time.perf_counter()
+        verdict = judge.verdict(statistics)
+        spent["verdict_seconds"] = time.perf_counter() - driven
+    seconds = time.perf_counter() - started
+    log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
+    found = {"verdict": verdict.numbers()} if verdict is not None else {}
+    result = recorder.result({**statistics, "seconds": seconds, **spent, **found})
+    checks.warn_of_contradiction(result.statistics)
+    return result, judge
+
+
+def _check_choices(on_inaccurate: object, **switches: object) -> None:
+    """OptionError: a policy that does not exist, or a switch that is neither True nor False."""
+    check_name("on_inaccurate", on_inaccurate, names()["on_inaccurate"])
+    for name, choice in switches.items():
+        if not isinstance(choice, bool):
+            raise OptionError(f"{name} {choice!r:.80} is not True or False", code=name)
 
 
 def _system(
