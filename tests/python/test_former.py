@@ -52,3 +52,10 @@ def test_code_is_told_where_a_name_is_now() -> None:
         from linkwork.result import no_such_name  # noqa: F401
     with pytest.raises(ModuleNotFoundError, match="no_such_module"):
         import linkwork.no_such_module  # type: ignore[import-not-found] # noqa: F401
+
+
+def test_a_renamed_attribute_is_an_error_that_gives_the_new_name(result: lw.Result) -> None:
+    with pytest.raises(AttributeError, match="'memory' is called 'history' now"):
+        _ = result.snapshot().memory
+    with pytest.raises(AttributeError, match="'work' is called 'cost' now"):
+        _ = lw.Comparison([], None, 1.0, {}, []).work  # type: ignore[arg-type]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.stiffness import damping, stiffness
-from linkwork.analyses.tangent import between, displaced, turned_in
+from linkwork.analyses.tangent import between, displaced, to_body_axes
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 from scipy.special import jn_zeros
@@ -167,7 +167,7 @@ def test_stiffness_and_damping_are_derivatives_of_the_forces() -> None:
 
     def forces(at: Floats, speed: Floats) -> Floats:
         terms = eq.terms(0.0, at, speed)
-        return T.T @ turned_in(at, terms.g + terms.D.T @ multipliers)
+        return T.T @ to_body_axes(at, terms.g + terms.D.T @ multipliers)
 
     along = (forces(displaced(q, h * x), v) - forces(displaced(q, -h * x), v)) / (2 * h)
     assert np.abs(stiffness(eq, 0.0, q, v, multipliers) @ x + along).max() < 1e-6 * np.abs(along).max()

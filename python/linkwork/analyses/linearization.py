@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import damping, stiffness
-from linkwork.analyses.tangent import displaced, turned_out
+from linkwork.analyses.tangent import displaced, to_inertial_axes
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, NotConvergedError, OptionError
 from linkwork.modeling.model import Model
@@ -167,7 +167,7 @@ def _coefficients(
     _check_rank(eq)
     if v.any():
         v_dot, multipliers = _accelerations(eq, at.t, q, v)
-        unbalanced = M @ turned_out(q, v_dot)
+        unbalanced = M @ to_inertial_axes(q, v_dot)
     else:  # of drivers only the present value counts
         unbalanced, multipliers, _ = balance(eq, at.t, q)
     terms = eq.terms(at.t, q, v)
@@ -226,7 +226,7 @@ def _refuse_change(
     q, v = np.ravel(at.q), np.ravel(at.v)
     rate = float(np.abs(v / eq.scale).max() / eq.length)
     later = 1e-3 / rate
-    soon = Snapshot(at.t, displaced(q, later * turned_out(q, v)).reshape(-1, 7), at.v)
+    soon = Snapshot(at.t, displaced(q, later * to_inertial_axes(q, v)).reshape(-1, 7), at.v)
     then = _coefficients(eq, soon, check=False)
     names = ("inertia", "damping", "stiffness")
     inertia = _norm(Z.T @ (now[0] @ Z))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, NoReturn
 
 import numpy as np
 
@@ -57,9 +57,9 @@ class Snapshot(NamedTuple):
         return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), history)
 
     @property
-    def memory(self) -> Sequence[float] | Floats:
-        """The name that `history` had in version 0.1."""
-        return self.history
+    def memory(self) -> NoReturn:
+        """AttributeError: the former name of `history`."""
+        raise AttributeError("'memory' is called 'history' now: ask for that")
 
     @property
     def y(self) -> Floats:

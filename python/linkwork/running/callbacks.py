@@ -20,7 +20,7 @@ import numpy as np
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-__all__ = ["changed", "contents", "of_model", "reaches_no_memory"]
+__all__ = ["changed", "contents", "of_model", "is_stateless"]
 
 #: What cannot be looked into counts as changed.
 UNKNOWN = b""
@@ -73,7 +73,7 @@ def _digest(function: Any) -> bytes:
 _CONSTANT = (type(None), bool, int, float, complex, str, bytes, np.generic, np.ndarray)
 
 
-def reaches_no_memory(function: Any) -> bool:
+def is_stateless(function: Any) -> bool:
     """Whether all that a function reaches is constant, so that a call more or less makes no difference."""
     seen, todo = set[int](), [function]
     while todo:
@@ -98,7 +98,11 @@ def _chance(it: Any) -> bool:
 def _opaque(it: Any) -> bool:
     """What keeps no numbers of the user's: modules, classes, compiled functions, parts of a model."""
     package, _, rest = type(it).__module__.partition(".")
-    return isinstance(it, _OPAQUE) or package in _COMPILED or (package == "linkwork" and rest != "functions")
+    return (
+        isinstance(it, _OPAQUE)
+        or package in _COMPILED
+        or (package == "linkwork" and not rest.startswith("functions"))
+    )
 
 
 def _inside(it: Any) -> list[Any] | None:

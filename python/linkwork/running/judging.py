@@ -90,12 +90,10 @@ class Judge:
 
         LinkworkWarning: there is none, as a function of the user's remembers calls.
         """
-        remembering = callbacks.changed(self._contents, self._functions)
-        remembering += callbacks.changed(self._own_contents, self._own)
-        if remembering:
-            return warn(
-                f"verify: no second run was made, as '{remembering[0]}' may remember the calls before"
-            )
+        stateful = callbacks.changed(self._contents, self._functions)
+        stateful += callbacks.changed(self._own_contents, self._own)
+        if stateful:
+            return warn(f"verify: no second run was made, as '{stateful[0]}' may remember the calls before")
         found = run(self._plan.finer(result.t))
         order = self._resolution().order
         gain = 2.0**order if isinstance(self._plan, Fixed) else 10.0
@@ -113,9 +111,9 @@ class Judge:
 
     def _of(self, system: System, statistics: Mapping[str, Any]) -> Verdict:
         self._energies.reach(*self._run.energies)
-        remembering = callbacks.changed(self._contents, self._functions)
-        if remembering:
-            names = ", ".join(f"'{name}'" for name in remembering[:3])
+        stateful = callbacks.changed(self._contents, self._functions)
+        if stateful:
+            names = ", ".join(f"'{name}'" for name in stateful[:3])
             why = f"no step was taken again, as {names} may remember the calls before"
             return self._by_balance(why, statistics)
         try:

@@ -69,7 +69,7 @@ def _harmless(function: TimeFunction) -> bool:
         return all(map(_harmless, function.terms))
     if isinstance(function, Broken):
         return _harmless(function.function)
-    return not isinstance(function, Callback) or callbacks.reaches_no_memory(function.value)
+    return not isinstance(function, Callback) or callbacks.is_stateless(function.value)
 
 
 def _far(function: TimeFunction, times: NDArray[np.float64]) -> list[float]:
