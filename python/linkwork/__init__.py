@@ -14,110 +14,9 @@ from __future__ import annotations
 
 import logging
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from linkwork import former
-
-if TYPE_CHECKING:
-    from linkwork import functions, integrators, mechanisms, rotation
-    from linkwork.accuracy.verdict import StepEstimate, Verdict
-    from linkwork.analyses.equilibrium import Equilibrium, equilibrium
-    from linkwork.analyses.inverse_dynamics import Drive, InverseDynamics, inverse_dynamics
-    from linkwork.analyses.kinematics import kinematics
-    from linkwork.analyses.linearization import Linearization, linearize
-    from linkwork.analyses.sensitivity import Sensitivity, sensitivity
-    from linkwork.comparison import Comparison, compare
-    from linkwork.equations.assembly import Assembly, JointResidual, assemble
-    from linkwork.equations.system import System
-    from linkwork.errors import (
-        AccuracyError,
-        Fault,
-        FileError,
-        LinkworkError,
-        LinkworkWarning,
-        ModelError,
-        ModelFileError,
-        NotConvergedError,
-        NotFiniteError,
-        OptionError,
-        SingularSystemError,
-        StepSizeError,
-        ViolationError,
-    )
-    from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
-    from linkwork.modeling.contact import contact_hysteresis
-    from linkwork.modeling.handles import Body, Force, Joint
-    from linkwork.modeling.model import Model
-    from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-    from linkwork.motion.records import BodyResult, Occurrence, Reaction, SingularPose, Snapshot
-    from linkwork.results.result import Result
-    from linkwork.running.events import Event, State
-    from linkwork.running.progress import ProgressInfo
-    from linkwork.running.simulation import simulate
-
-__all__ = [
-    "AccuracyError",
-    "Assembly",
-    "Body",
-    "BodyResult",
-    "Box",
-    "Comparison",
-    "Cylinder",
-    "Drive",
-    "Equilibrium",
-    "Event",
-    "Fault",
-    "FileError",
-    "Force",
-    "Imported",
-    "InverseDynamics",
-    "Joint",
-    "JointResidual",
-    "Linearization",
-    "LinkworkError",
-    "LinkworkWarning",
-    "Mesh",
-    "Model",
-    "ModelError",
-    "ModelFileError",
-    "NotConvergedError",
-    "NotFiniteError",
-    "Occurrence",
-    "OptionError",
-    "ProgressInfo",
-    "Reaction",
-    "Result",
-    "Rod",
-    "Sensitivity",
-    "Shape",
-    "SingularPose",
-    "SingularSystemError",
-    "Snapshot",
-    "Sphere",
-    "State",
-    "StepEstimate",
-    "StepSizeError",
-    "System",
-    "Verdict",
-    "ViolationError",
-    "__version__",
-    "assemble",
-    "compare",
-    "contact_hysteresis",
-    "equilibrium",
-    "functions",
-    "import_mjcf",
-    "import_sdf",
-    "import_urdf",
-    "integrators",
-    "inverse_dynamics",
-    "kinematics",
-    "linearize",
-    "mechanisms",
-    "rotation",
-    "sensitivity",
-    "simulate",
-]
 
 logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until the user wants to hear
 
@@ -149,6 +48,7 @@ _PLACES = {
     "linkwork.accuracy.verdict": ("StepEstimate", "Verdict"),
 }  # fmt: skip
 _HOME = {name: module for module, names in _PLACES.items() for name in names}
+__all__ = sorted([*_HOME, *_MODULES, "__version__"])  # type checkers read __init__.pyi
 
 
 def __getattr__(name: str) -> Any:
@@ -159,10 +59,12 @@ def __getattr__(name: str) -> Any:
     elif name == "__version__":
         value = import_module("importlib.metadata").version("linkwork")
     else:
-        raise AttributeError(f"module 'linkwork' has no attribute '{name}'")
+        places = former.PLACES.get(f"linkwork.{name}", ())
+        moved = f"; its names are in linkwork.{' and linkwork.'.join(places)} now" if places else ""
+        raise AttributeError(f"module 'linkwork' has no attribute '{name}'{moved}")
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return __all__

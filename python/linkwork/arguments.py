@@ -13,13 +13,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
 __all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "whole"]
-
-Floats = NDArray[np.float64]
 
 #: A shape (size,) of an array; None stands for any length.
 ArrayShape = tuple[int | None, ...]

@@ -50,6 +50,8 @@ def test_code_is_told_where_a_name_is_now() -> None:
     assert Snapshot is lw.Snapshot
     with pytest.raises(ImportError, match="no_such_name"):
         from linkwork.result import no_such_name  # noqa: F401
+    with pytest.raises(AttributeError, match=r"'system'; its names are in linkwork\.equations\.system now"):
+        _ = lw.system
     with pytest.raises(ModuleNotFoundError, match="no_such_module"):
         import linkwork.no_such_module  # type: ignore[import-not-found] # noqa: F401
 

@@ -8,11 +8,9 @@ import pytest
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import between, displaced, to_body_axes
-from numpy.typing import NDArray
+from linkwork.arrays import Floats
 from scipy.optimize import brentq
 from scipy.special import jn_zeros
-
-Floats = NDArray[np.float64]
 
 G = 9.81
 Z = (0.0, 0.0, 1.0)

@@ -12,7 +12,8 @@ from linkwork import _core
 from linkwork.cli.checking import examine
 from linkwork.mechanisms import MECHANISMS
 from linkwork.modeling.elements import KINDS
-from linkwork.modeling.files import model_of, record_of
+from linkwork.modeling.files import record_of
+from linkwork.modeling.model import model_of
 from linkwork.running import checks
 from test_invariance import Units, factor
 

@@ -245,10 +245,10 @@ def test_forces_of_the_users_own_are_refused_by_name(tmp_path: Path) -> None:
 def test_shapes_come_back(tmp_path: Path) -> None:
     model = crank_and_rod()
     turn = lw.rotation.about((1, 2, 3), 0.7)
-    tetrahedron = lw.shapes.Mesh(np.eye(4)[:, :3], [[0, 1, 2], [1, 2, 3]], color="red")
-    model.shape("crank", lw.shapes.Box((1, 0.1, 0.2), orientation=turn), tetrahedron)
-    model.shape(["rod", model.ground], lw.shapes.Rod((0, 0, 0), (0, 0, 1)),
-                lw.shapes.Cylinder(0.1, 0.3, axis=(1, 1, 0), position=(1, 2, 3)))  # fmt: skip
+    tetrahedron = lw.Mesh(np.eye(4)[:, :3], [[0, 1, 2], [1, 2, 3]], color="red")
+    model.shape("crank", lw.Box((1, 0.1, 0.2), orientation=turn), tetrahedron)
+    model.shape(["rod", model.ground], lw.Rod((0, 0, 0), (0, 0, 1)),
+                lw.Cylinder(0.1, 0.3, axis=(1, 1, 0), position=(1, 2, 3)))  # fmt: skip
     for suffix in SUFFIXES:
         again = round_trip(model, tmp_path / f"model{suffix}")
         assert shape_bits(again) == shape_bits(model)

@@ -14,9 +14,9 @@ import linkwork as lw
 
 #: Modules and packages in python/linkwork; "linkwork" itself, the public names, stands before the commands.
 ROOMS = [
-    "_core", "former", "errors", "arguments", "rotation", "functions", "integrators", "options", "modeling",
-    "equations", "motion", "accuracy", "plots", "view", "results", "running", "analyses", "importers",
-    "mechanisms", "comparison", "validation", "benchmark", "linkwork", "cli",
+    "_core", "former", "arrays", "errors", "arguments", "rotation", "functions", "integrators", "options",
+    "modeling", "equations", "motion", "accuracy", "plots", "view", "results", "running", "analyses",
+    "importers", "mechanisms", "comparison", "validation", "benchmark", "linkwork", "cli",
 ]  # fmt: skip
 
 #: What everything speaks of: an earlier room may import these for type checkers.
@@ -93,3 +93,12 @@ def test_no_modules_import_each_other() -> None:
         module: {it.target for it in imports_of(module) if not it.typing} - {module} for module in MODULES
     }
     assert len(list(TopologicalSorter(graph).static_order())) >= len(MODULES)
+
+
+def test_type_checkers_know_the_public_names_from_where_they_are() -> None:
+    stub = ast.parse(MODULES["linkwork"].with_suffix(".pyi").read_text(encoding="utf-8"))
+    found = {it.asname or it.name: part.module for part in stub.body if isinstance(part, ast.ImportFrom)
+             for it in part.names}  # fmt: skip
+    modules = dict.fromkeys(lw._MODULES, "linkwork")
+    assert found == lw._HOME | modules
+    assert sorted([*found, "__version__"]) == lw.__all__

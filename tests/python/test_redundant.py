@@ -12,16 +12,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from linkwork import _core
-from random_mechanisms import (
-    JOINTS,
-    ZERO,
-    Equations,
-    Floats,
-    Mechanism,
-    examples,
-    redundant_mechanisms,
-    row_mobility,
-)
+from linkwork.arrays import Floats
+from random_mechanisms import JOINTS, ZERO, Equations, Mechanism, examples, redundant_mechanisms, row_mobility
 
 #: (matrix, linear solver) of the standard formulation that take redundant equations.
 CHOICES = [("kkt", "block")] + [

@@ -153,7 +153,7 @@ def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
 
 WRITE_UNTIL_KILLED = """
     import sys, synthetic
-    from linkwork import result_file
+    from linkwork.results import writing
     bodies, expected, writing.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]), float(sys.argv[4])
     header = synthetic.header(bodies, bodies, expected_frames=expected or None)
     with writing.ResultWriter(sys.argv[1], header) as writer:
@@ -281,7 +281,8 @@ def on_a_small_disk(program: str, folder: Path) -> list[str]:
 
 WRITE_ON_A_SMALL_DISK = """
     import subprocess, sys, synthetic
-    from linkwork import Result, errors, result_file
+    from linkwork import Result, errors
+    from linkwork.results import writing
     subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", sys.argv[1]], check=True)
     header = synthetic.header(20, 20)
     try:

@@ -117,7 +117,9 @@ def test_a_function_of_time_that_remembers_is_not_run_twice() -> None:
         return 1.0
 
     model.force(body, force=(gust, 0, 0), name="gust")
-    with pytest.warns(lw.LinkworkWarning, match="no second run was made, as 'applied 'gust': force_x' may remember"):
+    with pytest.warns(
+        lw.LinkworkWarning, match="no second run was made, as 'applied 'gust': force_x' may remember"
+    ):
         assert not quick(model, 0.1, step=1e-2, verify=True).verified
 
 

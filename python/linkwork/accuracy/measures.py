@@ -19,14 +19,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
 
 __all__ = ["Differences", "Sampled", "Scales"]
-
-Floats = NDArray[np.float64]
 
 #: Two times are the same, relative to the later one.
 SAME_TIME = 1e-9

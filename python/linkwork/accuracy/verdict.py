@@ -34,9 +34,9 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping", "say", "without_steps"]
+from linkwork.arrays import Floats
 
-Floats = NDArray[np.float64]
+__all__ = ["Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping", "say", "without_steps"]
 
 #: Errors up to here are good, beyond the second the motion is wrong.
 GOOD, WRONG = 1e-2, 1e-1

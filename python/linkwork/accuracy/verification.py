@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
-from linkwork.motion.header import Floats
+from linkwork.arrays import Floats
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.equations import LISTED, Equations, Sparse
+from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, SingularSystemError
 
 __all__ = [
@@ -27,8 +28,6 @@ __all__ = [
     "saddle_point",
     "shared",
 ]
-
-Floats = NDArray[np.float64]
 
 #: Up to so many columns of D dense matrices are the faster ones.
 DENSE = 480

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.model import Model
@@ -19,8 +20,6 @@ from linkwork.results.result import Result
 from linkwork.running import checks
 
 __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
-
-Floats = NDArray[np.float64]
 
 #: Of a multiplier, by the quantity of its equation.
 UNITS = {"rotation": "N m", "translation": "N", "distance": "N"}

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import _core
 from linkwork.analyses.constraint_solver import (
@@ -20,6 +20,7 @@ from linkwork.analyses.constraint_solver import (
 from linkwork.analyses.equations import LISTED, Equations, Sparse
 from linkwork.analyses.tangent import displaced, rate_of_change, to_body_axes, to_inertial_axes
 from linkwork.arguments import array, one_of
+from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import (
     LinkworkError,
@@ -38,7 +39,6 @@ from linkwork.running.manifest import manifest
 
 __all__ = ["kinematics"]
 
-Floats = NDArray[np.float64]
 AnyConstraints = Constraints | SparseConstraints
 
 #: The smallest singular value at the start as a part of what counts as one, see SparseConstraints.

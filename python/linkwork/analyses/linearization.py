@@ -12,6 +12,7 @@ from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import displaced, to_inertial_axes
+from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, NotConvergedError, OptionError
 from linkwork.modeling.model import Model
@@ -20,7 +21,6 @@ from linkwork.running import checks
 
 __all__ = ["Linearization", "linearize"]
 
-Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Forces that are not in balance, relative to the largest one.

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model
 from linkwork.results.result import Result
@@ -16,8 +17,6 @@ from linkwork.running.checks import check_bodies
 from linkwork.running.simulation import simulate
 
 __all__ = ["Sensitivity", "sensitivity"]
-
-Floats = NDArray[np.float64]
 
 #: Steps relative to the parameter that its rounding would swallow.
 SMALLEST_STEP = 1e-13

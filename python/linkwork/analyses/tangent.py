@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 
 __all__ = ["between", "displaced", "rate_of_change", "to_body_axes", "to_inertial_axes"]
-
-Floats = NDArray[np.float64]
 
 
 def displaced(q: Floats, x: Floats) -> Floats:

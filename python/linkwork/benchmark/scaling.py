@@ -9,8 +9,8 @@ from functools import partial
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.benchmark import memory
 from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.isolated import Failure, isolated
@@ -21,8 +21,6 @@ from linkwork.errors import OptionError
 from linkwork.mechanisms import four_bar
 from linkwork.options import Options
 from linkwork.running.progress import ShowOption, counting
-
-Floats = NDArray[np.float64]
 
 ROUNDS, LIMIT_SECONDS = 15, 600.0
 

@@ -9,10 +9,11 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from linkwork.arrays import Floats
 from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
-from linkwork.comparison.reference import GOOD_ENOUGH, Floats, Reference, given_reference, solved_reference
+from linkwork.comparison.reference import GOOD_ENOUGH, Reference, given_reference, solved_reference
 from linkwork.comparison.runs import Outcome, Runs, Sampling
 from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison

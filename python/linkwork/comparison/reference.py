@@ -10,9 +10,9 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.arrays import Floats
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError, ModelError, OptionError
 from linkwork.modeling.model import Model
@@ -21,8 +21,6 @@ from linkwork.results.result import Result
 from linkwork.running.simulation import simulate
 
 __all__ = ["ERRORS", "Reference", "given_reference", "solved_reference"]
-
-Floats = NDArray[np.float64]
 
 #: Of a run against the reference, see `measures`.
 ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")

@@ -9,9 +9,9 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork.accuracy.measures import Differences, Sampled
+from linkwork.arrays import Floats
 from linkwork.comparison import order
 from linkwork.comparison.choices import Cell
 from linkwork.comparison.reference import ERRORS, Reference, largest
@@ -31,8 +31,6 @@ from linkwork.results.result import Result
 from linkwork.running.simulation import simulate
 
 __all__ = ["ERRORS", "Curves", "Outcome", "Runs", "Sampling"]
-
-Floats = NDArray[np.float64]
 
 Status = Literal["finished", "refused", "diverged", "singular", "failed", "lost"]
 

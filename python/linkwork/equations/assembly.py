@@ -10,14 +10,13 @@ from numpy.typing import NDArray
 
 from linkwork import _core
 from linkwork.arguments import is_number
+from linkwork.arrays import Floats
 from linkwork.equations import branches
 from linkwork.errors import ModelError, NotConvergedError
 from linkwork.modeling.handles import BodiesLike, BodyLike
 from linkwork.modeling.model import Model, check_model
 
 __all__ = ["Assembly", "JointResidual", "assemble"]
-
-Floats = NDArray[np.float64]
 
 #: Joints whose residual is above this part of the largest are named where joints conflict.
 CONFLICTING = 1e-2

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core, rotation
+from linkwork.arrays import Floats
 from linkwork.modeling.elements import KINDS
 
 __all__ = ["aligned", "opposed"]
 
-Floats = NDArray[np.float64]
 Joints = NDArray[np.intp]
 
 

@@ -6,13 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
 from linkwork.modeling.extent import extent
-
-Floats = NDArray[np.float64]
 
 #: Of Arnoldi's method: two right-hand sides each.
 ITERATIONS = 20

@@ -11,13 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.arguments import array, number
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import LEVELS, TABLE, Options, compile_options
 
 __all__ = ["Evaluation", "System"]
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

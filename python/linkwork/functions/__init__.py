@@ -7,50 +7,9 @@ the loop, except for `Callback`. A table is never held or extrapolated: a run th
 before the first step.
 """
 
-from linkwork.functions.time import (
-    Broken,
-    Callback,
-    Cycloidal,
-    Expression,
-    Harmonic,
-    Polynomial,
-    Sum,
-    Table,
-    TimeFunction,
-    TimeFunctionLike,
-    as_time_function,
-    broken,
-    check_breaks,
-    constant,
-    cycloidal,
-    expression,
-    harmonic,
-    piecewise_polynomial,
-    polynomial,
-    table,
-    with_breaks,
-)
+from linkwork.functions.time import *
 
 __all__ = [
-    "Broken",
-    "Callback",
-    "Cycloidal",
-    "Expression",
-    "Harmonic",
-    "Polynomial",
-    "Sum",
-    "Table",
-    "TimeFunction",
-    "TimeFunctionLike",
-    "as_time_function",
-    "broken",
-    "check_breaks",
-    "constant",
-    "cycloidal",
-    "expression",
-    "harmonic",
-    "piecewise_polynomial",
-    "polynomial",
-    "table",
-    "with_breaks",
-]
+    "TimeFunction", "as_time_function", "constant", "cycloidal", "expression", "harmonic",
+    "piecewise_polynomial", "polynomial", "table", "with_breaks",
+]  # fmt: skip

@@ -11,11 +11,11 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+
+from linkwork.arrays import Floats
 
 __all__ = ["Disagreement", "disagreement"]
 
-Floats = NDArray[np.float64]
 Function = Callable[[float], float]
 
 #: Where intervals begin, and how long they are at most and at least [s].

@@ -10,26 +10,18 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import _core
 from linkwork.arguments import UNREADABLE, array, number
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 
 __all__ = [
-    "TimeFunction",
-    "as_time_function",
-    "constant",
-    "cycloidal",
-    "expression",
-    "harmonic",
-    "piecewise_polynomial",
-    "polynomial",
-    "table",
-    "with_breaks",
-]
-
-Floats = NDArray[np.float64]
+    "Broken", "Callback", "Cycloidal", "Expression", "Harmonic", "Polynomial", "Sum", "Table",
+    "TimeFunction", "TimeFunctionLike", "as_time_function", "broken", "check_breaks", "constant",
+    "cycloidal", "expression", "harmonic", "piecewise_polynomial", "polynomial", "table", "with_breaks",
+]  # fmt: skip
 
 #: A number, a TimeFunction, a function f(t), or a tuple (f, df, ddf) of functions of t.
 TimeFunctionLike = Any

@@ -8,9 +8,10 @@ from functools import partial
 from typing import Any, TypedDict
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelFileError, OptionError, nearest
 from linkwork.importers.alignment import align_axes
 from linkwork.importers.description import (
@@ -29,8 +30,6 @@ from linkwork.modeling.model import Model
 from linkwork.modeling.placement import Attachment
 
 __all__ = ["Options", "build"]
-
-Floats = NDArray[np.float64]
 
 #: Coulomb friction is regularized below these speeds [rad/s], [m/s].
 TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}

@@ -5,16 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model, rotation
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.functions import polynomial
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.modeling.contact import contact_hysteresis
 from linkwork.modeling.handles import Body, Range
-
-Floats = NDArray[np.float64]
 
 AXIS = np.array([0.0, 0.0, 1.0])  # of all pins, wheels and rollers
 

@@ -6,18 +6,15 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import _core, rotation
+from linkwork.arrays import Floats, Indices
 from linkwork.errors import nearest
 from linkwork.modeling.handles import Body, Range
 from linkwork.modeling.placement import Poses, Subject
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
-
-Floats = NDArray[np.float64]
-Indices = NDArray[np.int32]
 
 #: Names among which the nearest is looked for.
 NAMES_SEARCHED = 10_000

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, arguments, functions
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, about, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.modeling.bodies import Bodies
@@ -26,8 +27,6 @@ if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
 __all__ = ["ModelBuilder"]
-
-Floats = NDArray[np.float64]
 
 
 class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods):

@@ -6,14 +6,12 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.arguments import is_one_of
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.modeling.elements import KINDS
-
-Floats = NDArray[np.float64]
 
 
 class JointCoordinate(NamedTuple):

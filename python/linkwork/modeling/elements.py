@@ -7,16 +7,14 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import _core
 from linkwork.arguments import UNREADABLE, one_of
+from linkwork.arrays import Floats, Indices
 from linkwork.errors import OptionError, about
 from linkwork.functions import TimeFunction, as_time_function
 from linkwork.modeling.placement import PLACEMENTS, Attachment, Place, Subject
 
-Floats = NDArray[np.float64]
-Indices = NDArray[np.int32]
 Role = Literal["joint", "force"]
 
 #: What a parameter can be: values (k,), or one function of time for all.

@@ -9,16 +9,15 @@ from inspect import isfunction
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import _core, arguments
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.builder import ModelBuilder
 
 __all__ = ["Model", "check_model", "model_of"]
-
-Floats = NDArray[np.float64]
 
 
 class Model(ModelBuilder):
@@ -119,7 +118,7 @@ def model_of(record: Mapping[str, Any]) -> Model:
     """From what `linkwork.modeling.files.record_of` made of one."""
     from linkwork.modeling import files
 
-    return files.model_of(record, Model)
+    return files.from_record(record, Model)
 
 
 def check_model(model: object) -> None:

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 
-Floats = NDArray[np.float64]
 Pair = tuple[Floats, Floats]
 
 #: Where points and axes of an element are given: in space at the initial pose, or as pairs in its two bodies.

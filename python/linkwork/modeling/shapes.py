@@ -17,16 +17,14 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import rotation
 from linkwork.arguments import array, is_number
+from linkwork.arrays import Floats, Indices
 from linkwork.errors import FileError, ModelError
 
 __all__ = ["Box", "Cylinder", "Mesh", "Rod", "Shape", "Shapes", "ShapesLike", "Sphere"]
-
-Floats = NDArray[np.float64]
-Indices = NDArray[np.int32]
 
 
 @dataclass(frozen=True, init=False, eq=False)

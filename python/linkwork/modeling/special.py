@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.interpolate import CubicSpline
 
 from linkwork import _core, rotation
 from linkwork.arguments import UNREADABLE, is_one_of
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken
 from linkwork.modeling.coordinates import coordinate_of
@@ -21,8 +22,6 @@ from linkwork.modeling.placement import Frames, Subject
 
 if TYPE_CHECKING:
     from linkwork.modeling.builder import ModelBuilder
-
-Floats = NDArray[np.float64]
 
 #: Least part of a curve's cross direction that is not along it, anywhere on a piece.
 _ACROSS = 0.5

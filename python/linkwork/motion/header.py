@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from linkwork.arrays import Floats
 from linkwork.modeling.shapes import Shapes
 
 if TYPE_CHECKING:
     from linkwork import _core
 
-Floats = NDArray[np.float64]
 Indices = NDArray[np.integer]
 
 #: The texts of a header, one for each body, joint or force element.

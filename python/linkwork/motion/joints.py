@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.modeling.elements import KINDS
-from linkwork.motion.header import Floats, Header, Indices
+from linkwork.motion.header import Header, Indices
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result

@@ -8,7 +8,7 @@ from typing import NamedTuple, NoReturn
 
 import numpy as np
 
-from linkwork.motion.header import Floats
+from linkwork.arrays import Floats
 
 __all__ = ["BodyResult", "Excess", "Occurrence", "Reaction", "SingularPose", "Snapshot", "rotate"]
 

@@ -13,7 +13,10 @@ from linkwork import _core, arguments
 from linkwork.errors import OptionError, nearest
 from linkwork.options.types import Level, Options
 
-__all__ = ["RENAMED", "Options", "compile_options", "renamed"]
+__all__ = [
+    "LEVELS", "Options", "Policy", "RENAMED", "RUN_SETTINGS", "TABLE", "check_name", "check_number",
+    "check_option", "compile_options", "names", "renamed",
+]  # fmt: skip
 
 LEVELS: tuple[Level, ...] = get_args(Level)
 

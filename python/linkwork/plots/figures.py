@@ -12,8 +12,8 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from linkwork.arrays import Floats
 from linkwork.errors import FileError, nearest, unwritable
-from linkwork.motion.header import Floats
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwork.arguments import one_of
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.coordinates import known_coordinates
-from linkwork.motion.header import Floats
 from linkwork.plots import figures
 from linkwork.plots.figures import BODIES, COLORS, JOINTS
 

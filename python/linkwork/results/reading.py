@@ -20,8 +20,9 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause
-from linkwork.motion.header import MODEL_NAMES, Floats, Header
+from linkwork.motion.header import MODEL_NAMES, Header
 from linkwork.motion.records import Occurrence
 from linkwork.options import renamed
 from linkwork.results.shapes import read_shapes

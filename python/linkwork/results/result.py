@@ -15,10 +15,11 @@ from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
 from linkwork.arguments import one_of
 from linkwork.arguments import path as path_of
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, warn
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.modeling.handles import Body, Joint, Named
-from linkwork.motion.header import Floats, Header, record_reactions
+from linkwork.motion.header import Header, record_reactions
 from linkwork.motion.records import BodyResult, Excess, Reaction, SingularPose, Snapshot, rotate
 
 if TYPE_CHECKING:

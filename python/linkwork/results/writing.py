@@ -38,8 +38,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork.accuracy.verification import Finer
 from linkwork.arguments import path as path_of
+from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause, unwritable
-from linkwork.motion.header import MODEL_NAMES, Floats, Header, record_reactions
+from linkwork.motion.header import MODEL_NAMES, Header, record_reactions
 from linkwork.motion.records import Occurrence
 from linkwork.results.shapes import write_shapes
 

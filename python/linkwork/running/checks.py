@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from linkwork import _core
 from linkwork.arguments import array, number
+from linkwork.arrays import Floats
 from linkwork.equations import stiffness
 from linkwork.equations.assembly import Assembly, assemble
 from linkwork.equations.system import System
@@ -20,8 +20,6 @@ from linkwork.functions import Callback
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.modeling.model import Model, check_model
 from linkwork.motion.records import Snapshot
-
-Floats = NDArray[np.float64]
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9

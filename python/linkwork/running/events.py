@@ -6,17 +6,16 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import _core
 from linkwork.arguments import UNREADABLE, is_number
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 
 __all__ = ["Event", "State", "compile_events"]
-
-Floats = NDArray[np.float64]
 
 
 class BodyState:

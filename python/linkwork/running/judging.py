@@ -19,10 +19,10 @@ from linkwork.accuracy.verdict import (
     without_steps,
 )
 from linkwork.accuracy.verification import Finer, state_error
+from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import AccuracyError, warn
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
-from linkwork.motion.header import Floats
 from linkwork.motion.records import Snapshot
 from linkwork.options import Options
 from linkwork.results.result import Result

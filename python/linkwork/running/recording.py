@@ -9,9 +9,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import _core
+from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, OptionError, warn
 from linkwork.integrators import Integrator
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 
 __all__ = ["PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
 
-Floats = NDArray[np.float64]
 Frames = Mapping[str, Floats]
 
 #: An integrator of the user's own: step(system, t, y, h) -> y at t + h, y (13n,).

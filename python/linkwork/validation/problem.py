@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError
 from linkwork.mechanisms import MECHANISMS
 from linkwork.running.simulation import simulate
-from linkwork.validation.series import Floats, Series
+from linkwork.validation.series import Series
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result

@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError, nearest
 from linkwork.results.result import Result
 from linkwork.validation.problem import Figure, Problem, Verdict, largest, relative
-from linkwork.validation.series import Floats, Series
+from linkwork.validation.series import Series
 
 __all__ = ["PROBLEMS", "validate"]
 

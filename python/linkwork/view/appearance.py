@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.modeling.shapes import Box, Cylinder, Rod, Shape, Sphere
-from linkwork.motion.header import Floats, Header
+from linkwork.motion.header import Header
 from linkwork.motion.joints import Holds, gaps, joint_kinds
 from linkwork.view import machine_elements
 from linkwork.view.machine_elements import Form, at

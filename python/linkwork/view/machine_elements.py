@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.motion.header import Floats, Header
+from linkwork.motion.header import Header
 from linkwork.motion.joints import Holds, joint_kinds, separations
 from linkwork.view import meshes
 

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import arguments, rotation
+from linkwork.arrays import Floats
 from linkwork.errors import FileError, OptionError, unwritable
 from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.motion.header import Floats
 from linkwork.plots.figures import new_figure
 from linkwork.view.appearance import Scene, Solid, Span, scene
 

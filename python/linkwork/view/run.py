@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.motion.header import Floats, Header
+from linkwork.motion.header import Header
 from linkwork.motion.joints import joint_kinds, violations
 from linkwork.motion.summary import method
 from linkwork.view.appearance import Scene, Solid, Span, scene

@@ -64,7 +64,7 @@ def _read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
     return ModelFile(_build(document, checker, kind), renamed(document.simulation))
 
 
-def model_of(record: Mapping[str, Any], kind: type[Model]) -> Model:
+def from_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
     """From a document as `record_of` makes it."""
     with collection_paused():
         return _built(schema.document_type().model_validate(record), kind, _straight)

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import _core
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, unwritable
 from linkwork.functions import Sum, Table, TimeFunction
 from linkwork.modeling.builder import ModelBuilder
@@ -25,8 +25,6 @@ from linkwork.modeling.files import schema
 from linkwork.modeling.files.collection import collection_paused
 from linkwork.modeling.files.syntax import check_suffix
 from linkwork.modeling.shapes import Shape
-
-Floats = NDArray[np.float64]
 
 _COMMENT = """\
 # SI units, angles in rad. Positions and velocities are inertial; omega and the inertia refer to body axes
