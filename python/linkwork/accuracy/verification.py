@@ -27,9 +27,6 @@ NEIGHBORS = 0.01
 #: Of the largest value: rounding, which both runs may share.
 ROUNDING = 1e-15
 
-#: A tenth of the tolerance leaves about so much of the error.
-TENTH = 10 / 9
-
 
 class Finer(NamedTuple):
     """The second run, with frames at the times of the first, and the factor of the difference."""

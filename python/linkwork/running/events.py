@@ -18,75 +18,43 @@ from linkwork.modeling.model import Model
 __all__ = ["Event", "State", "compile_events"]
 
 
+class _Part:
+    """A part of an array of the state, which is assigned in place."""
+
+    def __init__(self, array: str, part: slice, documentation: str) -> None:
+        self._array, self._part, self.__doc__ = array, part, documentation
+
+    def __get__(self, state: object, kind: type | None = None) -> Floats:
+        part: Floats = getattr(state, self._array)[self._part]
+        return part
+
+    def __set__(self, state: object, value: ArrayLike) -> None:
+        getattr(state, self._array)[self._part] = value
+
+
 class BodyState:
     """Of one body: what is assigned to it, whole or in part, changes the state that it is of."""
+
+    position = _Part("_q", np.s_[:3], "Center of mass (3,), inertial [m].")
+    orientation = _Part("_q", np.s_[3:], "Euler parameters (4,), scalar first.")
+    velocity = _Part("_v", np.s_[:3], "Of the center of mass (3,), inertial [m/s].")
+    omega = _Part("_v", np.s_[3:], "Angular velocity (3,), body axes [rad/s].")
 
     def __init__(self, q: Floats, v: Floats) -> None:
         self._q, self._v = q, v
 
-    @property
-    def position(self) -> Floats:
-        """Center of mass (3,), inertial [m]."""
-        return self._q[:3]
-
-    @position.setter
-    def position(self, value: ArrayLike) -> None:
-        self._q[:3] = value
-
-    @property
-    def orientation(self) -> Floats:
-        """Euler parameters (4,), scalar first."""
-        return self._q[3:]
-
-    @orientation.setter
-    def orientation(self, value: ArrayLike) -> None:
-        self._q[3:] = value
-
-    @property
-    def velocity(self) -> Floats:
-        """Of the center of mass (3,), inertial [m/s]."""
-        return self._v[:3]
-
-    @velocity.setter
-    def velocity(self, value: ArrayLike) -> None:
-        self._v[:3] = value
-
-    @property
-    def omega(self) -> Floats:
-        """Angular velocity (3,), body axes [rad/s]."""
-        return self._v[3:]
-
-    @omega.setter
-    def omega(self, value: ArrayLike) -> None:
-        self._v[3:] = value
-
 
 class State:
     """Positions and velocities of all bodies: q (n, 7) and v (n, 6) as in `Result`, or `body(name)`."""
+
+    q = _Part("_q", np.s_[:], "Poses (n, 7): position, then Euler parameters.")
+    v = _Part("_v", np.s_[:], "Velocities (n, 6): inertial velocity, then body-fixed angular velocity.")
 
     def __init__(self, model: Model, y: Floats) -> None:
         """`y` (13n,) = (q, v); the state is a view of it."""
         split = 7 * model.body_count
         self._model = model
         self._q, self._v = y[:split].reshape(-1, 7), y[split:].reshape(-1, 6)
-
-    @property
-    def q(self) -> Floats:
-        """Poses (n, 7): position, then Euler parameters."""
-        return self._q
-
-    @q.setter
-    def q(self, value: ArrayLike) -> None:
-        self._q[:] = value
-
-    @property
-    def v(self) -> Floats:
-        """Velocities (n, 6): inertial velocity, then body-fixed angular velocity."""
-        return self._v
-
-    @v.setter
-    def v(self, value: ArrayLike) -> None:
-        self._v[:] = value
 
     def body(self, name: str | Body) -> BodyState:
         """The state of one body, by name or handle. ModelError: no such body."""

@@ -87,7 +87,7 @@ class Fixed:
             )
         compiled = method.compiled() if isinstance(method, Integrator) else None
         return _core.Simulation(
-            system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
+            system.compiled(), compiled, self.t_end, self.step, self.record_every, **_from(start)
         )
 
     def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
@@ -163,15 +163,15 @@ class Adaptive:
         return _core.AdaptiveSimulation(
             system.compiled(),
             method.compiled_pair(),
-            self.t_end,
-            self.rtol,
-            self.atol,
-            self.largest_step,
-            self.record_every,
-            self.times.tolist(),
-            list(events),
-            *(_from(start) or (0.0, np.zeros(0))),
-            list(breaks),
+            t_end=self.t_end,
+            rtol=self.rtol,
+            atol=self.atol,
+            largest_step=self.largest_step,
+            record_every=self.record_every,
+            times=self.times.tolist(),
+            events=list(events),
+            breaks=list(breaks),
+            **_from(start),
         )
 
     def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
@@ -183,8 +183,9 @@ class Adaptive:
         return {}
 
 
-def _from(start: Snapshot | None) -> tuple[()] | tuple[float, NDArray[np.float64]]:
-    return () if start is None else (start.t, start.y)
+def _from(start: Snapshot | None) -> dict[str, Any]:
+    """What a run begins with; without, at t = 0 as the model says."""
+    return {} if start is None else {"t_start": start.t, "start": start.y}
 
 
 def plan(
