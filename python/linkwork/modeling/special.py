@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import CubicSpline
 
 from linkwork import _core, rotation
 from linkwork.arguments import UNREADABLE, is_one_of
@@ -21,6 +20,8 @@ from linkwork.modeling.handles import BodyLike, Joint
 from linkwork.modeling.placement import Frames, Subject
 
 if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
+
     from linkwork.modeling.builder import ModelBuilder
 
 #: Least part of a curve's cross direction that is not along it, anywhere on a piece.
@@ -223,7 +224,6 @@ def _spline(points: Floats, closed: bool, subject: Subject) -> tuple[Floats, Flo
     if not (chords > 0.0).all():
         k = int(np.argmin(chords))
         subject.refuse(0, f"points {k} and {k + 1} of the curve coincide", "points")
-    ends = "periodic" if closed else "natural"
     curve = _curve(points, closed)
     for pieces in (1, 2, 4, 8, 16, 32):
         knots, fine = _refined(curve.x, pieces), _refined(curve.x, pieces * _STEPS)
@@ -233,7 +233,7 @@ def _spline(points: Floats, closed: bool, subject: Subject) -> tuple[Floats, Flo
             k = int(np.argmin(speed)) // (pieces * _STEPS)
             subject.refuse(0, f"the curve turns back after point {k}: move or add points there", "points")
         tangents = tangents / speed
-        across = CubicSpline(knots, _carried(tangents, closed)[::_STEPS], bc_type=ends)
+        across = _cubic(knots, _carried(tangents, closed)[::_STEPS], closed)
         e = across(fine)
         off = np.linalg.norm(e - np.sum(e * tangents, axis=1, keepdims=True) * tangents, axis=1)
         if (off > _ACROSS).all():
@@ -252,7 +252,13 @@ def _curve(points: Floats, closed: bool) -> CubicSpline:
     """The spline over the length of the chords."""
     points = _around(points, closed)
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    return CubicSpline(np.append(0.0, np.cumsum(chords)), points, bc_type="periodic" if closed else "natural")
+    return _cubic(np.append(0.0, np.cumsum(chords)), points, closed)
+
+
+def _cubic(x: Floats, y: Floats, closed: bool) -> CubicSpline:
+    from scipy.interpolate import CubicSpline  # which takes longer to import than all the rest
+
+    return CubicSpline(x, y, bc_type="periodic" if closed else "natural")
 
 
 def _refined(knots: Floats, pieces: int) -> Floats:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.sparse import csr_array
 
 from linkwork import _core
 from linkwork.arguments import array, number
@@ -262,6 +261,8 @@ def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str,
         return {}
     v_dot, _ = dynamics.accelerations(0.0, core.q0, core.v0)
     found = dynamics.evaluate(0.0, core.q0, core.v0)
+    from scipy.sparse import csr_array  # which takes long to import
+
     D = csr_array(
         tuple(found["D"][part] for part in ("data", "indices", "indptr")), (core.row_count, len(v_dot))
     )
