@@ -6,7 +6,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.modeling.elements import KINDS
-from linkwork.motion.joints import Holds, gaps, violations
+from linkwork.motion.violations import Holds, gaps, violations
 from linkwork.view.run import Choice, joint_violations
 
 

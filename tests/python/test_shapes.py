@@ -238,7 +238,7 @@ def test_joints_are_drawn_by_what_they_hold(kind: str, where: dict[str, object],
 
 def test_every_kind_of_joint_is_read_without_complaint() -> None:
     from linkwork.modeling.elements import KINDS
-    from linkwork.motion.joints import Holds
+    from linkwork.motion.violations import Holds
 
     assert {Holds.of(kind).placed for kind in KINDS["joint"]} == {True, False}
     assert all(Holds.of(kind).turning for kind in ("revolute", "cylindrical", "screw", "planar"))

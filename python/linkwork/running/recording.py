@@ -24,7 +24,7 @@ from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
 
 if TYPE_CHECKING:
-    from linkwork.running.judging import Judge
+    from linkwork.running.estimation import ErrorEstimator
 
 __all__ = ["PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
 
@@ -112,14 +112,14 @@ def record(
     to: Recorder,
     report: Report,
     labels: Sequence[str],
-    judge: Judge,
+    estimator: ErrorEstimator,
     *,
     warns: bool = False,
 ) -> float:
     """Write the pieces as they come, and close the file however the run ends; the time they took [s].
 
     `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run
-    has passed a singular pose. AccuracyError: `judge` stops the run.
+    has passed a singular pose. AccuracyError: `estimator` stops the run.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     violation: float | None = None
@@ -128,7 +128,7 @@ def record(
             spent += time.perf_counter() - before
             to.note(_occurrences(run, labels))
             to.write(frames)
-            judge.look(frames)
+            estimator.look(frames)
             if len(frames["t"]):
                 violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
             report(run.t, run.steps_done, violation)

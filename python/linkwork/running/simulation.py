@@ -25,7 +25,7 @@ from linkwork.motion.records import Snapshot
 from linkwork.options import TABLE, Options, Policy, check_name, names
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
-from linkwork.running import breakpoints, checks, duration, judging, recording, schedule
+from linkwork.running import breakpoints, checks, duration, estimation, recording, schedule
 from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
@@ -122,15 +122,15 @@ def simulate(
     prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
     _check_folder(output)
     duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
-    result, judge = _carried_out(prepared, output, progress, started)
+    result, estimator = _carried_out(prepared, output, progress, started)
     if verify:
         again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
                                  "start": start, "assemble": assemble}  # fmt: skip
-        judge.verify(result, output, lambda finer: simulate(
+        estimator.verify(result, output, lambda finer: simulate(
             model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
-            **judging.strict(options),
+            **estimation.strict(options),
         ))  # fmt: skip
-    judging.heed(result, on_inaccurate)
+    estimation.apply_policy(result, on_inaccurate)
     return result
 
 
@@ -206,7 +206,7 @@ def _prepared(
 
 def _carried_out(
     it: _Prepared, output: str | os.PathLike[str] | None, progress: ProgressOption, started: float
-) -> tuple[Result, judging.Judge]:
+) -> tuple[Result, estimation.ErrorEstimator]:
     """The result, with what the run took since `started` [s], and who can take steps of it again."""
     recorder = recording.recorder(output, it.header())
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
@@ -218,21 +218,23 @@ def _carried_out(
     ):
         pieces = recording.pieces(run, interrupts, it.method, it.system)
         labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
-        judge = judging.Judge(
+        estimator = estimation.ErrorEstimator(
             run, it.method, it.system, it.options, it.start, plan, breaks=it.breaks,
             stops=it.given["on_inaccurate"] == "stop",
         )  # fmt: skip
-        spent["driver_seconds"] = recording.record(run, pieces, recorder, report, labels, judge, warns=warns)
+        spent["driver_seconds"] = recording.record(
+            run, pieces, recorder, report, labels, estimator, warns=warns
+        )
         statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
         driven = time.perf_counter()
-        verdict = judge.verdict(statistics)
+        verdict = estimator.verdict(statistics)
         spent["verdict_seconds"] = time.perf_counter() - driven
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
     result = recorder.result({**statistics, "seconds": seconds, **spent, **found})
     checks.warn_of_contradiction(result.statistics)
-    return result, judge
+    return result, estimator
 
 
 def _check_choices(on_inaccurate: object, **switches: object) -> None:

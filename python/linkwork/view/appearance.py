@@ -18,7 +18,7 @@ from linkwork import rotation
 from linkwork.arrays import Floats
 from linkwork.modeling.shapes import Box, Cylinder, Rod, Shape, Sphere
 from linkwork.motion.header import Header
-from linkwork.motion.joints import Holds, gaps, joint_kinds
+from linkwork.motion.violations import Holds, gaps, joint_kinds
 from linkwork.view import machine_elements
 from linkwork.view.machine_elements import Form, at
 

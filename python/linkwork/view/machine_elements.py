@@ -19,7 +19,7 @@ from linkwork.arrays import Floats
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Header
-from linkwork.motion.joints import Holds, joint_kinds, separations
+from linkwork.motion.violations import Holds, joint_kinds, separations
 from linkwork.view import meshes
 
 if TYPE_CHECKING:

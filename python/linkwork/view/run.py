@@ -15,8 +15,8 @@ from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Header
-from linkwork.motion.joints import joint_kinds, violations
 from linkwork.motion.summary import method
+from linkwork.motion.violations import joint_kinds, violations
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
 

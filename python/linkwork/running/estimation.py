@@ -1,4 +1,4 @@
-"""A run and its verdict: what is taken again, when, and by what."""
+"""The estimate of the error of a run: what is taken again, when, and by what."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from linkwork.results.result import Result
 from linkwork.running import callbacks, pulses
 from linkwork.running.schedule import Adaptive, Fixed
 
-__all__ = ["Judge", "heed", "strict"]
+__all__ = ["ErrorEstimator", "apply_policy", "strict"]
 
 #: Takes the steps of integrators of the user's own again.
 TRUSTED = "dop853"
@@ -38,7 +38,7 @@ TRUSTED = "dop853"
 FIRST_LOOK = 200
 
 
-class Judge:
+class ErrorEstimator:
     """Follows a run, and takes steps of it again."""
 
     def __init__(
@@ -173,7 +173,7 @@ def strict(options: Options) -> Options:
     return out
 
 
-def heed(result: Result, policy: str) -> None:
+def apply_policy(result: Result, policy: str) -> None:
     """LinkworkWarning, with "warn", or AccuracyError, with "stop": the run is more than 1 % off."""
     verdict = result.verdict
     if verdict is None or verdict.level == "good" or policy == "pass":
