@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from linkwork.options import LEVELS
+
 if TYPE_CHECKING:
     from linkwork.results.result import Result
 
@@ -24,9 +26,7 @@ def numbers(result: Result) -> dict[str, Any]:
         "constraints": result.header.row_count,
         "frames": len(result),
         "t_end": float(result.t[-1]) if len(result) else None,
-        "max_violation": dict(
-            zip(("position", "velocity", "acceleration"), map(_number, violation), strict=True)
-        ),
+        "max_violation": dict(zip(LEVELS, map(_number, violation), strict=True)),
         "energy_start": _number(energy[0]) if len(result) else None,
         "constraint_rank": result.header.row_count - len(result.redundant_rows),
         "unique_reactions": int(result.unique_reactions.sum()),

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, nearest, unwritable
+from linkwork.options import LEVELS
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
@@ -28,7 +29,6 @@ SAMPLED_FRAMES = 50
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 LINES = ("-", "-", "-", (0, (5, 3)), "-")
 COORDINATES = (("x", "-"), ("y", "--"), ("z", ":"))
-LEVELS = ("position", "velocity", "acceleration")
 
 
 def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
