@@ -1,7 +1,7 @@
 """No function is longer than a screen.
 
 Counted are the lines from `def` to the end without the docstring: at most 60, and at most 40 where no comment
-beginning with "Long:" says why it is better whole.
+beginning with "Long:", inside or above it, says why it is better whole.
 """
 
 import ast
@@ -22,7 +22,7 @@ def functions(file: Path) -> Iterator[tuple[str, int, bool]]:
             has_docstring = ast.get_docstring(node) is not None
             docstring = (first.end_lineno or 0) - first.lineno + 1 if has_docstring else 0
             end = node.end_lineno or 0
-            reason = any("# Long:" in line for line in lines[node.lineno - 1 : end])
+            reason = any("# Long:" in line for line in lines[node.lineno - 2 : end])
             yield (
                 f"{file.relative_to(ROOT)}:{node.lineno} {node.name}",
                 end - node.lineno + 1 - docstring,

@@ -171,13 +171,14 @@ class Method:
         return f"{what}: {_off(error)}; {better} would give {AIM:.0e}".replace("e-0", "e-")
 
 
+# Long: the formulas of one estimate, one after the other.
 def estimate(
     found: Mapping[str, Any],
     energies: Energies,
     method: Method,
     statistics: Mapping[str, Any],
     before: float = 0.0,
-) -> Verdict:  # Long: the formulas of one estimate, one after the other.
+) -> Verdict:
     """From what `_core.Run.judge` found."""
     ok = found["failed"] == 0
     if not ok.any():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -87,7 +87,12 @@ class Fixed:
             )
         compiled = method.compiled() if isinstance(method, Integrator) else None
         return _core.Simulation(
-            system.compiled(), compiled, self.t_end, self.step, self.record_every, **_from(start)
+            system.compiled(),
+            compiled,
+            t_end=self.t_end,
+            step=self.step,
+            record_every=self.record_every,
+            **_from(start),
         )
 
     def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
@@ -183,9 +188,13 @@ class Adaptive:
         return {}
 
 
-def _from(start: Snapshot | None) -> dict[str, Any]:
-    """What a run begins with; without, at t = 0 as the model says."""
+def _from(start: Snapshot | None) -> _Start:
     return {} if start is None else {"t_start": start.t, "start": start.y}
+
+
+class _Start(TypedDict, total=False):
+    t_start: float
+    start: NDArray[np.float64]
 
 
 def plan(
