@@ -555,7 +555,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods):
         return self._bodies.indices(bodies, Subject("model", self.name, False, 1))
 
     @property
-    def curves(self) -> dict[int, NDArray[np.float64]]:
+    def curves(self) -> dict[int, Floats]:
         """Of each point_on_curve, by the index of the joint: points along it (m, 3), in body a [m]."""
         return {joint: it.line() for joint, it in self._special.items() if isinstance(it, CurveData)}
 

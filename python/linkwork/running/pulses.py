@@ -14,8 +14,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.functions import Broken, Callback, Expression, Sum, TimeFunction
 from linkwork.modeling.model import Model
 from linkwork.running import callbacks
@@ -72,7 +72,7 @@ def _harmless(function: TimeFunction) -> bool:
     return not isinstance(function, Callback) or callbacks.is_stateless(function.value)
 
 
-def _far(function: TimeFunction, times: NDArray[np.float64]) -> list[float]:
+def _far(function: TimeFunction, times: Floats) -> list[float]:
     """Where it is far from the straight line between its neighbors, those first where it is farthest."""
     value: Callable[[float], float] = lambda t: function.evaluate(t)[0]  # noqa: E731
     if isinstance(function, Callback):
@@ -91,7 +91,7 @@ def _far(function: TimeFunction, times: NDArray[np.float64]) -> list[float]:
     return _outliers(times[seen], by_place)
 
 
-def _outliers(t: NDArray[np.float64], f: NDArray[np.float64]) -> list[float]:
+def _outliers(t: Floats, f: Floats) -> list[float]:
     if len(t) < 3 or not np.isfinite(f).all():
         return []
     share = (t[1:-1] - t[:-2]) / (t[2:] - t[:-2])
