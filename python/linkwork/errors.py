@@ -20,24 +20,10 @@ if TYPE_CHECKING:
     from linkwork.results.result import Result
 
 __all__ = [
-    "AccuracyError",
-    "Fault",
-    "FileError",
-    "LinkworkError",
-    "LinkworkWarning",
-    "ModelError",
-    "ModelFileError",
-    "NotConvergedError",
-    "NotFiniteError",
-    "OptionError",
-    "SingularSystemError",
-    "StepSizeError",
-    "ViolationError",
-    "cause",
-    "nearest",
-    "unwritable",
-    "warn",
-]
+    "AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
+    "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError", "SingularSystemError",
+    "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
+]  # fmt: skip
 
 
 class LinkworkError(Exception):

@@ -18,16 +18,9 @@ from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, SingularSystemError
 
 __all__ = [
-    "DENSE",
-    "Constraints",
-    "SparseConstraints",
-    "balance",
-    "constraints_of",
-    "free_motions",
-    "null_space",
-    "saddle_point",
-    "shared",
-]
+    "DENSE", "Constraints", "SparseConstraints", "balance", "constraints_of", "free_motions",
+    "null_space", "saddle_point", "shared",
+]  # fmt: skip
 
 #: Up to so many columns of D dense matrices are the faster ones.
 DENSE = 480

@@ -22,15 +22,8 @@ from linkwork.importers.sdf import import_sdf
 from linkwork.importers.urdf import import_urdf
 
 __all__ = [
-    "IMPORTERS",
-    "Imported",
-    "Note",
-    "import_mjcf",
-    "import_sdf",
-    "import_urdf",
-    "is_importable",
-    "read",
-]
+    "IMPORTERS", "Imported", "Note", "import_mjcf", "import_sdf", "import_urdf", "is_importable", "read",
+]  # fmt: skip
 
 #: By file name extension.
 IMPORTERS: Mapping[str, Callable[..., Imported]] = {

@@ -27,15 +27,9 @@ from linkwork.modeling.shapes import KINDS as SHAPES
 from linkwork.options import RUN_SETTINGS, TABLE
 
 __all__ = [
-    "VERSION",
-    "Attached",
-    "Document",
-    "Element",
-    "Record",
-    "document_type",
-    "element_type",
+    "VERSION", "Attached", "Document", "Element", "Record", "document_type", "element_type",
     "json_schema",
-]
+]  # fmt: skip
 
 #: Of the format.
 VERSION = 1
