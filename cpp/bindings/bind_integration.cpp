@@ -1,6 +1,6 @@
 #include "bindings.hpp"
+#include "linkwork/integration/accumulated_error.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
-#include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/simulation.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -36,64 +36,39 @@ SecondTake second_take(const py::object& method, bool other) {
   return take;
 }
 
-/// One array for each number of what a run and its steps say.
-py::dict to_dict(const std::vector<RunPart>& parts, const std::vector<StepError>& errors,
-                 const std::vector<int>& part_of) {
+py::dict to_dict(const AccumulatedError& found) {
+  py::list steps;
+  for (const JudgedStep& it : found.steps)
+    steps.append(py::make_tuple(it.t, it.h, it.state,
+                                std::isnan(it.reactions) ? py::object(py::none()) : py::float_(it.reactions)));
   py::dict out;
-  const auto list = [&](const char* name, const auto& of, auto number) {
-    std::vector<double> values;
-    values.reserve(of.size());
-    for (const auto& one : of) values.push_back(static_cast<double>(number(one)));
-    const auto size = static_cast<py::ssize_t>(values.size());
-    out[name] = to_numpy(std::move(values), {size});
-  };
-  list("part_t", parts, [](const RunPart& it) { return it.t; });
-  list("part_seconds", parts, [](const RunPart& it) { return it.seconds; });
-  list("part_steps", parts, [](const RunPart& it) { return it.steps; });
-  list("part_change", parts, [](const RunPart& it) { return it.sum_of_changes; });
-  list("part", part_of, [](int it) { return it; });
-  using E = StepError;
-  const std::pair<const char*, double E::*> numbers[] = {{"t", &E::t},
-                                                         {"h", &E::h},
-                                                         {"change", &E::change},
-                                                         {"position", &E::position},
-                                                         {"rotation", &E::rotation},
-                                                         {"velocity", &E::velocity},
-                                                         {"omega", &E::omega},
-                                                         {"force", &E::force},
-                                                         {"torque", &E::torque},
-                                                         {"speed", &E::speed},
-                                                         {"spin", &E::spin},
-                                                         {"acceleration", &E::acceleration},
-                                                         {"spin_rate", &E::spin_rate},
-                                                         {"largest_force", &E::largest_force},
-                                                         {"largest_torque", &E::largest_torque},
-                                                         {"violation", &E::violation}};
-  for (const auto& [name, number] : numbers) list(name, errors, [member = number](const E& it) { return it.*member; });
-  list("failed", errors, [](const E& it) { return it.failed; });
+  out["steps"] = steps;
+  out["failed"] = found.failed;
+  out["state"] = found.state;
+  out["local_error"] = found.local_error;
+  out["reactions_by_state"] = found.reactions_by_state;
+  out["violation"] = found.violation;
+  out["rate"] = found.rate;
+  out["seconds"] = found.seconds;
   return out;
 }
 
 /// Where the run is now.
-double relative_violation(const Run& run, RelativeViolation measure) {
+double relative_violation(const Run& run, RelativeViolation& measure) {
   return measure.largest(run.t(), run.y(), run.dynamics().history());
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
-  RelativeViolation violation(dynamics.system());
-  const double end_violation = relative_violation(run, violation);
   SecondTake take = second_take(method, other);
-  RunErrors found;
+  AccumulatedError found;
   {
     const py::gil_scoped_release release;
-    found = judge_run(run.sampling(), dynamics, std::move(take));
+    RelativeViolation violation(dynamics.system());
+    const double end_violation = relative_violation(run, violation);
+    found = accumulate(judge_run(run.sampling(), dynamics, std::move(take)), violation.length());
+    found.violation = std::max(found.violation, end_violation);
   }
-  py::dict out = to_dict(found.parts, found.steps, found.part_of);
-  out["end_violation"] = end_violation;
-  out["length"] = violation.length();
-  out["diagonal"] = found.diagonal;
-  out["resolved"] = found.resolved;
-  return out;
+  return to_dict(found);
 }
 
 py::dict to_dict(Frames&& frames, const System& system) {
@@ -201,7 +176,10 @@ void bind_runs(py::module_& module) {
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
       .def(
           "relative_violation",
-          [](const Run& run) { return relative_violation(run, RelativeViolation(run.dynamics().system())); },
+          [](const Run& run) {
+            RelativeViolation measure(run.dynamics().system());
+            return relative_violation(run, measure);
+          },
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
           "energies",
@@ -214,11 +192,9 @@ void bind_runs(py::module_& module) {
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
       .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
-           "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
-           "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
-           "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, "
-           "spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation "
-           "and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. "
+           "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
+           "relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, "
+           "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
            "`method`: that of the run, or one that is much more accurate, and `other`.")
       .def("statistics", &run_statistics);
 
