@@ -28,9 +28,14 @@ std::unique_ptr<Integrator> make_integrator(const py::object& method) {
 }
 
 /// `other`: it is not the method of the run, but one without an error beside it.
-SecondTake second_take(const py::object& method, bool other) {
+SecondTake second_take(const py::object& method, bool other, bool inside) {
   if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
-  if (py::isinstance<EmbeddedPair>(method)) return in_parts(make_runge_kutta(method.cast<EmbeddedPair>().method));
+  if (py::isinstance<EmbeddedPair>(method)) {
+    auto pair = method.cast<EmbeddedPair>();
+    SecondTake take = in_parts(make_runge_kutta(pair.method));
+    if (inside) take.pair = std::move(pair);
+    return take;
+  }
   SecondTake take = in_parts(make_integrator(method));
   if (other) take.left = 0.0;
   return take;
@@ -59,7 +64,7 @@ double relative_violation(const Run& run, RelativeViolation& measure) {
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
-  SecondTake take = second_take(method, other);
+  SecondTake take = second_take(method, other, run.records_inside());
   AccumulatedError found;
   {
     const py::gil_scoped_release release;

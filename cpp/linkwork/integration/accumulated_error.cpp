@@ -8,6 +8,7 @@ namespace {
 
 constexpr double growth = 5.0;   // characteristic times L / V in which an error of a velocity moves positions
 constexpr double steep = 10.0;   // times the mean of its part: a change of accelerations out of the ordinary
+constexpr double slowest = 0.1;  // pace from which errors along the path grow
 constexpr double still = 1e-6;   // relative to L, or to L / duration: below nothing moves, what is left is rounding
 
 /// A part of a run with the steps that are known of it: one, or two, the second the steepest.
@@ -63,21 +64,20 @@ class Accumulation {
     if (parts_.empty()) return std::move(out_);
     find_scales();
     list_steps();
-    out_.state = errors_.resolved * state();
-    out_.local_error = sum([this](const StepError& it) { return local(it); }) / out_.seconds;
+    out_.state = errors_.resolved * state() + inside();
+    out_.local_error = sum([this](const StepError& it) { return error(it.end); }) / out_.seconds;
     out_.rate = V_ / L_;
     return std::move(out_);
   }
 
  private:
   double speed(const StepError& it) const { return std::max(it.speed, L_ * it.spin); }
-  double pose(const StepError& it) const { return std::max(it.position, L_ * it.rotation) / size_; }
-  double velocity(const StepError& it) const { return std::max(it.velocity, L_ * it.omega) / V_; }
-  double local(const StepError& it) const { return std::max(pose(it), velocity(it)); }
-  /// How much larger an error of a pose is as one of the velocity: a body that is late by dt is off by the acceleration
-  /// times dt.
-  double shake(const StepError& it) const {
-    return std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_);
+  double pose(const StateDifference& it) const { return std::max(it.position, L_ * it.rotation) / size_; }
+  double velocity(const StateDifference& it) const { return std::max(it.velocity, L_ * it.omega) / V_; }
+  double error(const StateDifference& it) const { return std::max(pose(it), velocity(it)); }
+  /// |y_dot| by V / size: by how much the state is off where it is late, relative to how late.
+  double pace(const StepError& it) const {
+    return std::max(speed(it) / V_, std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_));
   }
 
   /// Over all the run, parts of which no step is known included.
@@ -112,33 +112,56 @@ class Accumulation {
     for (const StepError& it : errors_.steps) {
       if (it.failed) continue;
       const double reaction = largest > 0.0 ? std::max(it.force, it.torque / L_) / largest : NAN;
-      out_.steps.push_back({it.t, it.h, local(it), reaction});
+      const double state = error(it.end);
+      out_.steps.push_back({it.t, it.h, state, reaction});
       out_.violation = std::max(out_.violation, it.violation);
-      if (!std::isfinite(reaction) || !(local(it) > 0.0)) continue;
+      if (!std::isfinite(reaction) || !(state > 0.0)) continue;
       reactions += reaction;
-      states += local(it);
+      states += state;
     }
     out_.reactions_by_state = reactions / states;  // 0 / 0: not known
     std::stable_sort(out_.steps.begin(), out_.steps.end(),
                      [](const JudgedStep& a, const JudgedStep& b) { return a.t < b.t; });
   }
 
-  /// The larger of the errors of poses and velocities at any time.
+  /// Errors of poses and of velocities, as they add up.
+  struct Sums {
+    double poses = 0.0, velocities = 0.0, moments = 0.0;
+
+    void add(double pose, double velocity, double t) {
+      poses += pose;
+      velocities += velocity;
+      moments += velocity * t;
+    }
+    /// Of poses at t; `rate` [1/s] at which an error of a velocity moves them.
+    double moved(double t, double rate) const {
+      return poses + std::min(rate * (t * velocities - moments), growth * velocities);
+    }
+  };
+
+  /// The larger of both at any time.
   double state() const {
-    double poses = 0.0, velocities = 0.0, moments = 0.0, shaken = 0.0, end = 0.0;
-    const auto moved = [&](double t) {
-      return std::min(V_ / size_ * (t * velocities - moments), growth * velocities);
-    };
+    const double rate = V_ / size_;
+    Sums sums, along;
+    double late = 0.0, end = 0.0;
     for (const KnownPart& part : parts_) {
-      const double steps = missed_ * part.steps();
-      poses += steps * part.mean([this](const StepError& it) { return pose(it); });
-      const double of_part = steps * part.mean([this](const StepError& it) { return velocity(it); });
-      velocities += of_part;
-      moments += of_part * part.middle();
-      shaken = std::max(shaken, (poses + moved(part.middle())) * std::max(shake(*part.first), shake(*part.last)));
+      const double steps = missed_ * part.steps(), t = part.middle();
+      const double poses = steps * part.mean([this](const StepError& it) { return pose(it.end); });
+      const double velocities = steps * part.mean([this](const StepError& it) { return velocity(it.end); });
+      const double slow = 1.0 / std::clamp(pace(*part.first), slowest, 1.0);
+      sums.add(poses, velocities, t);
+      along.add(slow * poses, slow * velocities, t);
+      late = std::max(late, along.moved(t, rate) * std::max(pace(*part.first), pace(*part.last)));
       end = std::max(end, part.part->t + part.part->seconds);
     }
-    return std::max(poses + velocities + moved(end), shaken);
+    return std::max(sums.moved(end, rate) + sums.velocities, late);
+  }
+
+  double inside() const {
+    double largest = 0.0;
+    for (const StepError& it : errors_.steps)
+      if (!it.failed) largest = std::max(largest, error(it.inside));
+    return largest;
   }
 
   const RunErrors& errors_;
