@@ -64,6 +64,8 @@ double relative_violation(const Run& run, RelativeViolation& measure) {
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
+  std::optional<Busy> busy;
+  if (&dynamics != &run.dynamics()) busy.emplace(dynamics);
   SecondTake take = second_take(method, other, run.records_inside());
   AccumulatedError found;
   {
@@ -163,49 +165,51 @@ void bind_events(py::module_& module) {
 }
 
 void bind_runs(py::module_& module) {
-  module.def("time_sampling", &time_sampling, py::arg("dynamics"), py::arg("steps"),
+  module.def("time_sampling", exclusive(&time_sampling), py::arg("dynamics"), py::arg("steps"),
              "Time that a run of so many steps spends on following them for its verdict [s].");
   py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
-      .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
+      .def("advance", exclusive(&advance), py::arg("max_frames"), py::arg("max_seconds"),
            "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
            "history.")
-      .def("take_frames", [](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); })
+      .def("take_frames", exclusive(+[](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); }))
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
       .def_property_readonly(
-          "last_state", [](const Run& run) { return VectorXd(run.last_state().head(run.last_state().size() - 1)); },
+          "last_state",
+          exclusive(+[](const Run& run) { return VectorXd(run.last_state().head(run.last_state().size() - 1)); }),
           "y = (q, v) at t, from which the run went on.")
       .def_property_readonly(
-          "history", [](const Run& run) { return run.dynamics().history(); }, "Of last_state; see Dynamics.history.")
+          "history", exclusive(+[](const Run& run) { return VectorXd(run.dynamics().history()); }), "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
       .def(
           "relative_violation",
-          [](const Run& run) {
+          exclusive(+[](const Run& run) {
             RelativeViolation measure(run.dynamics().system());
             return relative_violation(run, measure);
-          },
+          }),
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
           "energies",
-          [](const Run& run) {
+          exclusive(+[](const Run& run) {
             const EnergyRange& it = run.sampling().energies();
             return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
-          },
+          }),
           "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
       .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
-      .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
+      .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
            "relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, "
            "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
            "`method`: that of the run, or one that is much more accurate, and `other`.")
-      .def("statistics", &run_statistics);
+      .def("statistics", &run_statistics);  // by way of those of its dynamics
 
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
                        std::int64_t record_every, double t_start, const VectorXd& start) {
+             const Busy busy(dynamics);
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<Simulation>(dynamics, make_integrator(integrator),
                                                  Schedule{t_end, step, record_every, t_start, start});
@@ -214,17 +218,19 @@ void bind_runs(py::module_& module) {
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
       .def(
           "begin_step",
-          [](Simulation& simulation) {
+          exclusive(+[](Simulation& simulation) {
             const double h = simulation.begin_step();
             return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
-          },
+          }),
           "(t, y, h) of the step that begins; h = 0 at the end.")
-      .def("accept", &Simulation::accept, py::arg("y"));
+      .def("accept", exclusive(+[](Simulation& simulation, const ConstVector& y) { simulation.accept(y); }),
+           py::arg("y"));
 
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
                        std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks) {
+             const Busy busy(dynamics);
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(dynamics, pair,
                                                          AdaptiveSchedule{t_end,
@@ -243,12 +249,12 @@ void bind_runs(py::module_& module) {
            py::keep_alive<1, 2>())
       .def(
           "take_occurrences",
-          [](AdaptiveSimulation& run) {
+          exclusive(+[](AdaptiveSimulation& run) {
             py::list out;
             for (const Occurrence& it : run.take_occurrences())
               out.append(py::make_tuple(it.event, it.t, it.before, it.after));
             return out;
-          },
+          }),
           "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
       .def("statistics", [](const AdaptiveSimulation& run) {
         py::dict out = run_statistics(run);

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from linkwork.contact import contact_hysteresis
     from linkwork.errors import (
         AccuracyError,
+        BusyError,
         Fault,
         FileError,
         LinkworkError,
@@ -58,6 +59,7 @@ __all__ = [
     "Body",
     "BodyResult",
     "Box",
+    "BusyError",
     "Comparison",
     "Cylinder",
     "Drive",
@@ -130,7 +132,7 @@ _PLACES = {
     "linkwork.contact": ("contact_hysteresis",),
     "linkwork.events": ("Event", "Occurrence", "State"),
     "linkwork.handles": ("Body", "Force", "Joint"),
-    "linkwork.errors": ("AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
+    "linkwork.errors": ("AccuracyError", "BusyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
                         "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
                         "SingularSystemError", "StepSizeError", "ViolationError"),
     "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),

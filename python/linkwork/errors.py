@@ -112,6 +112,10 @@ class ViolationError(LinkworkError):
     """The constraints are violated beyond the limit of the run."""
 
 
+class BusyError(LinkworkError):
+    """A System is called while it works, from another thread or from a function that it calls itself."""
+
+
 class AccuracyError(LinkworkError):
     """A run is less accurate than it may be."""
 
