@@ -174,24 +174,21 @@ void bind_runs(py::module_& module) {
       .def("take_frames", exclusive(+[](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); }))
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
-      .def_property_readonly(
-          "last_state",
-          exclusive(+[](const Run& run) { return VectorXd(run.last_state().head(run.last_state().size() - 1)); }),
-          "y = (q, v) at t, from which the run went on.")
-      .def_property_readonly(
-          "history", exclusive(+[](const Run& run) { return VectorXd(run.dynamics().history()); }), "Of last_state; see Dynamics.history.")
+      .def_property_readonly("last_state", exclusive(+[](const Run& run) {
+                               return VectorXd(run.last_state().head(run.last_state().size() - 1));
+                             }),
+                             "y = (q, v) at t, from which the run went on.")
+      .def_property_readonly("history", exclusive(+[](const Run& run) { return VectorXd(run.dynamics().history()); }),
+                             "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
-      .def(
-          "relative_violation",
-          exclusive(+[](const Run& run) {
-            RelativeViolation measure(run.dynamics().system());
-            return relative_violation(run, measure);
-          }),
-          "Largest violation of a position constraint now, relative to the size of the mechanism.")
+      .def("relative_violation", exclusive(+[](const Run& run) {
+             RelativeViolation measure(run.dynamics().system());
+             return relative_violation(run, measure);
+           }),
+           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
-          "energies",
-          exclusive(+[](const Run& run) {
+          "energies", exclusive(+[](const Run& run) {
             const EnergyRange& it = run.sampling().energies();
             return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
           }),
@@ -216,13 +213,11 @@ void bind_runs(py::module_& module) {
            }),
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
-      .def(
-          "begin_step",
-          exclusive(+[](Simulation& simulation) {
-            const double h = simulation.begin_step();
-            return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
-          }),
-          "(t, y, h) of the step that begins; h = 0 at the end.")
+      .def("begin_step", exclusive(+[](Simulation& simulation) {
+             const double h = simulation.begin_step();
+             return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
+           }),
+           "(t, y, h) of the step that begins; h = 0 at the end.")
       .def("accept", exclusive(+[](Simulation& simulation, const ConstVector& y) { simulation.accept(y); }),
            py::arg("y"));
 
@@ -247,15 +242,13 @@ void bind_runs(py::module_& module) {
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
            py::keep_alive<1, 2>())
-      .def(
-          "take_occurrences",
-          exclusive(+[](AdaptiveSimulation& run) {
-            py::list out;
-            for (const Occurrence& it : run.take_occurrences())
-              out.append(py::make_tuple(it.event, it.t, it.before, it.after));
-            return out;
-          }),
-          "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
+      .def("take_occurrences", exclusive(+[](AdaptiveSimulation& run) {
+             py::list out;
+             for (const Occurrence& it : run.take_occurrences())
+               out.append(py::make_tuple(it.event, it.t, it.before, it.after));
+             return out;
+           }),
+           "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
       .def("statistics", [](const AdaptiveSimulation& run) {
         py::dict out = run_statistics(run);
         const StepStatistics& steps = run.step_statistics();

@@ -7,20 +7,16 @@ eight parts. Each difference is the local error of that step, by Richardson's ex
 of every body: its position, rotation, velocity, angular velocity. Methods with memory and integrators of
 the user's own are compared with another one-step method, penalties and loose iterations with equations that
 are solved exactly. Functions of time of the user's own are looked at between steps, too, see
-`linkwork.narrow`. Errors are relative: of poses to L, half of the box in which centers of mass move or the
-longest arm, or to the path where that is shorter; of velocities to V, the largest speed.
+`linkwork.narrow`; and where frames come from the interpolant of long steps, what that gives.
 
-Over the run local errors add up. An error of a velocity is also one of positions later: it grows with time,
-as far as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. An error of a pose is a
-delay, which in an impact is one of the velocity. What does grow on is the error of the energy, as that of the
-speed along the path. The estimate is meant to be large rather than small: of 3600 runs of 300 random
-mechanisms by all integrators, see `tests/benchmarks/verdicts.py`, 90 % had one of 2 to 150 times the true
-error, 10 times in the median. It is much too large where errors die out, as in friction that sticks, with
-steps that are long for it, and where drivers leave nothing to go wrong.
+Over the run local errors add up, and grow: see `linkwork/integration/accumulated_error.hpp`. The estimate is
+meant to be large rather than small: of 3000 runs of 150 random mechanisms by all integrators, see
+`tests/benchmarks/verdicts.py`, 90 % had one of 2.4 to 140 times the true error, 11 times in the median. It is
+much too large where errors die out, as in friction that sticks, with steps that are long for it, and where
+drivers leave nothing to go wrong.
 
 The steps are taken again when the run is over, and change nothing in it. Of runs of 10 000 steps by rk4 that
-took 1.5 to 1.6 % of the time for a four-bar, Bricard's mechanism and a chain; about half a millisecond is its
-least, which is 4 to 5 % for one body, and 10 % by Euler's method.
+takes 1 % of the time or less, of one body by Euler's method 2 to 3 %.
 """
 
 from __future__ import annotations
@@ -134,7 +130,9 @@ class Energies:
         if self._first is None:
             self._first = float(balance[0])
         self._made = max(self._made, float(balance.max()) - self._first, self._first - float(balance.min()))
-        self.reach(float(kinetic.max()), float(potential.min()), float(potential.max()), float(np.abs(work).max()))
+        self.reach(
+            float(kinetic.max()), float(potential.min()), float(potential.max()), float(np.abs(work).max())
+        )
 
     def error(self) -> tuple[float, float]:
         """Made or lost, relative to what there was and to all that was exchanged: the first counts."""

@@ -50,7 +50,8 @@ std::vector<KnownPart> known_parts(const RunErrors& errors) {
     last = part;
   }
   for (KnownPart& part : out) part.weigh();
-  std::stable_sort(out.begin(), out.end(), [](const KnownPart& a, const KnownPart& b) { return a.part->t < b.part->t; });
+  std::stable_sort(out.begin(), out.end(),
+                   [](const KnownPart& a, const KnownPart& b) { return a.part->t < b.part->t; });
   return out;
 }
 
@@ -108,7 +109,8 @@ class Accumulation {
   void list_steps() {
     double largest = 0.0, reactions = 0.0, states = 0.0;
     for (const StepError& it : errors_.steps)
-      if (!it.failed && std::isfinite(it.force)) largest = std::max({largest, it.largest_force, it.largest_torque / L_});
+      if (!it.failed && std::isfinite(it.force))
+        largest = std::max({largest, it.largest_force, it.largest_torque / L_});
     for (const StepError& it : errors_.steps) {
       if (it.failed) continue;
       const double reaction = largest > 0.0 ? std::max(it.force, it.torque / L_) / largest : NAN;

@@ -44,13 +44,13 @@ struct StateDifference {
 /// in the local error of that step alone.
 struct StepError {
   double t = 0.0, h = 0.0, change = 0.0;
-  StateDifference end, inside;  ///< inside: where the first part ends; zero where that was not looked at
-  double force = 0.0, torque = 0.0;                                    ///< of reactions [N, N m]; NaN: not looked at
-  double speed = 0.0, spin = 0.0;                                      ///< m/s, rad/s
-  double acceleration = 0.0, spin_rate = 0.0;                          ///< mean over the step [m/s^2, rad/s^2]
-  double largest_force = 0.0, largest_torque = 0.0;                    ///< NaN likewise
-  double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
-  bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
+  StateDifference end, inside;                 ///< inside: where the first part ends; zero where that was not looked at
+  double force = 0.0, torque = 0.0;            ///< of reactions [N, N m]; NaN: not looked at
+  double speed = 0.0, spin = 0.0;              ///< m/s, rad/s
+  double acceleration = 0.0, spin_rate = 0.0;  ///< mean over the step [m/s^2, rad/s^2]
+  double largest_force = 0.0, largest_torque = 0.0;  ///< NaN likewise
+  double violation = 0.0;                            ///< of positions where the step ended, see RelativeViolation
+  bool failed = false;  ///< it could not be taken again in parts: nothing else but t, h and change is known
 };
 
 /// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.
