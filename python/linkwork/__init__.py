@@ -34,7 +34,7 @@ _PLACES = {
     "linkwork.modeling.contact": ("contact_hysteresis",),
     "linkwork.running.events": ("Event", "State"),
     "linkwork.modeling.handles": ("Body", "Force", "Joint"),
-    "linkwork.errors": ("AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
+    "linkwork.errors": ("AccuracyError", "BusyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
                         "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
                         "SingularSystemError", "StepSizeError", "ViolationError"),
     "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),
