@@ -275,9 +275,9 @@ std::vector<std::tuple<int, std::vector<int>, std::string>> groups(const Dynamic
 
 constexpr std::size_t listed_joints = 16;
 
-py::list passages(const Dynamics& dynamics) {
+py::list crossings(const Dynamics& dynamics) {
   py::list out;
-  for (const SingularPassage& it : dynamics.watch().passages()) {
+  for (const SingularityCrossing& it : dynamics.watch().crossings()) {
     std::vector<std::string> joints;
     for (std::size_t k = 0; k < std::min<std::size_t>(it.joints.size(), listed_joints); ++k)
       joints.push_back(dynamics.system().model().joint_name(it.joints[k]));
@@ -286,7 +286,7 @@ py::list passages(const Dynamics& dynamics) {
     one["pivot"] = it.pivot;
     one["joints"] = joints;
     one["rows_changed"] = it.rows_changed;
-    one["taken_over"] = it.taken_over;
+    one["fallback_evaluations"] = it.fallback_evaluations;
     out.append(one);
   }
   return out;
@@ -306,7 +306,7 @@ py::dict statistics(const Dynamics& dynamics) {
   out["smallest_pivot"] = cost.smallest_pivot;
   out["singular_poses"] = dynamics.watch().singular_poses();
   out["row_changes"] = dynamics.watch().row_changes();
-  out["passages"] = passages(dynamics);
+  out["singularity_crossings"] = crossings(dynamics);
   out["factor_nonzeros"] = dynamics.factorization_cost().factor_nonzeros;
   out["iterations"] = iterations.iterations;
   out["most_iterations"] = iterations.most;

@@ -132,7 +132,7 @@ py::list excesses(const Run& run) {
   constexpr const char* levels[] = {"position", "velocity", "acceleration"};
   const Model& model = run.dynamics().system().model();
   py::list out;
-  for (const Excess& it : run.budget().excesses()) {
+  for (const Excess& it : run.violation_monitor().excesses()) {
     py::dict one;
     one["level"] = levels[it.level];
     one["t"] = it.t;
@@ -157,7 +157,7 @@ py::dict to_dict(const Run& run, const Contradiction& found) {
 py::dict run_statistics(const Run& run) {
   py::dict out = py::cast(&run.dynamics(), py::return_value_policy::reference).attr("statistics")();
   out["steps"] = run.steps_done();
-  out["violations"] = run.budget().count();
+  out["violations"] = run.violation_monitor().count();
   out["projections"] = run.projections();
   out["excesses"] = excesses(run);
   if (const Contradiction& found = run.contradiction(); !std::isnan(found.t))

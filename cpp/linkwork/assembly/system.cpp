@@ -440,17 +440,17 @@ void System::add_D_transposed(const Evaluation& at, const ConstVector& lambda, M
         block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
 }
 
-VectorXd System::row_mobility(const Evaluation& at) const {
-  VectorXd mobility = VectorXd::Zero(row_count());
+VectorXd System::delassus_diagonal(const Evaluation& at) const {
+  VectorXd delassus = VectorXd::Zero(row_count());
   for (const ConstraintBlock& block : blocks_) {
     const Block D = block_of(at, block);
     for (int k = 0; k < block.rows; ++k) {
       const Vec3<double> rotation = D.row(k).tail<3>();
-      mobility[block.row + k] += inverse_mass(block.body) * D.row(k).head<3>().squaredNorm() +
+      delassus[block.row + k] += inverse_mass(block.body) * D.row(k).head<3>().squaredNorm() +
                                  rotation.dot(inverse_inertia(block.body) * rotation);
     }
   }
-  return mobility;
+  return delassus;
 }
 
 // A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.

@@ -127,7 +127,7 @@ class System {
   void multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const;             ///< y = D x
   void add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const;  ///< y += D^T lambda
   /// diag(D M^-1 D^T): how strongly each row accelerates under its own multiplier.
-  VectorXd row_mobility(const Evaluation& at) const;
+  VectorXd delassus_diagonal(const Evaluation& at) const;
 
   /// What joint k exerts on its second body, for all joints: force and torque about the joint's point on the second
   /// body, inertial axes (3 x joints each).

@@ -11,7 +11,7 @@ namespace {
 ///   [M  D^T] {  v_dot }   {a}
 ///   [D   0 ] {-lambda } = {b}                                                      (12.3)
 ///   (D M^-1 D^T) lambda = b - D M^-1 a,   v_dot = M^-1 (a + D^T lambda)            (12.5), (12.6)
-/// Where bodies have very small inertias the matrix is that of FilledInertia, and Refinement goes on from there.
+/// Where bodies have very small inertias the matrix is that of RegularizedInertia, and Refinement goes on from there.
 class Standard final : public Formulation {
  public:
   explicit Standard(std::unique_ptr<SaddleSolver> saddle) : saddle_(std::move(saddle)) {}
@@ -27,7 +27,7 @@ class Standard final : public Formulation {
   }
   void require_accuracy(double relative) override {
     accuracy_ = relative;
-    refined_ = inertia_->filled() || inertia_->shows(accuracy_);
+    refined_ = inertia_->regularized() || inertia_->shows(accuracy_);
     if (refined_) refinement_ = Refinement(*system_, inertia_->lengths());
   }
   void factorize(const Evaluation& at) override {
@@ -50,9 +50,9 @@ class Standard final : public Formulation {
   void refine(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
     const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
                                MutableVector dlambda) { saddle_->solve(r_1, r_2, dx, dlambda); };
-    const auto cause = inertia_->filled() ? Refinement::Cause::inertia : Refinement::Cause::roundoff;
+    const auto cause = inertia_->regularized() ? Refinement::Cause::inertia : Refinement::Cause::roundoff;
     const bool converged = refinement_.refine(*at_, a, b, v_dot, lambda, nearby, cause);
-    if (!converged && inertia_->filled()) throw_free_motion();
+    if (!converged && inertia_->regularized()) throw_free_motion();
   }
 
   [[noreturn]] void throw_free_motion() const {
@@ -67,7 +67,7 @@ class Standard final : public Formulation {
 
   const System* system_ = nullptr;
   const Evaluation* at_ = nullptr;
-  const FilledInertia* inertia_ = nullptr;
+  const RegularizedInertia* inertia_ = nullptr;
   std::unique_ptr<SaddleSolver> saddle_;
   VectorXd compliance_;  ///< 0, and 1 for dropped rows
   double accuracy_ = INFINITY;
@@ -82,7 +82,7 @@ FormulationInfo standard_formulation() {
           .documentation = "Lagrange multipliers, Flores (2015) eq. (12.3) or (12.5)-(12.6)",
           .forms = {"schur", "kkt"},
           .needs_full_rank = true,
-          .fills_inertia = true,
+          .regularizes_inertia = true,
           .make = [](std::unique_ptr<SaddleSolver> saddle, const Options&) -> std::unique_ptr<Formulation> {
             return std::make_unique<Standard>(std::move(saddle));
           }};

@@ -96,7 +96,7 @@ class Reduction {
   std::vector<int> next_, dead_;
 };
 
-/// Rows with more entries than this are dense: their square would be work.
+/// Rows with more entries than this are dense: their square would be costly.
 int dense_row(Eigen::Index columns) {
   return static_cast<int>(std::clamp(4.0 * std::sqrt(static_cast<double>(columns)), 100.0, 400.0));
 }

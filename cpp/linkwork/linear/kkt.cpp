@@ -17,7 +17,7 @@ class KktSolver final : public SaddleSolver {
     build_pattern();
     build_scaling(typical);
     solver_->analyze(matrix_->matrix());
-    work_.resize(matrix_->matrix().size, 1);
+    right_hand_side_.resize(matrix_->matrix().size, 1);
   }
 
   void factorize(const Evaluation& at, const VectorXd&) override {
@@ -28,12 +28,12 @@ class KktSolver final : public SaddleSolver {
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
-    work_.col(0) << a, b;
-    work_.col(0).array() *= scale_.array();
-    solver_->solve(work_);
-    work_.col(0).array() *= scale_.array();
-    x = work_.col(0).head(system_->v_size());
-    lambda = -work_.col(0).tail(system_->row_count());
+    right_hand_side_.col(0) << a, b;
+    right_hand_side_.col(0).array() *= scale_.array();
+    solver_->solve(right_hand_side_);
+    right_hand_side_.col(0).array() *= scale_.array();
+    x = right_hand_side_.col(0).head(system_->v_size());
+    lambda = -right_hand_side_.col(0).tail(system_->row_count());
   }
 
   std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
@@ -78,9 +78,9 @@ class KktSolver final : public SaddleSolver {
       block.bottomRightCorner<3, 3>() = J;
       block = scale.asDiagonal() * MatrixXd(block) * scale.asDiagonal();
     }
-    const VectorXd mobility = system_->row_mobility(typical);
-    for (Eigen::Index row = 0; row < mobility.size(); ++row)
-      if (mobility[row] > 0.0) scale_[6 * n + row] = 1.0 / std::sqrt(mobility[row]);
+    const VectorXd delassus = system_->delassus_diagonal(typical);
+    for (Eigen::Index row = 0; row < delassus.size(); ++row)
+      if (delassus[row] > 0.0) scale_[6 * n + row] = 1.0 / std::sqrt(delassus[row]);
   }
 
   void assemble(const Evaluation& at) {
@@ -100,7 +100,7 @@ class KktSolver final : public SaddleSolver {
   std::unique_ptr<BlockMatrix> matrix_;
   std::vector<int> upper_, lower_;  ///< places of each block of D
   VectorXd scale_;
-  MatrixXd work_;
+  MatrixXd right_hand_side_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ class NormalSolver final : public SaddleSolver {
     system_ = &system;
     build_pattern();
     solver_->analyze(matrix_->matrix());
-    work_.resize(system.v_size(), 1);
+    right_hand_side_.resize(system.v_size(), 1);
   }
 
   void factorize(const Evaluation& at, const VectorXd& e) override {
@@ -32,9 +32,9 @@ class NormalSolver final : public SaddleSolver {
     lambda = penalty_.cwiseProduct(b);
     x = a;
     system_->add_D_transposed(*at_, lambda, x);
-    work_.col(0) = x;
-    solver_->solve(work_);
-    x = work_.col(0);
+    right_hand_side_.col(0) = x;
+    solver_->solve(right_hand_side_);
+    x = right_hand_side_.col(0);
     system_->multiply_D(*at_, x, lambda);
     lambda = penalty_.cwiseProduct(b - lambda);
   }
@@ -122,7 +122,7 @@ class NormalSolver final : public SaddleSolver {
   std::vector<Term> terms_;
   std::vector<int> diagonal_;
   VectorXd penalty_;
-  MatrixXd work_;
+  MatrixXd right_hand_side_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ class SchurSolver final : public SaddleSolver {
     system_ = &system;
     build_pattern();
     solver_->analyze(matrix_->matrix());
-    work_.resize(system.row_count(), 1);
+    right_hand_side_.resize(system.row_count(), 1);
     acceleration_.resize(system.v_size());
   }
 
@@ -33,9 +33,9 @@ class SchurSolver final : public SaddleSolver {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
     system_->multiply_inverse_mass(a, acceleration_);
     system_->multiply_D(*at_, acceleration_, lambda);
-    work_.col(0) = b - lambda;
-    solver_->solve(work_);
-    lambda = work_.col(0);
+    right_hand_side_.col(0) = b - lambda;
+    solver_->solve(right_hand_side_);
+    lambda = right_hand_side_.col(0);
     acceleration_ = a;
     system_->add_D_transposed(*at_, lambda, acceleration_);
     system_->multiply_inverse_mass(acceleration_, x);
@@ -124,7 +124,7 @@ class SchurSolver final : public SaddleSolver {
   std::unique_ptr<BlockMatrix> matrix_;
   std::vector<Term> terms_;
   std::vector<int> diagonal_;
-  MatrixXd work_;
+  MatrixXd right_hand_side_;
   VectorXd acceleration_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int fronts_ahead = 3;                         // that are prefetched
 constexpr std::ptrdiff_t most_prefetched = 64 * lanes;  // of a front; more would drive out what is needed now
-// What the registers hold beside a factor: accumulators.
+// What the registers hold beside a factor: sums.
 constexpr int columns_at_once = width == 8 ? 8 : width == 4 ? 4 : 2, vectors_at_once = width == 8 ? 2 : 1;
 
 LINKWORK_INLINE void prefetch_front(const Front& front, const Data& data) {
@@ -30,15 +30,16 @@ LINKWORK_INLINE double* diagonal_of(const Front& front, const Data& data) {
   return right_hand_side_of(front, data) + front.stride();
 }
 
-/// The column at a position, such that its entry at position p is [p]: of the panel, or of the update.
+/// The column at a position, such that its entry at position p is [p]: of the panel, or of the contribution block.
 LINKWORK_INLINE double* column_of(const Front& front, const Data& data, int position) {
   if (position < front.top) return data.panels + front.panel + position * static_cast<std::ptrdiff_t>(front.stride());
-  return data.updates + front.update + (position - front.top) * static_cast<std::ptrdiff_t>(front.kept) - front.top;
+  return data.contributions + front.contribution +
+         (position - front.top) * static_cast<std::ptrdiff_t>(front.contribution_rows) - front.top;
 }
 
 /// From a column at a position to the next.
 LINKWORK_INLINE std::ptrdiff_t column_stride(const Front& front, int position) {
-  return position < front.top ? front.stride() : front.kept;
+  return position < front.top ? front.stride() : front.contribution_rows;
 }
 
 LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - k0 < lanes ? front.width - k0 : lanes; }
@@ -87,10 +88,10 @@ LINKWORK_INLINE void gather_D(const std::ptrdiff_t* D, const Data& data, Native*
 
 /// M = L D L^T of a body with branches, with D^-1 L^-1 a: unit L with 1/d on its diagonal, then the other.
 void factor_mass(const CoreBody& body, const Data& data, SmallestPivot& smallest) {
-  const double* accumulator = data.accumulators + body.slot * accumulator_size;
+  const double* articulated = data.articulated_inertias + body.slot * articulated_inertia_size;
   double* own = data.factors + body.own_factors;
   Vector M[6], y = splat(0.0);
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) M[c] = load(accumulator + c * lanes);
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) M[c] = load(articulated + c * lanes);
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
     const Vector pivot = lane(M[k], k), inverse = inverse_of_lane(M[k], k);
     if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, -1};
@@ -149,7 +150,7 @@ void add_body_columns(const CoreBody& body, const Front& front, const Data& data
   const RowVector* vectors = data.vectors + body.first_vector;
   const std::ptrdiff_t stride = lanes * static_cast<std::ptrdiff_t>(body.vectors);
   const double *U = data.scratch, *scaled = U + 6 * stride;
-  for (const Segment* run = data.runs + body.first_run; run < data.runs + body.first_run + body.runs; ++run) {
+  for (const RelativeIndices* run = data.runs + body.first_run; run < data.runs + body.first_run + body.runs; ++run) {
     const std::ptrdiff_t C_stride = column_stride(front, run->parent_begin);
     double* C = column_of(front, data, run->parent_begin);
     for (int c = 0; c < run->length; c += columns_at_once, C += columns_at_once * C_stride) {
@@ -225,7 +226,7 @@ void backward_body(const CoreBody& body, const Data& data, const double* a, doub
 // --- hubs ------------------------------------------------------------------------------------------------------------
 
 LINKWORK_INLINE Vector column_of_mass(int body, int slot, int c, const Data& data) {
-  if (slot >= 0) return load(data.accumulators + slot * accumulator_size + c * lanes);
+  if (slot >= 0) return load(data.articulated_inertias + slot * articulated_inertia_size + c * lanes);
   return mass_column(data.mass[body], c, 0.0);
 }
 
@@ -257,9 +258,9 @@ void add_hub_right_hand_sides(const Front& front, const MixedFront& mixed, const
   for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h) {
     const Hub& hub = data.hubs[h];
     for (int k = 0; k < 6; ++k)
-      right[hub.position + k] -= hub.slot < 0
-                                     ? a[6 * hub.body + k]
-                                     : data.accumulators[hub.slot * accumulator_size + k * lanes + right_hand_side];
+      right[hub.position + k] -=
+          hub.slot < 0 ? a[6 * hub.body + k]
+                       : data.articulated_inertias[hub.slot * articulated_inertia_size + k * lanes + right_hand_side];
   }
 }
 
@@ -345,9 +346,11 @@ void update_columns(const Front& front, const Data& data) {
       int p = c / lanes * lanes;
       for (; p + vectors_at_once * lanes <= stride; p += vectors_at_once * lanes) {
         const int at[2] = {p, p + lanes};
-        add_product<-1, depth, columns, vectors_at_once>(C, front.kept, at, data.scratch + p, L + c, stride);
+        add_product<-1, depth, columns, vectors_at_once>(C, front.contribution_rows, at, data.scratch + p, L + c,
+                                                         stride);
       }
-      if (p < stride) add_product<-1, depth, columns, 1>(C, front.kept, &p, data.scratch + p, L + c, stride);
+      if (p < stride)
+        add_product<-1, depth, columns, 1>(C, front.contribution_rows, &p, data.scratch + p, L + c, stride);
     });
   }
 }
@@ -404,23 +407,23 @@ void factor_joints(const Front& front, const Data& data, const double* b, Smalle
 
 /// Adds the kept part of a column to the same rows of the parent's.
 LINKWORK_INLINE void add_column(const Front& front, const Data& data, const double* from, double* to) {
-  const Segment* segments = data.segments + front.first_segment;
-  for (int s = 0; s < front.segments; ++s)
-    add(to + segments[s].parent_begin, from + front.top + segments[s].begin, segments[s].length);
+  const RelativeIndices* relative = data.relative_indices + front.first_relative_indices;
+  for (int s = 0; s < front.relative_indices; ++s)
+    add(to + relative[s].parent_begin, from + front.top + relative[s].begin, relative[s].length);
 }
 
-/// Adds a front's update to its parent, run by run.
+/// Extend-add: a front's contribution block to its parent, run by run.
 void extend_add(const Front& front, const Data& data) {
   const Front& parent = data.fronts[front.parent];
-  const Segment* segments = data.segments + front.first_segment;
-  for (int s = 0; s < front.segments; ++s)
-    for (int c = 0; c < segments[s].length; ++c) {
-      const double* from =
-          data.updates + front.update + (segments[s].begin + c) * static_cast<std::ptrdiff_t>(front.kept);
-      double* to = column_of(parent, data, segments[s].parent_begin + c);
-      add(to + segments[s].parent_begin + c, from + segments[s].begin + c, segments[s].length - c);
-      for (int t = s + 1; t < front.segments; ++t)
-        add(to + segments[t].parent_begin, from + segments[t].begin, segments[t].length);
+  const RelativeIndices* relative = data.relative_indices + front.first_relative_indices;
+  for (int s = 0; s < front.relative_indices; ++s)
+    for (int c = 0; c < relative[s].length; ++c) {
+      const double* from = data.contributions + front.contribution +
+                           (relative[s].begin + c) * static_cast<std::ptrdiff_t>(front.contribution_rows);
+      double* to = column_of(parent, data, relative[s].parent_begin + c);
+      add(to + relative[s].parent_begin + c, from + relative[s].begin + c, relative[s].length - c);
+      for (int t = s + 1; t < front.relative_indices; ++t)
+        add(to + relative[t].parent_begin, from + relative[t].begin, relative[t].length);
     }
   add_column(front, data, right_hand_side_of(front, data), right_hand_side_of(parent, data));
   add_column(front, data, diagonal_of(front, data), diagonal_of(parent, data));
@@ -515,9 +518,9 @@ void backward_joints(const Front& front, const Data& data, double* x, double* la
   double* right = right_hand_side_of(front, data);
   if (front.parent >= 0) {
     const double* known = right_hand_side_of(data.fronts[front.parent], data);
-    const Segment* segments = data.segments + front.first_segment;
-    for (int s = 0; s < front.segments; ++s)
-      copy_vectors(right + front.top + segments[s].begin, known + segments[s].parent_begin, segments[s].length);
+    const RelativeIndices* relative = data.relative_indices + front.first_relative_indices;
+    for (int s = 0; s < front.relative_indices; ++s)
+      copy_vectors(right + front.top + relative[s].begin, known + relative[s].parent_begin, relative[s].length);
   }
   for (int k0 = (front.width - 1) / lanes * lanes; k0 >= 0; k0 -= lanes)
     with_count<lanes>(depth_at(front, k0), [&](auto depth) { backward_block<depth>(front, data, k0); });

@@ -31,7 +31,7 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
   Vector M[6], W[6];
   load_columns<rows>(data.D + step.D_body, W);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-    if (step.slot >= 0) M[c] = load(data.accumulators + step.slot * accumulator_size + c * lanes);
+    if (step.slot >= 0) M[c] = load(data.articulated_inertias + step.slot * articulated_inertia_size + c * lanes);
     else M[c] = mass_column(data.mass[step.body], c, a[6 * step.body + c]);
     W[c] += M[c] * in_right_hand_side;
   }
@@ -72,13 +72,13 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
       S[k] = K;
     }
     if (step.parent >= 0) {
-      double* accumulator = data.accumulators + step.parent_slot * accumulator_size;
+      double* articulated = data.articulated_inertias + step.parent_slot * articulated_inertia_size;
       LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
         Vector sum;
         if (step.parent_begins) sum = mass_column(data.mass[step.parent], c, a[6 * step.parent + c]);
-        else sum = load(accumulator + c * lanes);
+        else sum = load(articulated + c * lanes);
         LINKWORK_UNROLL for (int k = 0; k < rows; ++k) sum += V[k] * lane(T[k], c);
-        store(accumulator + c * lanes, sum);
+        store(articulated + c * lanes, sum);
       }
     }
     LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) {
@@ -99,7 +99,8 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
   Vector products[6], l = splat(0.0);
   if constexpr (rows > 0) {
     const Vector x_parent =
-        load(step.parent >= 0 ? data.accumulators + step.parent_slot * accumulator_size : right_hand_side_lane);
+        load(step.parent >= 0 ? data.articulated_inertias + step.parent_slot * articulated_inertia_size
+                              : right_hand_side_lane);
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k) products[k] = load(factors + (6 + k) * lanes) * x_parent;
     l = sums<rows>(products);
     store_first<rows>(lambda + step.row, l);

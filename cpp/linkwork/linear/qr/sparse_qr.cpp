@@ -80,7 +80,7 @@ class Elimination {
       factor_(front_);
       contribute(contributions_[s]);
       if (dense_.rows() > 0) {
-        postpone_weak_pivots();
+        delay_weak_pivots();
         reduce_dense_rows();
       }
       for (int k = 0; k < front_.pivots; ++k)
@@ -191,8 +191,9 @@ class Elimination {
     }
   }
 
-  /// Rows of R that would be taken from the dense ones many times over become dense rows, and their columns wait.
-  void postpone_weak_pivots() {
+  /// Rows of R that would be taken from the dense ones many times over become dense rows, and their columns are
+  /// delayed.
+  void delay_weak_pivots() {
     for (int j = 0; j < front_.pivots; ++j) {
       if (at(row_, j) < 0 || dense_.rows() >= most_rows_) continue;
       const double* R = front_.entries + at(row_, j);

@@ -1,4 +1,4 @@
-#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/closed_loops.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -42,11 +42,10 @@ bool joins_many(const Model& model, int joint) {
   return special && special->bodies().size() > 2;
 }
 
-/// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of
-/// all that remain, because only they touch that body.
-std::vector<char> peel_open_branches(const System& system, const VectorXd& scale, const Evaluation& at,
-                                     double tolerance) {
-  std::vector<char> removed(static_cast<std::size_t>(system.joint_count()), 0);
+/// Prunes leaves, bodies held by one joint, until none is left: the rows of such a joint are independent of all that
+/// remain, because only they touch that body.
+std::vector<char> prune_leaves(const System& system, const VectorXd& scale, const Evaluation& at, double tolerance) {
+  std::vector<char> pruned(static_cast<std::size_t>(system.joint_count()), 0);
   std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
   for (int body = 0; body < system.body_count(); ++body) {
     const BlockRange blocks = system.body_blocks(body);
@@ -58,32 +57,32 @@ std::vector<char> peel_open_branches(const System& system, const VectorXd& scale
     leaves.pop_back();
     for (const int index : system.body_blocks(body)) {
       const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
-      if (removed[static_cast<std::size_t>(block.joint)] || !independent(system.model(), at, scale, block, tolerance))
+      if (pruned[static_cast<std::size_t>(block.joint)] || !independent(system.model(), at, scale, block, tolerance))
         continue;
-      removed[static_cast<std::size_t>(block.joint)] = 1;
+      pruned[static_cast<std::size_t>(block.joint)] = 1;
       for (const int other : system.joint_blocks(block.joint)) {
         const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
         if (--joints_left[static_cast<std::size_t>(neighbor)] == 1 && neighbor != body) leaves.push_back(neighbor);
       }
     }
   }
-  return removed;
+  return pruned;
 }
 
 }  // namespace
 
-LoopCore::LoopCore(const System& system, const Evaluation& at, double tolerance)
-    : system_(&system), scale_(velocity_scale(system)), removed_(peel_open_branches(system, scale_, at, tolerance)) {
+ClosedLoops::ClosedLoops(const System& system, const Evaluation& at, double tolerance)
+    : system_(&system), scale_(velocity_scale(system)), pruned_(prune_leaves(system, scale_, at, tolerance)) {
   const auto& first = system.model().joint_rows();
   for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
-    if (!removed_[joint])
+    if (!pruned_[joint])
       for (int row = first[joint]; row < first[joint + 1]; ++row) rows_.push_back(row);
   find_components();
   find_tree();
 }
 
-/// Bodies joined by a joint of the core are in one component (union-find).
-void LoopCore::find_components() {
+/// Bodies joined by a joint in a loop are in one component (union-find).
+void ClosedLoops::find_components() {
   std::vector<int> parent(static_cast<std::size_t>(system_->body_count()));
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int body) {
@@ -93,9 +92,9 @@ void LoopCore::find_components() {
     }
     return body;
   };
-  std::vector<int> body_of_joint(removed_.size(), -1);
+  std::vector<int> body_of_joint(pruned_.size(), -1);
   for (const ConstraintBlock& block : system_->blocks()) {
-    if (removed_[static_cast<std::size_t>(block.joint)]) continue;
+    if (pruned_[static_cast<std::size_t>(block.joint)]) continue;
     int& first = body_of_joint[static_cast<std::size_t>(block.joint)];
     if (first < 0) first = block.body;
     parent[static_cast<std::size_t>(root(block.body))] = root(first);
@@ -108,33 +107,33 @@ void LoopCore::find_components() {
     return body_component_[static_cast<std::size_t>(body)] = found;
   };
   for (const ConstraintBlock& block : system_->blocks())
-    if (!removed_[static_cast<std::size_t>(block.joint)]) component(block.body);
+    if (!pruned_[static_cast<std::size_t>(block.joint)]) component(block.body);
   for (const int row : rows_)
     row_component_.push_back(component(body_of_joint[static_cast<std::size_t>(system_->model().joint_of_row(row))]));
 }
 
 /// Breadth first from the ground, then from the first body of every component without a joint to it: node 0 is the
 /// ground, node b + 1 a body.
-void LoopCore::find_tree() {
+void ClosedLoops::find_tree() {
   const Model& model = system_->model();
   const auto nodes = static_cast<std::size_t>(system_->body_count()) + 1;
-  closing_.assign(removed_.size(), 0);
+  closing_.assign(pruned_.size(), 0);
   parent_joint_.assign(nodes, -1);
   depth_.assign(nodes, -1);
   std::vector<int> grounded, queue;
-  for (std::size_t joint = 0; joint < removed_.size(); ++joint) {
+  for (std::size_t joint = 0; joint < pruned_.size(); ++joint) {
     const Element& element = model.joints()[joint];
-    if (!removed_[joint] && (element.i == ground || element.j == ground)) grounded.push_back(static_cast<int>(joint));
+    if (!pruned_[joint] && (element.i == ground || element.j == ground)) grounded.push_back(static_cast<int>(joint));
   }
   const auto visit = [&](int joint, int from) {
     if (joins_many(model, joint)) {
-      closing_[static_cast<std::size_t>(joint)] = !removed_[static_cast<std::size_t>(joint)];
+      closing_[static_cast<std::size_t>(joint)] = !pruned_[static_cast<std::size_t>(joint)];
       return;
     }
     const Element& element = model.joints()[static_cast<std::size_t>(joint)];
     const int to = element.i == from ? element.j : element.i;
     const auto node = static_cast<std::size_t>(to + 1);
-    if (removed_[static_cast<std::size_t>(joint)] || parent_joint_[static_cast<std::size_t>(from + 1)] == joint) return;
+    if (pruned_[static_cast<std::size_t>(joint)] || parent_joint_[static_cast<std::size_t>(from + 1)] == joint) return;
     if (depth_[node] >= 0) {
       closing_[static_cast<std::size_t>(joint)] = 1;
       return;
@@ -158,7 +157,7 @@ void LoopCore::find_tree() {
   }
 }
 
-std::vector<int> LoopCore::loop_of(int joint, std::size_t most) const {
+std::vector<int> ClosedLoops::loop_of(int joint, std::size_t most) const {
   const Model& model = system_->model();
   if (joins_many(model, joint)) return {};
   std::vector<int> loop = {joint};
@@ -175,7 +174,7 @@ std::vector<int> LoopCore::loop_of(int joint, std::size_t most) const {
   return loop;
 }
 
-SparseRows LoopCore::scaled_D(const Evaluation& at, VectorXd* lengths) const {
+SparseRows ClosedLoops::scaled_D(const Evaluation& at, VectorXd* lengths) const {
   SparseRows D(row_count(), system_->v_size());
   D.reserve(std::ptrdiff_t{2} * velocity_size * row_count());
   if (lengths) lengths->setOnes(row_count());

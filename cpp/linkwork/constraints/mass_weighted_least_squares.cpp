@@ -1,4 +1,4 @@
-#include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/mass_weighted_least_squares.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -43,12 +43,12 @@ Model with_masses(const System& system, const VectorXd& weights) {
 
 }  // namespace
 
-MetricSolver::MetricSolver(const System& system, const VectorXd& weights)
-    : MetricSolver(system, system.massless_bodies().empty() && weights.size() == 0
-                               ? nullptr
-                               : std::make_unique<System>(with_masses(system, weights))) {}
+MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, const VectorXd& weights)
+    : MassWeightedLeastSquares(system, system.massless_bodies().empty() && weights.size() == 0
+                                           ? nullptr
+                                           : std::make_unique<System>(with_masses(system, weights))) {}
 
-MetricSolver MetricSolver::of_geometry(const System& system) {
+MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& system) {
   const VectorXd lengths = characteristic_lengths(system);
   std::vector<Body> bodies = system.model().bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -59,7 +59,7 @@ MetricSolver MetricSolver::of_geometry(const System& system) {
   return {system, std::make_unique<System>(system.model().with_masses(bodies))};
 }
 
-MetricSolver::MetricSolver(const System& system, std::unique_ptr<System> other)
+MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other)
     : regularized_(std::move(other)),
       system_(regularized_ ? regularized_.get() : &system),
       saddle_(make_saddle_solver("kkt", linear_solver_info("block"))) {
@@ -67,7 +67,7 @@ MetricSolver::MetricSolver(const System& system, std::unique_ptr<System> other)
   saddle_->analyze(*system_, at);
 }
 
-bool MetricSolver::factorize(const Evaluation& at, const VectorXd& e) {
+bool MassWeightedLeastSquares::factorize(const Evaluation& at, const VectorXd& e) {
   try {
     saddle_->factorize(at, e);
   } catch (const SingularSystemError&) {
@@ -76,7 +76,8 @@ bool MetricSolver::factorize(const Evaluation& at, const VectorXd& e) {
   return true;
 }
 
-void MetricSolver::solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
+void MassWeightedLeastSquares::solve(const ConstVector& a, const ConstVector& b, MutableVector x,
+                                     MutableVector lambda) {
   saddle_->solve(a, b, x, lambda);
 }
 

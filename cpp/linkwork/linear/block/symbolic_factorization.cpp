@@ -1,4 +1,4 @@
-#include "linkwork/linear/block/schedule.hpp"
+#include "linkwork/linear/block/symbolic_factorization.hpp"
 
 #include <algorithm>
 #include <map>
@@ -14,11 +14,11 @@ constexpr int none = -1;
 
 std::ptrdiff_t padded(std::ptrdiff_t count) { return (count + lanes - 1) / lanes * lanes; }
 
-/// For each body that hangs on an open branch, the D block of the joint that holds it, or none.
+/// The bodies that pruning leaves takes off, one by one, and the D block of the inboard joint of each, or none.
 struct Branches {
-  std::vector<int> holding_block;  ///< per body; none for the core
-  std::vector<char> peeled;        ///< per body
-  std::vector<char> joint_peeled;  ///< per joint
+  std::vector<int> inboard_block;  ///< per body; none for the core
+  std::vector<char> pruned;        ///< per body
+  std::vector<char> joint_pruned;  ///< per joint
 };
 
 /// A joint of more than two bodies is part of loops, as if it closed one; then no open branch ends on it.
@@ -31,14 +31,14 @@ bool joins_two(const System& system, int joint) {
 Branches find_branches(const System& system, const std::vector<int>& rows_of_joint) {
   Branches out;
   const auto n = static_cast<std::size_t>(system.body_count());
-  out.holding_block.assign(n, none);
-  out.peeled.assign(n, 0);
-  for (const int rows : rows_of_joint) out.joint_peeled.push_back(rows == 0);
+  out.inboard_block.assign(n, none);
+  out.pruned.assign(n, 0);
+  for (const int rows : rows_of_joint) out.joint_pruned.push_back(rows == 0);
   std::vector<int> left(n), leaves;
   for (int body = 0; body < system.body_count(); ++body) {
     for (const int index : system.body_blocks(body))
       left[static_cast<std::size_t>(body)] +=
-          !out.joint_peeled[static_cast<std::size_t>(system.blocks()[static_cast<std::size_t>(index)].joint)];
+          !out.joint_pruned[static_cast<std::size_t>(system.blocks()[static_cast<std::size_t>(index)].joint)];
     if (left[static_cast<std::size_t>(body)] <= 1) leaves.push_back(body);
   }
   while (!leaves.empty()) {
@@ -46,16 +46,16 @@ Branches find_branches(const System& system, const std::vector<int>& rows_of_joi
     leaves.pop_back();
     const auto stays = [&](int index) {
       const int joint = system.blocks()[static_cast<std::size_t>(index)].joint;
-      return !out.joint_peeled[static_cast<std::size_t>(joint)] && !joins_two(system, joint);
+      return !out.joint_pruned[static_cast<std::size_t>(joint)] && !joins_two(system, joint);
     };
     const BlockRange own = system.body_blocks(body);
-    if (out.peeled[static_cast<std::size_t>(body)] || std::any_of(own.begin(), own.end(), stays)) continue;
-    out.peeled[static_cast<std::size_t>(body)] = 1;
+    if (out.pruned[static_cast<std::size_t>(body)] || std::any_of(own.begin(), own.end(), stays)) continue;
+    out.pruned[static_cast<std::size_t>(body)] = 1;
     for (const int index : own) {
       const int joint = system.blocks()[static_cast<std::size_t>(index)].joint;
-      if (out.joint_peeled[static_cast<std::size_t>(joint)]) continue;
-      out.joint_peeled[static_cast<std::size_t>(joint)] = 1;
-      out.holding_block[static_cast<std::size_t>(body)] = index;
+      if (out.joint_pruned[static_cast<std::size_t>(joint)]) continue;
+      out.joint_pruned[static_cast<std::size_t>(joint)] = 1;
+      out.inboard_block[static_cast<std::size_t>(body)] = index;
       for (const int other : system.joint_blocks(joint)) {
         const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
         if (neighbor != body && --left[static_cast<std::size_t>(neighbor)] <= 1) leaves.push_back(neighbor);
@@ -73,11 +73,11 @@ int other_body(const System& system, const ConstraintBlock& block) {
   return none;
 }
 
-/// Places that are given out and taken back; places of equal size are used again.
-class Places {
+/// Memory of contribution blocks over their lifetimes: freed places of about the same size are used again.
+class ContributionAllocator {
  public:
-  std::ptrdiff_t take(std::ptrdiff_t size) {
-    size = std::max<std::ptrdiff_t>(size, lanes);  // places are told apart by where they begin
+  std::ptrdiff_t allocate(std::ptrdiff_t size) {
+    size = std::max<std::ptrdiff_t>(size, lanes);  // places are known by where they begin
     if (const auto found = free_.lower_bound(size); found != free_.end() && found->first <= 2 * size) {
       const std::ptrdiff_t place = found->second;
       taken_[place] = found->first;
@@ -89,7 +89,7 @@ class Places {
     total_ += size;
     return place;
   }
-  void give_back(std::ptrdiff_t place) {
+  void release(std::ptrdiff_t place) {
     const auto found = taken_.find(place);
     free_.emplace(found->second, place);
     taken_.erase(found);
@@ -102,24 +102,24 @@ class Places {
   std::ptrdiff_t total_ = 0;
 };
 
-/// Fills the tree part; returns the accumulator of each body that has one when the tree is done (the core's).
+/// Fills the tree part; gives the slot of the articulated inertia of each body that has one at its end (the core's).
 class TreeBuilder {
  public:
-  TreeBuilder(const System& system, const Branches& branches, Schedule& out)
+  TreeBuilder(const System& system, const Branches& branches, SymbolicFactorization& out)
       : system_(system), branches_(branches), out_(out), slot_(static_cast<std::size_t>(system.body_count()), none) {
     group_children();
     std::vector<int> roots;
     for (int body = 0; body < system.body_count(); ++body)
-      if (!branches.peeled[static_cast<std::size_t>(body)] || parent(body) == none) roots.push_back(body);
+      if (!branches.pruned[static_cast<std::size_t>(body)] || parent(body) == none) roots.push_back(body);
     for (const int root : roots) visit(root);
-    out_.accumulator_count = slots_;
+    out_.articulated_inertia_count = slots_;
   }
   int slot(int body) const { return slot_[static_cast<std::size_t>(body)]; }
 
  private:
   int parent(int body) const {
-    const int index = branches_.holding_block[static_cast<std::size_t>(body)];
-    if (!branches_.peeled[static_cast<std::size_t>(body)] || index == none) return none;
+    const int index = branches_.inboard_block[static_cast<std::size_t>(body)];
+    if (!branches_.pruned[static_cast<std::size_t>(body)] || index == none) return none;
     return other_body(system_, system_.blocks()[static_cast<std::size_t>(index)]);
   }
 
@@ -148,7 +148,7 @@ class TreeBuilder {
       }
       const int done = body;
       path.pop_back();
-      if (branches_.peeled[static_cast<std::size_t>(done)]) append(done);
+      if (branches_.pruned[static_cast<std::size_t>(done)]) append(done);
     }
   }
 
@@ -159,7 +159,7 @@ class TreeBuilder {
     step.slot = slot(body);
     step.parent_slot = none;
     step.storage = out_.factor_size;
-    if (const int index = branches_.holding_block[static_cast<std::size_t>(body)]; index != none) {
+    if (const int index = branches_.inboard_block[static_cast<std::size_t>(body)]; index != none) {
       const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
       step.row = block.row;
       step.rows = block.rows;
@@ -190,7 +190,7 @@ class TreeBuilder {
 
   const System& system_;
   const Branches& branches_;
-  Schedule& out_;
+  SymbolicFactorization& out_;
   std::vector<int> slot_, free_slots_, child_begin_, child_;
   int slots_ = 0;
 };
@@ -204,22 +204,23 @@ constexpr std::size_t joints_of_a_large_hub = 1000;
 class CoreBuilder {
  public:
   CoreBuilder(const System& system, const Branches& branches, const TreeBuilder& tree, const std::vector<char>& dropped,
-              const std::vector<int>& rows_of_joint, const std::vector<Schedule::Postponed>& postponed, Schedule& out)
+              const std::vector<int>& rows_of_joint, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
+              SymbolicFactorization& out)
       : system_(system),
         branches_(branches),
         tree_(tree),
         dropped_(dropped),
         rows_of_joint_(rows_of_joint),
-        postponed_(postponed),
+        delayed_(delayed),
         out_(out) {
     for (int joint = 0; joint < system.joint_count(); ++joint)
-      if (!branches.joint_peeled[static_cast<std::size_t>(joint)]) joints_.push_back(joint);
+      if (!branches.joint_pruned[static_cast<std::size_t>(joint)]) joints_.push_back(joint);
     if (joints_.empty()) return;
     choose_order();
     place_bodies();
     append_fronts();
     connect();
-    out_.update_size = updates_.total();
+    out_.contribution_size = contributions_.total();
   }
 
  private:
@@ -256,7 +257,7 @@ class CoreBuilder {
     if (most <= joints_of_a_large_hub) order_ = order_with({});
     if (!candidates.empty()) {
       Order mixed = order_with(std::move(candidates));
-      if (most > joints_of_a_large_hub || !postponed_.empty() || mixed.cost < 0.7 * order_.cost)
+      if (most > joints_of_a_large_hub || !delayed_.empty() || mixed.cost < 0.7 * order_.cost)
         order_ = std::move(mixed);
     }
     const std::vector<int>& order = order_.elimination.order;
@@ -291,7 +292,7 @@ class CoreBuilder {
         graph.cliques.add(clique);
       }
     }
-    for (const Schedule::Postponed& it : postponed_)
+    for (const SymbolicFactorization::DelayedPivot& it : delayed_)
       graph.hub[static_cast<std::size_t>(core_index_[static_cast<std::size_t>(it.joint)])] =
           out.hub_node[static_cast<std::size_t>(it.hub)];
     out.elimination = order_joint_graph(graph);
@@ -389,7 +390,7 @@ class CoreBuilder {
     }
     out_.vectors.back().D[position - base] = D;
     if (static_cast<int>(out_.runs.size()) > body.first_run && position != front.top) {
-      Segment& run = out_.runs.back();
+      RelativeIndices& run = out_.runs.back();
       if (run.parent_begin + run.length == position) {
         run.length += 1;
         return;
@@ -406,7 +407,7 @@ class CoreBuilder {
     for (int k = supernode.first; k < supernode.last; ++k) front.width += append_unknowns(k, 0, front.width);
     front.top = static_cast<int>(padded(front.width));
     for (const int k : supernode.below) front.size += append_unknowns(k, front.top, front.size);
-    front.kept = static_cast<int>(padded(front.size));
+    front.contribution_rows = static_cast<int>(padded(front.size));
     front.size += front.width;
     front.mixed = append_mixed(supernode);
     front.panel = out_.panel_size;
@@ -475,33 +476,34 @@ class CoreBuilder {
     }
   }
 
-  /// Parents, runs of rows in them, and the places of the updates over their lifetimes.
+  /// Parents, runs of rows in them, and the places of contribution blocks over their lifetimes.
   void connect() {
     std::vector<char> begun(out_.fronts.size(), 0);
     for (std::size_t f = 0; f < out_.fronts.size(); ++f) {
       Front& front = out_.fronts[f];
       front.childless = !begun[f];
-      if (front.childless) front.update = updates_.take(update_size(front));
+      if (front.childless) front.contribution = contributions_.allocate(contribution_size(front));
       const Supernode& supernode = order_.elimination.supernodes[f];
       front.parent = supernode.parent;
-      front.first_segment = static_cast<int>(out_.segments.size());
+      front.first_relative_indices = static_cast<int>(out_.relative_indices.size());
       if (front.parent != none) {
         const auto p = static_cast<std::size_t>(front.parent);
         front.begins_parent = !begun[p];
-        if (front.begins_parent) out_.fronts[p].update = updates_.take(update_size(out_.fronts[p]));
+        if (front.begins_parent)
+          out_.fronts[p].contribution = contributions_.allocate(contribution_size(out_.fronts[p]));
         begun[p] = 1;
-        append_segments(supernode.below, order_.elimination.supernodes[p], out_.fronts[p]);
+        append_relative_indices(supernode.below, order_.elimination.supernodes[p], out_.fronts[p]);
       }
-      front.segments = static_cast<int>(out_.segments.size()) - front.first_segment;
-      updates_.give_back(front.update);
+      front.relative_indices = static_cast<int>(out_.relative_indices.size()) - front.first_relative_indices;
+      contributions_.release(front.contribution);
     }
   }
 
-  static std::ptrdiff_t update_size(const Front& front) {
-    return static_cast<std::ptrdiff_t>(front.size - front.width) * front.kept;
+  static std::ptrdiff_t contribution_size(const Front& front) {
+    return static_cast<std::ptrdiff_t>(front.size - front.width) * front.contribution_rows;
   }
 
-  void append_segments(const std::vector<int>& below, const Supernode& parent, const Front& parent_front) {
+  void append_relative_indices(const std::vector<int>& below, const Supernode& parent, const Front& parent_front) {
     int row = 0, parent_row = 0, position = parent.first;
     auto next = parent.below.begin();
     const auto advance = [&] {  // to the next joint of the parent
@@ -516,10 +518,12 @@ class CoreBuilder {
         joined = false;
       }
       const int rows = rows_at(joint);
-      const bool kept = parent_row >= parent_front.width;
+      const bool below_width = parent_row >= parent_front.width;
       if (parent_row == parent_front.width) joined = false;
-      if (joined) out_.segments.back().length += rows;
-      else out_.segments.push_back({row, parent_row + (kept ? parent_front.top - parent_front.width : 0), rows});
+      if (joined) out_.relative_indices.back().length += rows;
+      else
+        out_.relative_indices.push_back(
+            {row, parent_row + (below_width ? parent_front.top - parent_front.width : 0), rows});
       joined = true;
       row += rows;
       advance();
@@ -531,18 +535,19 @@ class CoreBuilder {
   const TreeBuilder& tree_;
   const std::vector<char>& dropped_;
   const std::vector<int>& rows_of_joint_;
-  const std::vector<Schedule::Postponed>& postponed_;
-  Schedule& out_;
+  const std::vector<SymbolicFactorization::DelayedPivot>& delayed_;
+  SymbolicFactorization& out_;
   std::vector<int> joints_, core_index_, position_;
   std::vector<int> place_;  ///< of each elimination in the front at hand: of its first row
   std::vector<std::vector<int>> bodies_of_;
   Order order_;
-  Places updates_;
+  ContributionAllocator contributions_;
 };
 
 }  // namespace
 
-Schedule::Schedule(const System& system, const std::vector<int>& dropped, const std::vector<Postponed>& postponed) {
+SymbolicFactorization::SymbolicFactorization(const System& system, const std::vector<int>& dropped,
+                                             const std::vector<DelayedPivot>& delayed) {
   std::vector<char> is_dropped(static_cast<std::size_t>(system.row_count()), 0);
   for (const int row : dropped) is_dropped[static_cast<std::size_t>(row)] = 1;
   std::vector<int> rows_of_joint;
@@ -552,10 +557,10 @@ Schedule::Schedule(const System& system, const std::vector<int>& dropped, const 
         static_cast<int>(std::count(is_dropped.begin() + first[joint], is_dropped.begin() + first[joint + 1], 0)));
   const Branches branches = find_branches(system, rows_of_joint);
   const TreeBuilder tree(system, branches, *this);
-  const CoreBuilder core(system, branches, tree, is_dropped, rows_of_joint, postponed, *this);
+  const CoreBuilder core(system, branches, tree, is_dropped, rows_of_joint, delayed, *this);
 }
 
-int Schedule::next_hub(int row) const {
+int SymbolicFactorization::next_hub(int row) const {
   bool found = false;
   for (const Front& front : fronts) {
     const auto own = unknowns.begin() + front.unknown;

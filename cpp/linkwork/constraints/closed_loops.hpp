@@ -10,12 +10,12 @@ namespace linkwork {
 /// Rows of D by rows.
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// The closed loops of a system. Joints at the ends of open branches are taken off one by one: their equations are
-/// independent of all others where they are independent on the outer body. What is left falls into components that
-/// share no body.
-class LoopCore {
+/// The closed loops of a system: the 2-core of its graph of bodies and joints. Leaves are pruned one by one: the
+/// equations of their joints are independent of all others where they are independent on the outer body. What is left
+/// falls into components that share no body.
+class ClosedLoops {
  public:
-  LoopCore(const System& system, const Evaluation& at, double tolerance);
+  ClosedLoops(const System& system, const Evaluation& at, double tolerance);
 
   const std::vector<int>& rows() const { return rows_; }  ///< constraint rows, ascending
   int row_count() const { return static_cast<int>(rows_.size()); }
@@ -31,8 +31,8 @@ class LoopCore {
   /// the joint has more than two bodies.
   std::vector<int> loop_of(int joint, std::size_t most) const;
 
-  /// D of the core in velocities of natural size (see velocity_scale), every row scaled to unit length; a row that is
-  /// roundoff of zero becomes zero. `lengths`, where given, becomes the lengths of the rows, 1 for such ones.
+  /// D of the rows in loops in velocities of natural size (see velocity_scale), every row scaled to unit length; a row
+  /// that is roundoff of zero becomes zero. `lengths`, where given, becomes the lengths of the rows, 1 for such ones.
   SparseRows scaled_D(const Evaluation& at, VectorXd* lengths = nullptr) const;
 
  private:
@@ -42,7 +42,7 @@ class LoopCore {
   const System* system_;
   VectorXd scale_;  ///< of velocities
   std::vector<int> rows_, row_component_, body_component_;
-  std::vector<char> removed_, closing_;    ///< of all joints
+  std::vector<char> pruned_, closing_;     ///< of all joints
   std::vector<int> parent_joint_, depth_;  ///< in the tree: of the ground, then of the bodies
   int component_count_ = 0;
 };

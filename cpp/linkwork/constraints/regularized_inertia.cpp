@@ -1,4 +1,4 @@
-#include "linkwork/constraints/filled_inertia.hpp"
+#include "linkwork/constraints/regularized_inertia.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace linkwork {
 namespace {
 
 // Relative to the inertia of the body's other motions.
-constexpr double fill = 1e-5;       // what moments are filled up by: roundoff of 1e-10, and as few refinements
+constexpr double fill = 1e-5;       // what is added to moments: roundoff of 1e-10, and as few refinements
 constexpr double small = 1e-3;      // moments whose roundoff shows in any solution
 constexpr double roundoff = 4e-13;  // tolerance times moment from which on it shows in that tolerance
 constexpr double of_interest = 0.1;
@@ -110,8 +110,8 @@ struct Shortage {
   Mat3<double> inertia = Mat3<double>::Zero();
 };
 
-/// What vanishes is filled up in any case, what is tiny where joints feel it: else nothing comes of it, and a rotation
-/// that its own inertia decides keeps it.
+/// What vanishes is regularized in any case, what is tiny where joints feel it: else nothing comes of it, and a
+/// rotation that its own inertia decides keeps it.
 Shortage shortage_of(const System& system, const Evaluation& typical, int body, double natural) {
   const Mat3<double> J = system.inertia(body);
   Shortage out;
@@ -129,7 +129,7 @@ Shortage shortage_of(const System& system, const Evaluation& typical, int body, 
 
 }  // namespace
 
-FilledInertia::FilledInertia(const System& system, const Evaluation& typical) : given_(&system) {
+RegularizedInertia::RegularizedInertia(const System& system, const Evaluation& typical) : given_(&system) {
   const NaturalSizes natural(system);
   lengths_.resize(system.body_count());
   std::vector<Body> bodies;
@@ -144,9 +144,9 @@ FilledInertia::FilledInertia(const System& system, const Evaluation& typical) : 
     own.inertia += shortage.inertia;
     if (no_mass) own.mass += fill * natural.mass(body);
   }
-  if (!bodies.empty()) filled_ = std::make_unique<System>(system.model().with_masses(bodies));
+  if (!bodies.empty()) regularized_ = std::make_unique<System>(system.model().with_masses(bodies));
 }
 
-bool FilledInertia::shows(double accuracy) const { return smallest_ < small || smallest_ * accuracy < roundoff; }
+bool RegularizedInertia::shows(double accuracy) const { return smallest_ < small || smallest_ * accuracy < roundoff; }
 
 }  // namespace linkwork
