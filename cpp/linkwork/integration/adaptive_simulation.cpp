@@ -207,13 +207,15 @@ bool AdaptiveSimulation::leap() {
   const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
   with_time(t_, h, [&] {
     if (!crossing_.due(t_, std::min(h, remaining), y_, true)) return;
-    leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, remaining, y_);
+    const bool goes_on = end == schedule_.t_end && dynamics_.system().model().autonomous();
+    leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, goes_on ? INFINITY : remaining, y_);
     if (!leapt_) dynamics_.evaluate(clock(), y_);
   });
   if (!leapt_) return false;
   accepted_ = true;
   evaluated_ = false;
-  h_ = crossing_.last().h;
+  if (crossing_.last().h > remaining) crossing_.cut(remaining);
+  h_ = crossing_.last().followed;
   t_new_ = h_ == remaining ? end : crossing_.last().end();
   y_new_ = crossing_.last().y_new;
   stop_.reset();
@@ -382,16 +384,16 @@ void AdaptiveSimulation::record_inside() {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
     interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
     dynamics_.evaluate(std::max(t, breaks_.after(t_)), workspace_);
-    if (leapt_) record_in_leap(t);
+    if (leapt_) record_in_leap(t, workspace_);
     else recorder_.record(t, workspace_);
   });
   dynamics_.end_looking();
 }
 
-void AdaptiveSimulation::record_in_leap(double t) {
+void AdaptiveSimulation::record_in_leap(double t, const VectorXd& y) {
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
   crossing_.interpolate(crossing_.theta(t), v_dot, lambda);
-  recorder_.record(t, workspace_, v_dot, lambda);
+  recorder_.record(t, y, v_dot, lambda);
 }
 
 void AdaptiveSimulation::finish_step() {
@@ -499,7 +501,8 @@ void AdaptiveSimulation::record_if_due() {
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
   if (!due && !last) return;
   with_time(t_, NAN, [&] {
-    if (finished_) recorder_.record(t_, y_);
+    if (leapt_ && !stop_ && crossing_.last().is_cut()) record_in_leap(t_, y_);
+    else if (finished_) recorder_.record(t_, y_);
     else recorder_.record_in_step(t_, y_);
   });
 }

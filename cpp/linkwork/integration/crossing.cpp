@@ -196,11 +196,14 @@ double Crossing::best_length(const Search& search) const {
   } else {
     for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(std::min(factor * least, most));
   }
-  for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.05) {
-    const double h = grid > 0.0 ? std::max(1.0, std::round(factor * least / grid)) * grid : factor * least;
-    consider(std::min(h, most));
-  }
+  for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.05)
+    consider(allowed_length(search, factor * least));
   return best;
+}
+
+double Crossing::allowed_length(const Search& search, double h) {
+  if (search.grid > 0.0) h = std::max(1.0, std::round(h / search.grid)) * search.grid;
+  return std::min(h, search.most);
 }
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
@@ -215,16 +218,27 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
   leap_ = std::move(search.best);
+  leap_.followed = leap_.h;
   dynamics_.forget_trend();
   return true;
+}
+
+void Crossing::cut(double length) {
+  leap_.followed = length;
+  state_at(length, leap_.y_new);
 }
 
 /// False where no leap was found.
 bool Crossing::try_lengths(Search& search, const VectorXd& y) {
   bool any_converged = false;
   double base = search.least;
+  std::vector<double> tried;
   for (int k = 0; k < most_attempts && std::isfinite(search.least); ++k) {
+    const auto known = [&](double h) { return std::find(tried.begin(), tried.end(), h) != tried.end(); };
     leap_.h = best_length(search);
+    if (known(leap_.h)) leap_.h = allowed_length(search, other_lengths[k] * std::min(base, search.most));
+    if (known(leap_.h)) continue;
+    tried.push_back(leap_.h);
     const Quality quality = attempt();
     any_converged = any_converged || quality.converged;
     if (!quality.converged) {
@@ -262,7 +276,7 @@ void Crossing::begin_in_pose(double t, const VectorXd& y) {
 
 void Crossing::allocate(double t, const VectorXd& y) {
   const System& system = dynamics_.system();
-  leap_ = {t, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
+  leap_ = {t, 0.0, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
   v_dot_.resize(system.v_size());
   for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
 }
@@ -387,7 +401,7 @@ void Crossing::finish(Quality& quality) {
 /// none.
 std::vector<double> Crossing::poses_in_leap() {
   const auto root = [&](double at) {
-    interpolate(dynamics_.system(), at / leap_.h, y_);
+    state_at(at, y_);
     return poses_.root_at(leap_.t + at, y_);
   };
   std::vector<PivotSample> samples;
@@ -430,10 +444,10 @@ void Crossing::look_into_leap(double until) {
   if (!starting_) poses_.look_to(leap_.t, leap_.y);
   for (const double pose : leap_.poses)
     if (pose > 0.0 && leap_.t + pose < until && leap_.t + pose > poses_.last_listed() + same_pose * leap_.h) {
-      interpolate(dynamics_.system(), pose / leap_.h, y_);
+      state_at(pose, y_);
       poses_.list(leap_.t + pose, y_);
     }
-  interpolate(dynamics_.system(), theta(until), y_);
+  state_at(until - leap_.t, y_);
   poses_.restart();
   poses_.pass(until, poses_.root_at(until, y_), y_);
 }
@@ -443,15 +457,18 @@ bool Crossing::end(double t, const VectorXd& y) {
   return prepared_;
 }
 
-void Crossing::interpolate(const System& system, double theta, VectorXd& y) const {
+void Crossing::state_at(double time_in_leap, VectorXd& y) const {
+  const System& system = dynamics_.system();
   y = leap_.y;
-  y.noalias() += leap_.h * (leap_.k * gauss_.integrals(theta));
+  y.noalias() += leap_.h * (leap_.k * gauss_.integrals(time_in_leap / leap_.h));
   system.normalize(y.head(system.q_size()));
 }
 
+void Crossing::interpolate(const System&, double theta, VectorXd& y) const { state_at(theta * leap_.followed, y); }
+
 void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {
   const System& system = dynamics_.system();
-  const GaussCollocation::Weights l = gauss_.values(theta);
+  const GaussCollocation::Weights l = gauss_.values(theta * leap_.followed / leap_.h);
   v_dot = (leap_.k * l).segment(system.q_size(), system.v_size());
   lambda = leap_.lambda * l;
 }

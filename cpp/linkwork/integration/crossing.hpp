@@ -13,13 +13,15 @@ namespace linkwork {
 /// A step by collocation, with everything in between.
 struct Leap {
   double t = 0.0, h = 0.0;
+  double followed = 0.0;           ///< of h, by the run
   VectorXd y;                      ///< at t, on the constraints
-  VectorXd y_new;                  ///< at t + h, on the constraints
+  VectorXd y_new;                  ///< at t + followed; at t + h, on the constraints
   MatrixXd k;                      ///< y_dot at the nodes
   MatrixXd lambda;                 ///< multipliers at the nodes
   std::vector<double> poses = {};  ///< singular ones, times from t
 
   double end() const { return t + h; }
+  bool is_cut() const { return followed < h; }
 };
 
 /// Takes a run through singular poses.
@@ -49,8 +51,11 @@ class Crossing final : public Interpolant {
   }
 
   /// Tries to leap from (t, y) over the pose that is due, to t + k `grid`, k whole, or anywhere where that is 0, but
-  /// not beyond t + `most`. Leaves `dynamics` evaluated somewhere else.
+  /// not beyond t + `most`: the time until something is not smooth, or until the end of the run where what acts may not
+  /// be known beyond it. Leaves `dynamics` evaluated somewhere else.
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
+  /// The run ends in the leap, after `length`.
+  void cut(double length);
 
   // Poses that were passed are listed.
   // True, or nothing: `dynamics` was evaluated somewhere else.
@@ -62,8 +67,8 @@ class Crossing final : public Interpolant {
   bool end(double t, const VectorXd& y);
 
   const Leap& last() const { return leap_; }
-  double theta(double t) const { return (t - leap_.t) / leap_.h; }
-  /// The state in the last leap, with unit Euler parameters.
+  double theta(double t) const { return (t - leap_.t) / leap_.followed; }
+  /// The state in what is followed of the last leap, with unit Euler parameters.
   void interpolate(const System& system, double theta, VectorXd& y) const override;
   /// Accelerations and multipliers there.
   void interpolate(double theta, MutableVector v_dot, MutableVector lambda) const;
@@ -112,6 +117,8 @@ class Crossing final : public Interpolant {
   bool try_lengths(Search& search, const VectorXd& y);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
+  static double allowed_length(const Search& search, double h);
+  void state_at(double time_in_leap, VectorXd& y) const;
   std::vector<double> poses_in_leap();
   double rate(const Eigen::Matrix<double, 6, 1>& v) const;
   double size(const ConstVector& velocities) const;

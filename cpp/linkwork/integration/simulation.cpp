@@ -113,8 +113,10 @@ void Simulation::finish() {
 /// Where a singular pose is ahead.
 void Simulation::begin_leap() {
   if (!crossing_.due(t(), next_step(), y_, false)) return;
-  leaping_ = crossing_.leap(t(), next_step(), schedule_.step, schedule_.t_end - t(), y_);
+  const double most = dynamics_.system().model().autonomous() ? INFINITY : schedule_.t_end - t();
+  leaping_ = crossing_.leap(t(), next_step(), schedule_.step, most, y_);
   if (!leaping_) return dynamics_.evaluate(t(), y_);
+  if (crossing_.last().end() > schedule_.t_end) crossing_.cut(schedule_.t_end - t());
   crossing_.look_into_leap(std::min(crossing_.last().end(), schedule_.t_end));
   if (integrator_) integrator_->start(static_cast<int>(y_.size()));
   stop_at_singular_pose();

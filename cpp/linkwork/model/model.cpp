@@ -297,6 +297,11 @@ void Model::add_joint_force(const std::string& name, int joint, const std::strin
   joint_forces_.own().push_back({name, element.i, element.j, element.at, found, std::move(law)});
 }
 
+bool Model::autonomous() const {
+  const bool in_time = std::any_of(signals_.begin(), signals_.end(), [](const auto& s) { return s->of_time(); });
+  return !in_time && user_forces_.empty() && joint_forces_->empty();
+}
+
 int Model::joint_of_row(int row) const {
   return static_cast<int>(std::upper_bound(joint_rows_->begin(), joint_rows_->end(), row) - joint_rows_->begin()) - 1;
 }

@@ -92,6 +92,8 @@ class Model {
   const std::vector<std::shared_ptr<const UserForce>>& user_forces() const { return user_forces_; }
   const std::string& user_force_name(std::size_t k) const { return user_force_names_[k]; }
   const std::vector<JointForce>& joint_forces() const { return *joint_forces_; }
+  /// Nothing that acts or drives depends on time, nor is it computed by functions of the user's own.
+  bool autonomous() const;
   bool has_forces() const { return !forces_->empty() || !user_forces_.empty() || !joint_forces_->empty(); }
   const std::vector<Limited>& limited() const { return *limited_; }
   const std::vector<int>& joint_rows() const { return *joint_rows_; }  ///< first row of each joint, and the total
