@@ -26,13 +26,12 @@ Block block_of(const Evaluation& at, const ConstraintBlock& block) {
 template <class Key>
 void group_blocks(const std::vector<ConstraintBlock>& blocks, int groups, Key key, std::vector<int>& list,
                   std::vector<int>& begin) {
-  begin.assign(static_cast<std::size_t>(groups) + 1, 0);
-  for (const ConstraintBlock& block : blocks) begin[static_cast<std::size_t>(key(block)) + 1] += 1;
+  begin.assign(groups + 1, 0);
+  for (const ConstraintBlock& block : blocks) begin[key(block) + 1] += 1;
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   list.resize(blocks.size());
   std::vector<int> next(begin.begin(), begin.end() - 1);
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    list[static_cast<std::size_t>(next[static_cast<std::size_t>(key(blocks[b]))]++)] = static_cast<int>(b);
+  for (std::size_t b = 0; b < blocks.size(); ++b) list[next[key(blocks[b])]++] = static_cast<int>(b);
 }
 
 BlockRange range(const std::vector<int>& list, const std::vector<int>& begin, int k) {
@@ -83,25 +82,24 @@ void System::compile_joints() {
   std::vector<int> count(joint_kinds().size(), 0);
   std::vector<std::size_t> place(joint_kinds().size(), 0);
   for (const Element& element : model_.joints())
-    if (static_cast<std::size_t>(element.kind) < count.size()) count[static_cast<std::size_t>(element.kind)] += 1;
+    if (static_cast<std::size_t>(element.kind) < count.size()) count[element.kind] += 1;
   for (std::size_t kind = 0; kind < count.size(); ++kind) {
     if (count[kind] == 0) continue;
     place[kind] = joints_.size();
     const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
     joints_.push_back({joint_kinds()[kind].evaluate[instructions.level], instructions.width, {}});
-    joints_.back().batch.reserve(static_cast<std::size_t>(count[kind]), joint_kinds()[kind].info.parameters.size(),
-                                 instructions.width);
+    joints_.back().batch.reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions.width);
   }
   blocks_.reserve(2 * model_.joints().size());
   for (int joint = 0; joint < joint_count(); ++joint) {
-    const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+    const Element& element = model_.joints()[joint];
     if (const SpecialJoint* special = model_.special_joint(joint)) {
       compile_special_joint(joint, *special);
       continue;
     }
     const KindInfo& info = joint_info(element.kind);
-    JointBatch& batch = joints_[place[static_cast<std::size_t>(element.kind)]].batch;
-    const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
+    JointBatch& batch = joints_[place[element.kind]].batch;
+    const int row = model_.joint_rows()[joint];
     batch.body_i.push_back(element.i);
     batch.body_j.push_back(element.j);
     batch.attachment.push_back(element.at);
@@ -126,9 +124,9 @@ void System::compile_joints() {
 }
 
 void System::compile_special_joint(int joint, const SpecialJoint& special) {
-  const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+  const Element& element = model_.joints()[joint];
   const KindInfo& info = joint_info(element.kind);
-  const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
+  const int row = model_.joint_rows()[joint];
   special_joints_.push_back({&special, joint, row, info.rows, D_size_, history_size()});
   add_history(special.history_kind(), true, joint, special.history_size());
   most_bodies_ = std::max(most_bodies_, special.bodies().size());
@@ -146,8 +144,8 @@ void System::compile_forces() {
   const int n = body_count();
   for (std::size_t k = 0; k < model_.forces().size(); ++k) {
     const Element& element = model_.forces()[k];
-    const ForceKind& kind = force_kinds()[static_cast<std::size_t>(element.kind)];
-    Batch& batch = force_batches_[static_cast<std::size_t>(element.kind)];
+    const ForceKind& kind = force_kinds()[element.kind];
+    Batch& batch = force_batches_[element.kind];
     batch.body_i.push_back(element.i == ground ? n : element.i);
     batch.body_j.push_back(element.j == ground ? n : element.j);
     batch.attachment.push_back(element.at);
@@ -172,7 +170,7 @@ void System::add_history(HistoryKind kind, bool joint, int element, int count) {
 }
 
 std::string System::history_name(int variable) const {
-  const HistoryOwner& owner = history_owners_[static_cast<std::size_t>(variable)];
+  const HistoryOwner& owner = history_owners_[variable];
   if (owner.joint) return "joint '" + model_.joint_name(owner.element) + "'";
   if (const auto k = static_cast<std::size_t>(owner.element); k >= model_.forces().size())
     return "force '" + model_.joint_forces()[k - model_.forces().size()].name + "'";
@@ -200,7 +198,7 @@ void System::begin_history() {
 VectorXd System::blank_history() const {
   VectorXd out(history_size());
   for (int k = 0; k < history_size(); ++k)
-    out[k] = history_owners_[static_cast<std::size_t>(k)].joint ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    out[k] = history_owners_[k].joint ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   return out;
 }
 
@@ -222,10 +220,9 @@ VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVe
 
 Evaluation System::make_evaluation() const {
   Evaluation out;
-  if (!model_.forces().empty())
-    out.bodies.assign(static_cast<std::size_t>(body_count()) + 1, BodyState<double>::ground());
+  if (!model_.forces().empty()) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
-  out.D.assign(static_cast<std::size_t>(D_size_) + velocity_size, 0.0);
+  out.D.assign(D_size_ + velocity_size, 0.0);
   out.special.resize(most_bodies_);
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
@@ -318,7 +315,7 @@ void System::check_limits(double t, const std::vector<Signal<double>>& signals) 
 
 void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstVector& q, const ConstVector& v,
                                     const ConstVector& history, Evaluation& out) const {
-  const Element& element = model_.joints()[static_cast<std::size_t>(it.joint)];
+  const Element& element = model_.joints()[it.joint];
   std::array<Signal<double>, most_parameters> parameters{};
   const std::size_t count = joint_info(element.kind).parameters.size();
   for (std::size_t p = 0; p < count; ++p)
@@ -336,14 +333,14 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
       {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
   rows(out.Phi_dot) = rows(out.Phi_t);
   for (const int index : joint_blocks(it.joint)) {
-    const ConstraintBlock& block = blocks_[static_cast<std::size_t>(index)];
+    const ConstraintBlock& block = blocks_[index];
     rows(out.Phi_dot).noalias() += block_of(out, block) * v.segment<velocity_size>(velocity_size * block.body);
   }
 }
 
 void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
-  for (int b = 0; b < body_count(); ++b) out.bodies[static_cast<std::size_t>(b)] = moving(b, q, v);
+  for (int b = 0; b < body_count(); ++b) out.bodies[b] = moving(b, q, v);
   out.g.tail<velocity_size>().setZero();
   const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
                            out.switches.data(), &out.potential, &out.power};
@@ -461,7 +458,7 @@ void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVe
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
   using Vec6 = Eigen::Matrix<double, velocity_size, 1>;
   for (int joint = 0; joint < joint_count(); ++joint) {
-    const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+    const Element& element = model_.joints()[joint];
     const bool grounded = element.j == ground;
     const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
     const double* D = at.D.data() + block.offset;
@@ -477,26 +474,26 @@ void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVe
     torque.col(joint) = grounded ? Vec3<double>(-T) : T;
   }
   for (const CompiledSpecialJoint& it : special_joints_)
-    if (model_.joints()[static_cast<std::size_t>(it.joint)].j == ground) {
+    if (model_.joints()[it.joint].j == ground) {
       const std::vector<int>& bodies = it.special->bodies();
       const auto place = std::find(bodies.begin(), bodies.end(), ground) - bodies.begin();
       const Block D(at.D.data() + it.D + velocity_size * it.rows * place, it.rows, velocity_size);
       const Vec6 sum = D.transpose() * lambda.segment(it.row, it.rows);
       const Vec3<double> F = sum.head<3>();
       force.col(it.joint) = F;
-      torque.col(it.joint) = sum.tail<3>() - model_.joints()[static_cast<std::size_t>(it.joint)].at.s_j.cross(F);
+      torque.col(it.joint) = sum.tail<3>() - model_.joints()[it.joint].at.s_j.cross(F);
     }
 }
 
 const ConstraintBlock& System::block_of_body(int joint, int body) const {
   const BlockRange range = joint_blocks(joint);
   const int* found = range.begin();
-  while (blocks_[static_cast<std::size_t>(*found)].body != body) ++found;
-  return blocks_[static_cast<std::size_t>(*found)];
+  while (blocks_[*found].body != body) ++found;
+  return blocks_[*found];
 }
 
 Mat3<double> System::joint_frame(int joint, const ConstVector& q) const {
-  const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+  const Element& element = model_.joints()[joint];
   if (element.i == ground) return element.at.C_i;
   return rotation_matrix<double>(q.segment<4>(position_size * element.i + 3)) * element.at.C_i;
 }

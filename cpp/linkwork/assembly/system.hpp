@@ -106,10 +106,10 @@ class System {
                                HistoryVariable<double>& history) const;
 
   // The mass matrix: blocks diag(m I, J), constant.
-  double mass(int body) const { return mass_[static_cast<std::size_t>(body)].m; }
-  double inverse_mass(int body) const { return inverse_mass_[static_cast<std::size_t>(body)].m; }
-  ConstMat3 inertia(int body) const { return ConstMat3(mass_[static_cast<std::size_t>(body)].J); }
-  ConstMat3 inverse_inertia(int body) const { return ConstMat3(inverse_mass_[static_cast<std::size_t>(body)].J); }
+  double mass(int body) const { return mass_[body].m; }
+  double inverse_mass(int body) const { return inverse_mass_[body].m; }
+  ConstMat3 inertia(int body) const { return ConstMat3(mass_[body].J); }
+  ConstMat3 inverse_inertia(int body) const { return ConstMat3(inverse_mass_[body].J); }
   const std::vector<MassBlock>& mass_blocks() const { return mass_; }
   std::ptrdiff_t row_of_zeros() const { return D_size_; }  ///< its place in D
   /// Bodies whose mass or inertia is singular; their inverses are zero in the singular directions.

@@ -45,24 +45,23 @@ bool joins_many(const Model& model, int joint) {
 /// Prunes leaves, bodies held by one joint, until none is left: the rows of such a joint are independent of all that
 /// remain, because only they touch that body.
 std::vector<char> prune_leaves(const System& system, const VectorXd& scale, const Evaluation& at, double tolerance) {
-  std::vector<char> pruned(static_cast<std::size_t>(system.joint_count()), 0);
-  std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
+  std::vector<char> pruned(system.joint_count(), 0);
+  std::vector<int> joints_left(system.body_count()), leaves;
   for (int body = 0; body < system.body_count(); ++body) {
     const BlockRange blocks = system.body_blocks(body);
-    joints_left[static_cast<std::size_t>(body)] = static_cast<int>(blocks.end() - blocks.begin());
-    if (joints_left[static_cast<std::size_t>(body)] == 1) leaves.push_back(body);
+    joints_left[body] = static_cast<int>(blocks.end() - blocks.begin());
+    if (joints_left[body] == 1) leaves.push_back(body);
   }
   while (!leaves.empty()) {
     const int body = leaves.back();
     leaves.pop_back();
     for (const int index : system.body_blocks(body)) {
-      const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
-      if (pruned[static_cast<std::size_t>(block.joint)] || !independent(system.model(), at, scale, block, tolerance))
-        continue;
-      pruned[static_cast<std::size_t>(block.joint)] = 1;
+      const ConstraintBlock& block = system.blocks()[index];
+      if (pruned[block.joint] || !independent(system.model(), at, scale, block, tolerance)) continue;
+      pruned[block.joint] = 1;
       for (const int other : system.joint_blocks(block.joint)) {
-        const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
-        if (--joints_left[static_cast<std::size_t>(neighbor)] == 1 && neighbor != body) leaves.push_back(neighbor);
+        const int neighbor = system.blocks()[other].body;
+        if (--joints_left[neighbor] == 1 && neighbor != body) leaves.push_back(neighbor);
       }
     }
   }
@@ -83,33 +82,32 @@ ClosedLoops::ClosedLoops(const System& system, const Evaluation& at, double tole
 
 /// Bodies joined by a joint in a loop are in one component (union-find).
 void ClosedLoops::find_components() {
-  std::vector<int> parent(static_cast<std::size_t>(system_->body_count()));
+  std::vector<int> parent(system_->body_count());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int body) {
-    while (parent[static_cast<std::size_t>(body)] != body) {
-      int& up = parent[static_cast<std::size_t>(body)];
-      body = up = parent[static_cast<std::size_t>(up)];
+    while (parent[body] != body) {
+      int& up = parent[body];
+      body = up = parent[up];
     }
     return body;
   };
   std::vector<int> body_of_joint(pruned_.size(), -1);
   for (const ConstraintBlock& block : system_->blocks()) {
-    if (pruned_[static_cast<std::size_t>(block.joint)]) continue;
-    int& first = body_of_joint[static_cast<std::size_t>(block.joint)];
+    if (pruned_[block.joint]) continue;
+    int& first = body_of_joint[block.joint];
     if (first < 0) first = block.body;
-    parent[static_cast<std::size_t>(root(block.body))] = root(first);
+    parent[root(block.body)] = root(first);
   }
   std::vector<int> number(parent.size(), -1);
   body_component_.assign(parent.size(), -1);
   const auto component = [&](int body) {
-    int& found = number[static_cast<std::size_t>(root(body))];
+    int& found = number[root(body)];
     if (found < 0) found = component_count_++;
-    return body_component_[static_cast<std::size_t>(body)] = found;
+    return body_component_[body] = found;
   };
   for (const ConstraintBlock& block : system_->blocks())
-    if (!pruned_[static_cast<std::size_t>(block.joint)]) component(block.body);
-  for (const int row : rows_)
-    row_component_.push_back(component(body_of_joint[static_cast<std::size_t>(system_->model().joint_of_row(row))]));
+    if (!pruned_[block.joint]) component(block.body);
+  for (const int row : rows_) row_component_.push_back(component(body_of_joint[system_->model().joint_of_row(row)]));
 }
 
 /// Breadth first from the ground, then from the first body of every component without a joint to it: node 0 is the
@@ -127,18 +125,18 @@ void ClosedLoops::find_tree() {
   }
   const auto visit = [&](int joint, int from) {
     if (joins_many(model, joint)) {
-      closing_[static_cast<std::size_t>(joint)] = !pruned_[static_cast<std::size_t>(joint)];
+      closing_[joint] = !pruned_[joint];
       return;
     }
-    const Element& element = model.joints()[static_cast<std::size_t>(joint)];
+    const Element& element = model.joints()[joint];
     const int to = element.i == from ? element.j : element.i;
     const auto node = static_cast<std::size_t>(to + 1);
-    if (pruned_[static_cast<std::size_t>(joint)] || parent_joint_[static_cast<std::size_t>(from + 1)] == joint) return;
+    if (pruned_[joint] || parent_joint_[from + 1] == joint) return;
     if (depth_[node] >= 0) {
-      closing_[static_cast<std::size_t>(joint)] = 1;
+      closing_[joint] = 1;
       return;
     }
-    depth_[node] = depth_[static_cast<std::size_t>(from + 1)] + 1;
+    depth_[node] = depth_[from + 1] + 1;
     parent_joint_[node] = joint;
     queue.push_back(to);
   };
@@ -146,13 +144,10 @@ void ClosedLoops::find_tree() {
   for (const int joint : grounded) visit(joint, ground);
   for (int first = 0; first <= system_->body_count(); ++first) {
     for (std::size_t next = 0; next < queue.size(); ++next)
-      for (const int index : system_->body_blocks(queue[next]))
-        visit(system_->blocks()[static_cast<std::size_t>(index)].joint, queue[next]);
+      for (const int index : system_->body_blocks(queue[next])) visit(system_->blocks()[index].joint, queue[next]);
     queue.clear();
-    if (first == system_->body_count() || component_of_body(first) < 0 ||
-        depth_[static_cast<std::size_t>(first) + 1] >= 0)
-      continue;
-    depth_[static_cast<std::size_t>(first) + 1] = 0;
+    if (first == system_->body_count() || component_of_body(first) < 0 || depth_[first + 1] >= 0) continue;
+    depth_[first + 1] = 0;
     queue.push_back(first);
   }
 }
@@ -161,13 +156,13 @@ std::vector<int> ClosedLoops::loop_of(int joint, std::size_t most) const {
   const Model& model = system_->model();
   if (joins_many(model, joint)) return {};
   std::vector<int> loop = {joint};
-  int ends[2] = {model.joints()[static_cast<std::size_t>(joint)].i, model.joints()[static_cast<std::size_t>(joint)].j};
+  int ends[2] = {model.joints()[joint].i, model.joints()[joint].j};
   while (ends[0] != ends[1]) {
-    const auto depth = [&](int end) { return depth_[static_cast<std::size_t>(end + 1)]; };
+    const auto depth = [&](int end) { return depth_[end + 1]; };
     int& lower = depth(ends[0]) > depth(ends[1]) ? ends[0] : ends[1];
-    const int up = parent_joint_[static_cast<std::size_t>(lower + 1)];
+    const int up = parent_joint_[lower + 1];
     if (up < 0 || loop.size() >= most) return {};
-    const Element& element = model.joints()[static_cast<std::size_t>(up)];
+    const Element& element = model.joints()[up];
     lower = element.i == lower ? element.j : element.i;
     loop.push_back(up);
   }
@@ -181,13 +176,13 @@ SparseRows ClosedLoops::scaled_D(const Evaluation& at, VectorXd* lengths) const 
   std::vector<std::pair<int, double>> row;
   for (int place = 0; place < row_count(); ++place) {
     D.startVec(place);
-    const int number = rows_[static_cast<std::size_t>(place)];
+    const int number = rows_[place];
     double squares = 0.0, largest[2] = {0.0, 0.0};  // of translations and rotations
     row.clear();
     for (const int index : system_->joint_blocks(system_->model().joint_of_row(number))) {
-      const ConstraintBlock& block = system_->blocks()[static_cast<std::size_t>(index)];
+      const ConstraintBlock& block = system_->blocks()[index];
       for (int c = 0; c < 6; ++c) {
-        const double value = at.D[static_cast<std::size_t>(block.offset + 6 * (number - block.row) + c)];
+        const double value = at.D[block.offset + 6 * (number - block.row) + c];
         const int velocity = 6 * block.body + c;
         largest[c / 3] = std::max(largest[c / 3], std::abs(value));
         row.emplace_back(velocity, value * scale_[velocity]);

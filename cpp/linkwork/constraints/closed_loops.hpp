@@ -20,13 +20,13 @@ class ClosedLoops {
   const std::vector<int>& rows() const { return rows_; }  ///< constraint rows, ascending
   int row_count() const { return static_cast<int>(rows_.size()); }
   int component_count() const { return component_count_; }
-  int component_of_row(int place) const { return row_component_[static_cast<std::size_t>(place)]; }
+  int component_of_row(int place) const { return row_component_[place]; }
   /// -1 for bodies outside.
-  int component_of_body(int body) const { return body_component_[static_cast<std::size_t>(body)]; }
+  int component_of_body(int body) const { return body_component_[body]; }
 
   /// A spanning tree of short ways to the ground leaves out these joints: each closes a loop. The equations of the
   /// others are independent in (almost) every pose. Joints of more than two bodies count among them.
-  bool closing(int joint) const { return closing_[static_cast<std::size_t>(joint)] != 0; }
+  bool closing(int joint) const { return closing_[joint] != 0; }
   /// A closing joint and those of the tree with which it closes a loop; empty where they are more than `most`, or where
   /// the joint has more than two bodies.
   std::vector<int> loop_of(int joint, std::size_t most) const;

@@ -82,7 +82,7 @@ class Components {
   void measure_reach() {
     reach_.assign(count(), 0.0);
     for_each_body([&](int body, std::size_t c) {
-      reach_[c] = std::max(reach_[c], system_.model().bodies()[static_cast<std::size_t>(body)].position.norm());
+      reach_[c] = std::max(reach_[c], system_.model().bodies()[body].position.norm());
     });
   }
 

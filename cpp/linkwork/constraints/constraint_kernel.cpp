@@ -47,7 +47,7 @@ void ConstraintKernel::mark_members(std::vector<char>& marks) {
   const VectorXd n = vector(n_d);
   const double least = member * n.cwiseAbs().maxCoeff();
   for (Eigen::Index k = 0; k < n.size(); ++k)
-    if (std::abs(n[k]) > least) marks[static_cast<std::size_t>(k)] = 1;
+    if (std::abs(n[k]) > least) marks[k] = 1;
 }
 
 }  // namespace linkwork

@@ -30,7 +30,7 @@ class ConstraintKernel {
   void mark_members(std::vector<char>& marks);
 
  private:
-  int row(int place) const { return loops_.rows()[static_cast<std::size_t>(place)]; }
+  int row(int place) const { return loops_.rows()[place]; }
 
   MassWeightedLeastSquares& solver_;
   const ClosedLoops& loops_;

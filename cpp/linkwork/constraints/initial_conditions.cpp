@@ -70,8 +70,7 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
   for (const ConstraintBlock& block : this->system().blocks())
     usual.segment(block.row, block.rows).array() += this->system().inverse_inertia(block.body).trace() / 3.0;
   for (int row = 0; row < system.row_count(); ++row) {
-    if (rotations[static_cast<std::size_t>(row)])
-      delassus_[row] = std::max(delassus_[row], least_delassus * usual[row]);
+    if (rotations[row]) delassus_[row] = std::max(delassus_[row], least_delassus * usual[row]);
     if (!(delassus_[row] > 0.0)) delassus_[row] = 1.0;
   }
 }
@@ -81,7 +80,7 @@ void InitialConditions::evaluate(const VectorXd& q, const VectorXd& v) {
   history_ = at_.history;  // on the way to the constraints angles may turn far
   for (const int body : held_)
     for (const int place : system().body_blocks(body)) {
-      const ConstraintBlock& block = system().blocks()[static_cast<std::size_t>(place)];
+      const ConstraintBlock& block = system().blocks()[place];
       std::fill_n(at_.D.begin() + block.offset, 6 * block.rows, 0.0);
     }
 }

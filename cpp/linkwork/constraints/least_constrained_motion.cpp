@@ -31,7 +31,7 @@ std::string describe_least_constrained_motion(const System& system, const Evalua
   const MatrixXd K = system.massless_directions(body);
   MatrixXd held = MatrixXd::Zero(K.cols(), K.cols());  // K^T D^T D K
   for (const int index : system.body_blocks(body)) {
-    const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+    const ConstraintBlock& block = system.blocks()[index];
     const MatrixXd DK = Rows(at.D.data() + block.offset, block.rows, 6) * K;
     held += DK.transpose() * DK;
   }

@@ -21,8 +21,8 @@ Model with_masses(const System& system, const VectorXd& weights) {
   const auto n = static_cast<Eigen::Index>(model.bodies().size());
   VectorXd mass(n), moment(n);
   for (Eigen::Index b = 0; b < n; ++b) {
-    mass[b] = model.bodies()[static_cast<std::size_t>(b)].mass;
-    moment[b] = model.bodies()[static_cast<std::size_t>(b)].inertia.trace() / 3.0;
+    mass[b] = model.bodies()[b].mass;
+    moment[b] = model.bodies()[b].inertia.trace() / 3.0;
   }
   const double usual_mass = mean_of_positive(mass), usual_length = characteristic_lengths(system).mean();
   const double usual_moment =
@@ -35,8 +35,8 @@ Model with_masses(const System& system, const VectorXd& weights) {
       body.inertia = (moments[2] > 0.0 ? moments.mean() : usual_moment) * Mat3<double>::Identity();
   }
   for (Eigen::Index b = 0; b < weights.size(); ++b) {
-    bodies[static_cast<std::size_t>(b)].mass *= weights[b];
-    bodies[static_cast<std::size_t>(b)].inertia *= weights[b];
+    bodies[b].mass *= weights[b];
+    bodies[b].inertia *= weights[b];
   }
   return model.with_masses(bodies);
 }

@@ -41,8 +41,8 @@ std::unique_ptr<ConstraintKernel> make_kernel(MassWeightedLeastSquares& solver, 
 
 /// Per component of the loops: 6 per body less the rank.
 std::vector<int> degrees_of_freedom(const System& system, const ClosedLoops& loops, const Places& dependent) {
-  std::vector<int> out(static_cast<std::size_t>(loops.component_count()), 0);
-  const auto add = [&](int component, int count) { out[static_cast<std::size_t>(component)] += count; };
+  std::vector<int> out(loops.component_count(), 0);
+  const auto add = [&](int component, int count) { out[component] += count; };
   for (int body = 0; body < system.body_count(); ++body)
     if (const int component = loops.component_of_body(body); component >= 0) add(component, velocity_size);
   for (int place = 0; place < loops.row_count(); ++place) add(loops.component_of_row(place), -1);
@@ -66,7 +66,7 @@ double tolerance_of_geometry(const System& system, const ClosedLoops& loops, con
 void find_redundancy(const System& given, const ClosedLoops& loops, double tolerance, RankReport& report) {
   MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given);
   const System& system = solver.system();
-  const auto row = [&](int place) { return loops.rows()[static_cast<std::size_t>(place)]; };
+  const auto row = [&](int place) { return loops.rows()[place]; };
   const ConsistentPose start = project_positions(solver, loops, {0.0, report.q, system.initial_history()});
   report.q = start.q;
   tolerance = std::max(tolerance, tolerance_of_geometry(system, loops, report.q));
@@ -83,8 +83,8 @@ void find_redundancy(const System& given, const ClosedLoops& loops, double toler
 
   const Places kept = complement(redundant, loops.row_count());
   for (const int k : dependent_rows(select_rows(assembled.D, kept), tolerance))
-    report.singular_rows.push_back(row(kept[static_cast<std::size_t>(k)]));
-  std::vector<char> members(static_cast<std::size_t>(loops.row_count()), 0);
+    report.singular_rows.push_back(row(kept[k]));
+  std::vector<char> members(loops.row_count(), 0);
   const auto kernel = make_kernel(solver, loops, perturbed.at, report);
   if (kernel->regular()) kernel->mark_members(members);
   else std::fill(members.begin(), members.end(), 1);
@@ -93,8 +93,7 @@ void find_redundancy(const System& given, const ClosedLoops& loops, double toler
     if (at_start.regular()) at_start.mark_members(members);
   }
   for (int place = 0; place < loops.row_count(); ++place)
-    if (members[static_cast<std::size_t>(place)])
-      report.unique[static_cast<std::size_t>(system.model().joint_of_row(row(place)))] = 0;
+    if (members[place]) report.unique[system.model().joint_of_row(row(place))] = 0;
 }
 
 }  // namespace
@@ -104,7 +103,7 @@ PoseRank rank_of_constraints(const System& system, const Evaluation& at, double 
   PoseRank report;
   report.rows = system.row_count();
   for (const int place : dependent_rows(loops.scaled_D(at), tolerance))
-    report.dependent_rows.push_back(loops.rows()[static_cast<std::size_t>(place)]);
+    report.dependent_rows.push_back(loops.rows()[place]);
   report.rank = report.rows - static_cast<int>(report.dependent_rows.size());
   report.degrees_of_freedom = system.v_size() - report.rank;
   return report;
@@ -113,7 +112,7 @@ PoseRank rank_of_constraints(const System& system, const Evaluation& at, double 
 RankReport examine_rank(const System& given, double least_tolerance) {
   RankReport report;
   report.rows = given.row_count();
-  report.unique.assign(static_cast<std::size_t>(given.joint_count()), 1);
+  report.unique.assign(given.joint_count(), 1);
   report.q = given.model().initial_q();
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   Evaluation at = given.make_evaluation();
@@ -144,7 +143,7 @@ std::vector<DependentGroup> dependent_groups(const System& given, const RankRepo
     const double least = ConstraintKernel::member * n.cwiseAbs().maxCoeff();
     DependentGroup group{report.redundant_rows[k], {}};
     for (int place = 0; place < loops.row_count(); ++place)
-      if (const int row = loops.rows()[static_cast<std::size_t>(place)]; std::abs(n[place]) > least && row != group.row)
+      if (const int row = loops.rows()[place]; std::abs(n[place]) > least && row != group.row)
         group.others.push_back(row);
     groups.push_back(std::move(group));
   }
@@ -178,7 +177,7 @@ std::vector<int> free_massless_bodies(const System& system, const Evaluation& at
       const int column = static_cast<int>(owner.size());
       owner.push_back(body);
       for (const int index : system.body_blocks(body)) {
-        const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+        const ConstraintBlock& block = system.blocks()[index];
         for (int k = 0; k < block.rows; ++k) {
           const double value = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(at.D.data() + block.offset + 6 * k)
                                    .dot(kernel.col(c).transpose());
@@ -190,7 +189,7 @@ std::vector<int> free_massless_bodies(const System& system, const Evaluation& at
   std::vector<int> bodies;
   for (const int column :
        dependent_columns(system.row_count(), static_cast<int>(owner.size()), std::move(entries), tolerance))
-    bodies.push_back(owner[static_cast<std::size_t>(column)]);
+    bodies.push_back(owner[column]);
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   return bodies;
 }

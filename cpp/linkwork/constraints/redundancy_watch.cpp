@@ -48,11 +48,11 @@ void take_branches_from(VectorXd& Phi, const ClosedLoops& loops) {
 /// The redundant rows as they would be chosen at a pose, with those outside of the loops.
 std::vector<int> choose(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& pose,
                         const std::vector<int>& redundant) {
-  const std::vector<char> all(static_cast<std::size_t>(loops.component_count()), 1);
+  const std::vector<char> all(loops.component_count(), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
   for (const int place : redundant_rows(solver, loops, pose, pose, found, rank_tolerance))
-    rows.push_back(loops.rows()[static_cast<std::size_t>(place)]);
+    rows.push_back(loops.rows()[place]);
   for (const int row : redundant)
     if (!std::binary_search(loops.rows().begin(), loops.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());

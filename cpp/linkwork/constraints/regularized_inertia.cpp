@@ -38,13 +38,13 @@ class NaturalSizes {
     take_from_neighbors(inertia_);
   }
 
-  double mass(int body) const { return mass_[static_cast<std::size_t>(body)]; }
-  double inertia(int body) const { return inertia_[static_cast<std::size_t>(body)]; }
+  double mass(int body) const { return mass_[body]; }
+  double inertia(int body) const { return inertia_[body]; }
   double length(int body) const { return std::sqrt(inertia(body) / mass(body)); }
 
  private:
   void longer(int body, double arm) {
-    double& longest = arm_[static_cast<std::size_t>(body)];
+    double& longest = arm_[body];
     longest = std::max(longest, arm);
   }
 
@@ -61,8 +61,8 @@ class NaturalSizes {
       if (sizes[k] > 0.0) continue;
       double sum = 0.0, count = 0.0;
       for (const int block : system_.body_blocks(static_cast<int>(k)))
-        for (const int other : system_.joint_blocks(system_.blocks()[static_cast<std::size_t>(block)].joint)) {
-          const double size = own[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(other)].body)];
+        for (const int other : system_.joint_blocks(system_.blocks()[block].joint)) {
+          const double size = own[system_.blocks()[other].body];
           sum += size;
           count += size > 0.0 ? 1.0 : 0.0;
         }
@@ -81,7 +81,7 @@ Directions felt_by_joints(const System& system, const Evaluation& typical, int b
   if (V.cols() == 0) return V;
   Mat3<double> all = Mat3<double>::Zero();
   for (const int index : system.body_blocks(body)) {
-    const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+    const ConstraintBlock& block = system.blocks()[index];
     for (int k = 0; k < block.rows; ++k) {
       const Eigen::Map<const Vec3<double>> row(typical.D.data() + block.offset + 6 * k + 3);
       if (const double length = row.norm(); length > 0.0) all += row * row.transpose() / (length * length);
@@ -140,7 +140,7 @@ RegularizedInertia::RegularizedInertia(const System& system, const Evaluation& t
     smallest_ = no_mass ? 0.0 : std::min(smallest_, shortage.smallest);
     if (!no_mass && shortage.inertia.isZero(0.0)) continue;
     if (bodies.empty()) bodies = system.model().bodies();
-    Body& own = bodies[static_cast<std::size_t>(body)];
+    Body& own = bodies[body];
     own.inertia += shortage.inertia;
     if (no_mass) own.mass += fill * natural.mass(body);
   }

@@ -63,9 +63,8 @@ class Selection {
         perturbed_(perturbed),
         found_(found),
         tolerance_(tolerance) {
-    rows_.resize(static_cast<std::size_t>(loops.component_count()));
-    for (int place = 0; place < loops.row_count(); ++place)
-      rows_[static_cast<std::size_t>(loops.component_of_row(place))].push_back(place);
+    rows_.resize(loops.component_count());
+    for (int place = 0; place < loops.row_count(); ++place) rows_[loops.component_of_row(place)].push_back(place);
     preferred_.resize(loops.row_count());
     for (int place = 0; place < loops.row_count(); ++place)
       preferred_[place] = !prefer_closing || loops.closing(joint_of(place));
@@ -83,7 +82,7 @@ class Selection {
       const bool both = found_.reached[c] && perturbed[c].dependent.size() <= assembled[c].dependent.size();
       const ComponentPose& generic = both ? perturbed[c] : assembled[c];
       for (const int local : redundant_rows(c, generic, both ? &assembled[c] : nullptr))
-        redundant.push_back(rows_[c][static_cast<std::size_t>(local)]);
+        redundant.push_back(rows_[c][local]);
     }
     std::sort(redundant.begin(), redundant.end());
     return redundant;
@@ -107,7 +106,7 @@ class Selection {
     std::vector<MatrixXd> bases = {kernel * Q.rightCols(kernel.cols() - qr.rank())};
     if (bases.front().cols() == 0) return;
     for (const int local : choose_rows(static_cast<int>(bases.front().cols()), preferred_of(c), bases))
-      redundant.push_back(rows_[c][static_cast<std::size_t>(local)]);
+      redundant.push_back(rows_[c][local]);
   }
 
   /// gamma of a random motion that the constraints allow, its part without drivers, of the rows of a component, which
@@ -125,7 +124,7 @@ class Selection {
     }
     VectorXd out(static_cast<Eigen::Index>(rows_[c].size()));
     for (std::size_t r = 0; r < rows_[c].size(); ++r) {
-      const int row = loops_.rows()[static_cast<std::size_t>(rows_[c][r])];
+      const int row = loops_.rows()[rows_[c][r]];
       out[static_cast<Eigen::Index>(r)] = scale[row] > 0.0 ? sum[row] / scale[row] : 0.0;
     }
     return out;
@@ -199,8 +198,7 @@ class Selection {
     Places kept;
     for (const int place : rows_[c])
       if (!std::binary_search(redundant.begin(), redundant.end(), place)) kept.push_back(place);
-    for (const int k : dependent_rows(select_rows(perturbed_.D, kept), tolerance_))
-      redundant.push_back(kept[static_cast<std::size_t>(k)]);
+    for (const int k : dependent_rows(select_rows(perturbed_.D, kept), tolerance_)) redundant.push_back(kept[k]);
     std::sort(redundant.begin(), redundant.end());
     for (int& place : redundant)
       place = static_cast<int>(std::lower_bound(rows_[c].begin(), rows_[c].end(), place) - rows_[c].begin());
@@ -222,7 +220,7 @@ class Selection {
     preferred.head(static_cast<Eigen::Index>(own.size())).setOnes();
     Places out;
     for (const int k : choose_rows(static_cast<int>(count), preferred, bases))
-      if (static_cast<std::size_t>(k) < own.size()) out.push_back(own[static_cast<std::size_t>(k)]);
+      if (static_cast<std::size_t>(k) < own.size()) out.push_back(own[k]);
     std::sort(out.begin(), out.end());
     return out;
   }
@@ -237,7 +235,7 @@ class Selection {
     const auto count = static_cast<Eigen::Index>(rows.size());
     MatrixXd A = MatrixXd::Zero(count, static_cast<Eigen::Index>(columns.size()));
     for (Eigen::Index k = 0; k < count; ++k)
-      for (SparseRows::InnerIterator it(D, rows[static_cast<std::size_t>(k)]); it; ++it)
+      for (SparseRows::InnerIterator it(D, rows[k]); it; ++it)
         A(k, std::lower_bound(columns.begin(), columns.end(), static_cast<int>(it.col())) - columns.begin()) =
             it.value();
     Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
@@ -247,18 +245,16 @@ class Selection {
   }
 
   std::vector<int> rows_at(Places places) const {
-    for (int& place : places) place = loops_.rows()[static_cast<std::size_t>(place)];
+    for (int& place : places) place = loops_.rows()[place];
     return places;
   }
 
-  int joint_of(int place) const {
-    return solver_.system().model().joint_of_row(loops_.rows()[static_cast<std::size_t>(place)]);
-  }
+  int joint_of(int place) const { return solver_.system().model().joint_of_row(loops_.rows()[place]); }
 
   /// Places of a joint's rows.
   Places rows_of(int joint) const {
     const auto& first = solver_.system().model().joint_rows();
-    const int row = first[static_cast<std::size_t>(joint)], count = first[static_cast<std::size_t>(joint) + 1] - row;
+    const int row = first[joint], count = first[joint + 1] - row;
     Places out(static_cast<std::size_t>(count));
     std::iota(
         out.begin(), out.end(),

@@ -36,7 +36,7 @@ class Multistep final : public Integrator {
   const std::string& name() const override { return method_.name; }
   int order() const override { return method_.order; }
   void start(int y_size) override {
-    f_.assign(static_cast<std::size_t>(method_.predictor.size()), VectorXd::Zero(y_size));
+    f_.assign(method_.predictor.size(), VectorXd::Zero(y_size));
     predicted_rates_.resize(y_size);
     correction_.resize(y_size);
     filled_ = 0;
@@ -67,8 +67,7 @@ class Multistep final : public Integrator {
   /// h sum_k coefficients[first + k] f_{n-k}
   VectorXd combine(const VectorXd& coefficients, Eigen::Index first, double h) const {
     VectorXd sum = VectorXd::Zero(predicted_rates_.size());
-    for (Eigen::Index k = first; k < coefficients.size(); ++k)
-      sum += (h * coefficients[k]) * f_[static_cast<std::size_t>(k - first)];
+    for (Eigen::Index k = first; k < coefficients.size(); ++k) sum += (h * coefficients[k]) * f_[k - first];
     return sum;
   }
 

@@ -20,7 +20,7 @@ constexpr double unbearable = 1e-3, unbearable_speed = 1e-2, certain = 1e-7;
   const Model& model = dynamics.system().model();
   char values[64];
   std::snprintf(values, sizeof values, "%.2g, limit %.2g", excess.largest,
-                dynamics.options().violation_limit[static_cast<std::size_t>(excess.level)]);
+                dynamics.options().violation_limit[excess.level]);
   ErrorDetails details;
   details.time = excess.t;
   details.joints = {model.joint_name(model.joint_of_row(excess.row))};

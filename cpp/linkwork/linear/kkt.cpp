@@ -44,7 +44,7 @@ class KktSolver final : public SaddleSolver {
  private:
   void build_pattern() {
     const int n = system_->body_count();
-    std::vector<int> sizes(static_cast<std::size_t>(n), 6);
+    std::vector<int> sizes(n, 6);
     const auto& rows = system_->model().joint_rows();
     for (std::size_t joint = 0; joint + 1 < rows.size(); ++joint) sizes.push_back(rows[joint + 1] - rows[joint]);
     std::vector<BlockIndex> blocks;

@@ -51,7 +51,7 @@ class NormalSolver final : public SaddleSolver {
   };
 
   void build_pattern() {
-    const std::vector<int> sizes(static_cast<std::size_t>(system_->body_count()), 6);
+    const std::vector<int> sizes(system_->body_count(), 6);
     std::vector<BlockIndex> blocks;
     for (int body = 0; body < system_->body_count(); ++body) blocks.push_back({body, body});
     for_each_pair([&](int, int, int row, int column) {
@@ -71,8 +71,8 @@ class NormalSolver final : public SaddleSolver {
     for (int joint = 0; joint < system_->joint_count(); ++joint)
       for (const int b : system_->joint_blocks(joint))
         for (const int c : system_->joint_blocks(joint)) {
-          const int row = system_->blocks()[static_cast<std::size_t>(b)].body;
-          const int column = system_->blocks()[static_cast<std::size_t>(c)].body;
+          const int row = system_->blocks()[b].body;
+          const int column = system_->blocks()[c].body;
           if (row <= column) visit(b, c, row, column);
         }
   }
@@ -83,10 +83,9 @@ class NormalSolver final : public SaddleSolver {
     add_masses();
     using Weighted = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
     for (const Term& term : terms_) {
-      const ConstraintBlock& c = system_->blocks()[static_cast<std::size_t>(term.c)];
+      const ConstraintBlock& c = system_->blocks()[term.c];
       const Weighted weighted = block_of(at, c).transpose() * penalty_.segment(c.row, c.rows).asDiagonal();
-      matrix_->block(term.place) +=
-          (weighted.lazyProduct(block_of(at, system_->blocks()[static_cast<std::size_t>(term.b)]))).transpose();
+      matrix_->block(term.place) += (weighted.lazyProduct(block_of(at, system_->blocks()[term.b]))).transpose();
     }
     if (storage_ == Storage::full) matrix_->mirror();
   }
@@ -94,7 +93,7 @@ class NormalSolver final : public SaddleSolver {
   void add_masses() {
     matrix_->set_zero();
     for (int body = 0; body < system_->body_count(); ++body) {
-      auto block = matrix_->block(diagonal_[static_cast<std::size_t>(body)]);
+      auto block = matrix_->block(diagonal_[body]);
       block.topLeftCorner<3, 3>().diagonal().setConstant(system_->mass(body));
       block.bottomRightCorner<3, 3>() = system_->inertia(body);
     }

@@ -58,7 +58,7 @@ class SchurSolver final : public SaddleSolver {
     std::vector<int> sizes;
     std::vector<BlockIndex> blocks;
     for (int joint = 0; joint < system_->joint_count(); ++joint) {
-      sizes.push_back(rows[static_cast<std::size_t>(joint) + 1] - rows[static_cast<std::size_t>(joint)]);
+      sizes.push_back(rows[joint + 1] - rows[joint]);
       blocks.push_back({joint, joint});
     }
     for_each_pair([&](int, int, int row, int column, bool) {
@@ -81,8 +81,8 @@ class SchurSolver final : public SaddleSolver {
       for (const int l : system_->body_blocks(body)) {
         bool first = true;
         for (const int k : system_->body_blocks(body)) {
-          const int row = system_->blocks()[static_cast<std::size_t>(k)].joint;
-          const int column = system_->blocks()[static_cast<std::size_t>(l)].joint;
+          const int row = system_->blocks()[k].joint;
+          const int column = system_->blocks()[l].joint;
           if (row > column) continue;
           visit(k, l, row, column, first);
           first = false;
@@ -100,9 +100,8 @@ class SchurSolver final : public SaddleSolver {
     using Weighted = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
     Weighted weighted;
     for (const Term& term : terms_) {
-      if (term.first_of_block) weighted = divide_by_mass(at, system_->blocks()[static_cast<std::size_t>(term.l)]);
-      matrix_->block(term.place) +=
-          block_of(at, system_->blocks()[static_cast<std::size_t>(term.k)]).lazyProduct(weighted);
+      if (term.first_of_block) weighted = divide_by_mass(at, system_->blocks()[term.l]);
+      matrix_->block(term.place) += block_of(at, system_->blocks()[term.k]).lazyProduct(weighted);
     }
     if (storage_ == Storage::full) matrix_->mirror();
   }

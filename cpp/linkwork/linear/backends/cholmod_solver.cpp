@@ -78,10 +78,10 @@ class Cholmod final : public LinearSolver {
   /// d_k / A_kk for the k-th eliminated row.
   void lower(Pivot& smallest, const SparseMatrix& A, std::size_t column, double d) const {
     const int row = original(column);
-    const int last = A.column_begin[static_cast<std::size_t>(row) + 1];
-    const int first = A.column_begin[static_cast<std::size_t>(row)];
+    const int last = A.column_begin[row + 1];
+    const int first = A.column_begin[row];
     const auto at = std::lower_bound(A.row.begin() + first, A.row.begin() + last, row);
-    keep_smallest(smallest, d / std::abs(A.value[static_cast<std::size_t>(at - A.row.begin())]), row);
+    keep_smallest(smallest, d / std::abs(A.value[at - A.row.begin()]), row);
   }
 
   Pivot simplicial_pivot(const SparseMatrix& A) const {

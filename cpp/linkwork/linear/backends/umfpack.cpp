@@ -22,7 +22,7 @@ class Umfpack final : public LinearSolver {
     release();
     check(umfpack_di_symbolic(pattern.size, pattern.size, pattern.column_begin.data(), pattern.row.data(), nullptr,
                               &symbolic_, control_, info_));
-    index_workspace_.resize(static_cast<std::size_t>(pattern.size));
+    index_workspace_.resize(pattern.size);
     workspace_.resize(5 * static_cast<std::size_t>(pattern.size));
     solution_.resize(pattern.size);
   }

@@ -114,25 +114,25 @@ class BlockSolver final : public SaddleSolver {
 
   void factorize_symbolically() {
     symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, delayed_);
-    factors_.assign(static_cast<std::size_t>(symbolic_->factor_size) + slack, 0.0);
+    factors_.assign(symbolic_->factor_size + slack, 0.0);
     articulated_inertias_.assign(
         static_cast<std::size_t>(symbolic_->articulated_inertia_count * articulated_inertia_size) + slack, 0.0);
-    panels_.assign(static_cast<std::size_t>(symbolic_->panel_size) + slack, 0.0);
-    contributions_.assign(static_cast<std::size_t>(symbolic_->contribution_size) + slack, 0.0);
-    scratch_.assign(static_cast<std::size_t>(scratch_columns * symbolic_->highest_front), 0.0);
-    pivots_.assign(static_cast<std::size_t>(symbolic_->widest_front) + slack, 0.0);
+    panels_.assign(symbolic_->panel_size + slack, 0.0);
+    contributions_.assign(symbolic_->contribution_size + slack, 0.0);
+    scratch_.assign(scratch_columns * symbolic_->highest_front, 0.0);
+    pivots_.assign(symbolic_->widest_front + slack, 0.0);
     factorize_masses();
   }
 
   void factorize_masses() {
-    mass_factors_.resize(static_cast<std::size_t>(symbolic_->mass_factor_count));
+    mass_factors_.resize(symbolic_->mass_factor_count);
     for (const CoreBody& body : symbolic_->bodies) {
       if (body.mass_factor < 0) continue;
       const auto J = system_->inertia(body.body);
       const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
       const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
       const double m = 1.0 / system_->mass(body.body);
-      mass_factors_[static_cast<std::size_t>(body.mass_factor)] = {
+      mass_factors_[body.mass_factor] = {
           L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}, L43 == 0.0 && L53 == 0.0 && L54 == 0.0};
     }
   }

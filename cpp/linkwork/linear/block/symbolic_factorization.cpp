@@ -36,29 +36,27 @@ Branches find_branches(const System& system, const std::vector<int>& rows_of_joi
   for (const int rows : rows_of_joint) out.joint_pruned.push_back(rows == 0);
   std::vector<int> left(n), leaves;
   for (int body = 0; body < system.body_count(); ++body) {
-    for (const int index : system.body_blocks(body))
-      left[static_cast<std::size_t>(body)] +=
-          !out.joint_pruned[static_cast<std::size_t>(system.blocks()[static_cast<std::size_t>(index)].joint)];
-    if (left[static_cast<std::size_t>(body)] <= 1) leaves.push_back(body);
+    for (const int index : system.body_blocks(body)) left[body] += !out.joint_pruned[system.blocks()[index].joint];
+    if (left[body] <= 1) leaves.push_back(body);
   }
   while (!leaves.empty()) {
     const int body = leaves.back();
     leaves.pop_back();
     const auto stays = [&](int index) {
-      const int joint = system.blocks()[static_cast<std::size_t>(index)].joint;
-      return !out.joint_pruned[static_cast<std::size_t>(joint)] && !joins_two(system, joint);
+      const int joint = system.blocks()[index].joint;
+      return !out.joint_pruned[joint] && !joins_two(system, joint);
     };
     const BlockRange own = system.body_blocks(body);
-    if (out.pruned[static_cast<std::size_t>(body)] || std::any_of(own.begin(), own.end(), stays)) continue;
-    out.pruned[static_cast<std::size_t>(body)] = 1;
+    if (out.pruned[body] || std::any_of(own.begin(), own.end(), stays)) continue;
+    out.pruned[body] = 1;
     for (const int index : own) {
-      const int joint = system.blocks()[static_cast<std::size_t>(index)].joint;
-      if (out.joint_pruned[static_cast<std::size_t>(joint)]) continue;
-      out.joint_pruned[static_cast<std::size_t>(joint)] = 1;
-      out.inboard_block[static_cast<std::size_t>(body)] = index;
+      const int joint = system.blocks()[index].joint;
+      if (out.joint_pruned[joint]) continue;
+      out.joint_pruned[joint] = 1;
+      out.inboard_block[body] = index;
       for (const int other : system.joint_blocks(joint)) {
-        const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
-        if (neighbor != body && --left[static_cast<std::size_t>(neighbor)] <= 1) leaves.push_back(neighbor);
+        const int neighbor = system.blocks()[other].body;
+        if (neighbor != body && --left[neighbor] <= 1) leaves.push_back(neighbor);
       }
     }
   }
@@ -68,8 +66,7 @@ Branches find_branches(const System& system, const std::vector<int>& rows_of_joi
 /// The other body of a joint, or none.
 int other_body(const System& system, const ConstraintBlock& block) {
   for (const int index : system.joint_blocks(block.joint))
-    if (system.blocks()[static_cast<std::size_t>(index)].body != block.body)
-      return system.blocks()[static_cast<std::size_t>(index)].body;
+    if (system.blocks()[index].body != block.body) return system.blocks()[index].body;
   return none;
 }
 
@@ -106,49 +103,48 @@ class ContributionAllocator {
 class TreeBuilder {
  public:
   TreeBuilder(const System& system, const Branches& branches, SymbolicFactorization& out)
-      : system_(system), branches_(branches), out_(out), slot_(static_cast<std::size_t>(system.body_count()), none) {
+      : system_(system), branches_(branches), out_(out), slot_(system.body_count(), none) {
     group_children();
     std::vector<int> roots;
     for (int body = 0; body < system.body_count(); ++body)
-      if (!branches.pruned[static_cast<std::size_t>(body)] || parent(body) == none) roots.push_back(body);
+      if (!branches.pruned[body] || parent(body) == none) roots.push_back(body);
     for (const int root : roots) visit(root);
     out_.articulated_inertia_count = slots_;
   }
-  int slot(int body) const { return slot_[static_cast<std::size_t>(body)]; }
+  int slot(int body) const { return slot_[body]; }
 
  private:
   int parent(int body) const {
-    const int index = branches_.inboard_block[static_cast<std::size_t>(body)];
-    if (!branches_.pruned[static_cast<std::size_t>(body)] || index == none) return none;
-    return other_body(system_, system_.blocks()[static_cast<std::size_t>(index)]);
+    const int index = branches_.inboard_block[body];
+    if (!branches_.pruned[body] || index == none) return none;
+    return other_body(system_, system_.blocks()[index]);
   }
 
   void group_children() {
     const int n = system_.body_count();
-    child_begin_.assign(static_cast<std::size_t>(n) + 1, 0);
+    child_begin_.assign(n + 1, 0);
     for (int body = 0; body < n; ++body)
-      if (const int p = parent(body); p != none) child_begin_[static_cast<std::size_t>(p) + 1] += 1;
+      if (const int p = parent(body); p != none) child_begin_[p + 1] += 1;
     std::partial_sum(child_begin_.begin(), child_begin_.end(), child_begin_.begin());
-    child_.resize(static_cast<std::size_t>(child_begin_.back()));
+    child_.resize(child_begin_.back());
     std::vector<int> next(child_begin_.begin(), child_begin_.end() - 1);
     for (int body = 0; body < n; ++body)
-      if (const int p = parent(body); p != none)
-        child_[static_cast<std::size_t>(next[static_cast<std::size_t>(p)]++)] = body;
+      if (const int p = parent(body); p != none) child_[next[p]++] = body;
   }
 
   /// Depth first, children before parents.
   void visit(int root) {
-    std::vector<std::pair<int, int>> path = {{root, child_begin_[static_cast<std::size_t>(root)]}};
+    std::vector<std::pair<int, int>> path = {{root, child_begin_[root]}};
     while (!path.empty()) {
       auto& [body, next] = path.back();
-      if (next < child_begin_[static_cast<std::size_t>(body) + 1]) {
-        const int child = child_[static_cast<std::size_t>(next++)];
-        path.emplace_back(child, child_begin_[static_cast<std::size_t>(child)]);
+      if (next < child_begin_[body + 1]) {
+        const int child = child_[next++];
+        path.emplace_back(child, child_begin_[child]);
         continue;
       }
       const int done = body;
       path.pop_back();
-      if (branches_.pruned[static_cast<std::size_t>(done)]) append(done);
+      if (branches_.pruned[done]) append(done);
     }
   }
 
@@ -159,17 +155,17 @@ class TreeBuilder {
     step.slot = slot(body);
     step.parent_slot = none;
     step.storage = out_.factor_size;
-    if (const int index = branches_.inboard_block[static_cast<std::size_t>(body)]; index != none) {
-      const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
+    if (const int index = branches_.inboard_block[body]; index != none) {
+      const ConstraintBlock& block = system_.blocks()[index];
       step.row = block.row;
       step.rows = block.rows;
       step.D_body = block.offset;
       for (const int other : system_.joint_blocks(block.joint))
-        if (other != index) step.D_parent = system_.blocks()[static_cast<std::size_t>(other)].offset;
+        if (other != index) step.D_parent = system_.blocks()[other].offset;
     }
     if (step.parent != none) {
       step.parent_begins = slot(step.parent) == none;
-      if (step.parent_begins) slot_[static_cast<std::size_t>(step.parent)] = take_slot();
+      if (step.parent_begins) slot_[step.parent] = take_slot();
       step.parent_slot = slot(step.parent);
     }
     if (step.slot != none) free_slots_.push_back(step.slot);
@@ -214,7 +210,7 @@ class CoreBuilder {
         delayed_(delayed),
         out_(out) {
     for (int joint = 0; joint < system.joint_count(); ++joint)
-      if (!branches.joint_pruned[static_cast<std::size_t>(joint)]) joints_.push_back(joint);
+      if (!branches.joint_pruned[joint]) joints_.push_back(joint);
     if (joints_.empty()) return;
     choose_order();
     place_bodies();
@@ -232,21 +228,20 @@ class CoreBuilder {
     double cost = 0.0;
   };
 
-  bool is_dropped(int row) const { return dropped_[static_cast<std::size_t>(row)] != 0; }
-  int first_row(int joint) const { return system_.model().joint_rows()[static_cast<std::size_t>(joint)]; }
-  int rows_of_joint(int joint) const { return rows_of_joint_[static_cast<std::size_t>(joint)]; }
+  bool is_dropped(int row) const { return dropped_[row] != 0; }
+  int first_row(int joint) const { return system_.model().joint_rows()[joint]; }
+  int rows_of_joint(int joint) const { return rows_of_joint_[joint]; }
   int joint_count() const { return static_cast<int>(joints_.size()); }
   bool is_hub(int node) const { return node >= joint_count(); }
-  int hub_body(int node) const { return order_.hubs[static_cast<std::size_t>(node - joint_count())]; }
-  int rows_of(int node) const { return is_hub(node) ? 6 : rows_of_joint(joints_[static_cast<std::size_t>(node)]); }
-  int node_at(int position) const { return order_.elimination.order[static_cast<std::size_t>(position)]; }
+  int hub_body(int node) const { return order_.hubs[node - joint_count()]; }
+  int rows_of(int node) const { return is_hub(node) ? 6 : rows_of_joint(joints_[node]); }
+  int node_at(int position) const { return order_.elimination.order[position]; }
   int rows_at(int position) const { return rows_of(node_at(position)); }
-  int position_of(int node) const { return position_[static_cast<std::size_t>(node)]; }
+  int position_of(int node) const { return position_[node]; }
 
   void choose_order() {
-    core_index_.assign(static_cast<std::size_t>(system_.joint_count()), none);
-    for (std::size_t k = 0; k < joints_.size(); ++k)
-      core_index_[static_cast<std::size_t>(joints_[k])] = static_cast<int>(k);
+    core_index_.assign(system_.joint_count(), none);
+    for (std::size_t k = 0; k < joints_.size(); ++k) core_index_[joints_[k]] = static_cast<int>(k);
     std::vector<int> candidates;
     std::size_t most = 0;
     for (int body = 0; body < system_.body_count(); ++body) {
@@ -262,39 +257,36 @@ class CoreBuilder {
     }
     const std::vector<int>& order = order_.elimination.order;
     position_.resize(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k) position_[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    for (std::size_t k = 0; k < order.size(); ++k) position_[order[k]] = static_cast<int>(k);
   }
 
   Order order_with(std::vector<int> hubs) const {
     Order out;
     out.hubs = std::move(hubs);
-    out.hub_node.assign(static_cast<std::size_t>(system_.body_count()), none);
+    out.hub_node.assign(system_.body_count(), none);
     JointGraph graph;
     for (const int joint : joints_) graph.weight.push_back(rows_of_joint(joint));
     for (const int body : out.hubs) {
-      out.hub_node[static_cast<std::size_t>(body)] = static_cast<int>(graph.weight.size());
+      out.hub_node[body] = static_cast<int>(graph.weight.size());
       graph.weight.push_back(6);
     }
     graph.hub.assign(graph.weight.size(), none);
     for (int body = 0; body < system_.body_count(); ++body) {
       std::vector<int> clique = core_joints(body);
-      if (const int node = out.hub_node[static_cast<std::size_t>(body)]; node != none) {
+      if (const int node = out.hub_node[body]; node != none) {
         for (const int joint : clique) {
           graph.cliques.add({{node, joint}});
-          if (only_on_hubs(joints_[static_cast<std::size_t>(joint)], out))
-            graph.hub[static_cast<std::size_t>(joint)] = node;
+          if (only_on_hubs(joints_[joint], out)) graph.hub[joint] = node;
         }
       } else if (!clique.empty()) {
-        const double rows = std::accumulate(clique.begin(), clique.end(), 0.0, [&](double sum, int joint) {
-          return sum + graph.weight[static_cast<std::size_t>(joint)];
-        });
+        const double rows = std::accumulate(clique.begin(), clique.end(), 0.0,
+                                            [&](double sum, int joint) { return sum + graph.weight[joint]; });
         out.cost += 36.0 * rows + 6.0 * rows * rows;
         graph.cliques.add(clique);
       }
     }
     for (const SymbolicFactorization::DelayedPivot& it : delayed_)
-      graph.hub[static_cast<std::size_t>(core_index_[static_cast<std::size_t>(it.joint)])] =
-          out.hub_node[static_cast<std::size_t>(it.hub)];
+      graph.hub[core_index_[it.joint]] = out.hub_node[it.hub];
     out.elimination = order_joint_graph(graph);
     out.cost += out.elimination.cost;
     return out;
@@ -303,8 +295,7 @@ class CoreBuilder {
   /// Nothing is eliminated before such a joint that it could pivot on.
   bool only_on_hubs(int joint, const Order& order) const {
     for (const int index : system_.joint_blocks(joint))
-      if (order.hub_node[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].body)] == none)
-        return false;
+      if (order.hub_node[system_.blocks()[index].body] == none) return false;
     return true;
   }
 
@@ -312,7 +303,7 @@ class CoreBuilder {
   std::vector<int> core_joints(int body) const {
     std::vector<int> out;
     for (const int index : system_.body_blocks(body)) {
-      const int core = core_index_[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].joint)];
+      const int core = core_index_[system_.blocks()[index].joint];
       if (core != none) out.push_back(core);
     }
     return out;
@@ -322,15 +313,15 @@ class CoreBuilder {
   void place_bodies() {
     bodies_of_.resize(order_.elimination.supernodes.size());
     for (int body = 0; body < system_.body_count(); ++body) {
-      if (order_.hub_node[static_cast<std::size_t>(body)] != none) continue;
+      if (order_.hub_node[body] != none) continue;
       int first = none;
       for (const int node : core_joints(body))
         if (first == none || position_of(node) < first) first = position_of(node);
-      if (first != none) bodies_of_[static_cast<std::size_t>(supernode_of(first))].push_back(body);
+      if (first != none) bodies_of_[supernode_of(first)].push_back(body);
     }
   }
 
-  int supernode_of(int position) const { return order_.elimination.supernode_of[static_cast<std::size_t>(position)]; }
+  int supernode_of(int position) const { return order_.elimination.supernode_of[position]; }
 
   void append_fronts() {
     const std::size_t count = order_.elimination.supernodes.size();
@@ -359,12 +350,12 @@ class CoreBuilder {
     out.first_row = static_cast<int>(out_.rows.size());
     std::vector<std::pair<int, int>> blocks;  // (place of the joint, block)
     for (const int index : system_.body_blocks(body)) {
-      const int core = core_index_[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(index)].joint)];
-      if (core != none) blocks.emplace_back(place_[static_cast<std::size_t>(position_of(core))], index);
+      const int core = core_index_[system_.blocks()[index].joint];
+      if (core != none) blocks.emplace_back(place_[position_of(core)], index);
     }
     std::sort(blocks.begin(), blocks.end());
     for (const auto& [place, index] : blocks) {
-      const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
+      const ConstraintBlock& block = system_.blocks()[index];
       int position = place;
       for (int k = 0; k < block.rows; ++k) {
         if (is_dropped(block.row + k)) continue;
@@ -401,7 +392,7 @@ class CoreBuilder {
   }
 
   void append_joints(int s) {
-    const Supernode& supernode = order_.elimination.supernodes[static_cast<std::size_t>(s)];
+    const Supernode& supernode = order_.elimination.supernodes[s];
     Front front{};
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
     for (int k = supernode.first; k < supernode.last; ++k) front.width += append_unknowns(k, 0, front.width);
@@ -422,12 +413,12 @@ class CoreBuilder {
 
   /// Those of the node that is eliminated at `k`, whose rows stand at `place` and after: how many they are.
   int append_unknowns(int k, int part, int place) {
-    place_[static_cast<std::size_t>(k)] = part + place;
+    place_[k] = part + place;
     const int node = node_at(k);
     if (is_hub(node)) {
       for (int row = 0; row < 6; ++row) out_.unknowns.push_back(~(6 * hub_body(node) + row));
     } else {
-      const int joint = joints_[static_cast<std::size_t>(node)];
+      const int joint = joints_[node];
       for (int row = first_row(joint); row < first_row(joint + 1); ++row)
         if (!is_dropped(row)) out_.unknowns.push_back(row);
     }
@@ -441,15 +432,15 @@ class CoreBuilder {
     std::vector<int> positions = supernode.below;
     for (int k = supernode.first; k < supernode.last; ++k) positions.push_back(k);
     std::map<int, int> place_of;  // of each node in the front
-    for (const int k : positions) place_of[node_at(k)] = place_[static_cast<std::size_t>(k)];
+    for (const int k : positions) place_of[node_at(k)] = place_[k];
     const auto eliminates = [&](int node) { return position_of(node) < supernode.last; };
     for (const auto& [node, place] : place_of)
       if (is_hub(node)) {
         if (eliminates(node)) out_.hubs.push_back({hub_body(node), tree_.slot(hub_body(node)), place});
       } else {
-        for (const int index : system_.joint_blocks(joints_[static_cast<std::size_t>(node)])) {
-          const ConstraintBlock& block = system_.blocks()[static_cast<std::size_t>(index)];
-          const auto hub = place_of.find(order_.hub_node[static_cast<std::size_t>(block.body)]);
+        for (const int index : system_.joint_blocks(joints_[node])) {
+          const ConstraintBlock& block = system_.blocks()[index];
+          const auto hub = place_of.find(order_.hub_node[block.body]);
           if (hub != place_of.end() && (eliminates(node) || eliminates(hub->first)))
             append_couplings(block, place, hub->second);
         }
@@ -548,8 +539,8 @@ class CoreBuilder {
 
 SymbolicFactorization::SymbolicFactorization(const System& system, const std::vector<int>& dropped,
                                              const std::vector<DelayedPivot>& delayed) {
-  std::vector<char> is_dropped(static_cast<std::size_t>(system.row_count()), 0);
-  for (const int row : dropped) is_dropped[static_cast<std::size_t>(row)] = 1;
+  std::vector<char> is_dropped(system.row_count(), 0);
+  for (const int row : dropped) is_dropped[row] = 1;
   std::vector<int> rows_of_joint;
   const std::vector<int>& first = system.model().joint_rows();
   for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
@@ -566,12 +557,12 @@ int SymbolicFactorization::next_hub(int row) const {
     const auto own = unknowns.begin() + front.unknown;
     found = found || std::find(own, own + front.width, row) != own + front.width;
     if (!found) continue;
-    for (int f = static_cast<int>(&front - fronts.data()); f >= 0; f = fronts[static_cast<std::size_t>(f)].parent) {
-      const Front& above = fronts[static_cast<std::size_t>(f)];
+    for (int f = static_cast<int>(&front - fronts.data()); f >= 0; f = fronts[f].parent) {
+      const Front& above = fronts[f];
       if (above.mixed < 0) continue;
       const auto first = unknowns.begin() + above.unknown;
       const auto joint = std::find(first, first + above.width, row);
-      for (const MixedFront& it = mixed[static_cast<std::size_t>(above.mixed)];
+      for (const MixedFront& it = mixed[above.mixed];
            const Hub& hub :
            std::span(hubs).subspan(static_cast<std::size_t>(it.first_hub), static_cast<std::size_t>(it.hubs)))
         if (joint == first + above.width || hub.position > joint - first) return hub.body;

@@ -21,15 +21,15 @@ constexpr std::size_t small = 1000;       // numbers whose memory is worth keepi
 
 template <class Container>
 auto& at(Container& container, int k) {
-  return container[static_cast<std::size_t>(k)];
+  return container[k];
 }
 
 /// Groups of columns coupled by a row.
 block::JointGraph group_graph(const RowMatrix& A, const Numbers& groups) {
   block::JointGraph graph;
   const int count = groups.empty() ? 0 : groups.back() + 1;
-  graph.weight.assign(static_cast<std::size_t>(count), 0);
-  graph.hub.assign(static_cast<std::size_t>(count), -1);
+  graph.weight.assign(count, 0);
+  graph.hub.assign(count, -1);
   for (const int group : groups) ++at(graph.weight, group);
   Numbers clique;
   for (int row = 0; row < A.rows(); ++row) {
@@ -48,9 +48,7 @@ struct Contribution {
   Numbers columns;  ///< positions in the order of elimination
   Numbers lead;     ///< per row: place of its first entry in `columns`, ascending
   AlignedDoubles entries;
-  double& operator()(int row, int column) {
-    return entries[static_cast<std::size_t>(column) * lead.size() + static_cast<std::size_t>(row)];
-  }
+  double& operator()(int row, int column) { return entries[column * lead.size() + row]; }
 };
 
 class Elimination {
@@ -70,7 +68,7 @@ class Elimination {
       if (const int parent = at(tree_.supernodes, s).parent; parent >= 0)
         at(sibling_, s) = std::exchange(at(child_, parent), s);
     contributions_.resize(tree_.supernodes.size());
-    local_.resize(static_cast<std::size_t>(A.cols()));
+    local_.resize(A.cols());
   }
 
   Numbers run() {
@@ -110,7 +108,7 @@ class Elimination {
   /// By their first column, in which a row enters a front.
   void sort_rows() {
     const int none = static_cast<int>(A_.cols());
-    lead_.assign(static_cast<std::size_t>(A_.rows()), none);
+    lead_.assign(A_.rows(), none);
     for (int row = 0; row < A_.rows(); ++row)
       for (RowMatrix::InnerIterator it(A_, row); it; ++it)
         at(lead_, row) = std::min(at(lead_, row), at(position_, static_cast<int>(it.col())));
@@ -118,7 +116,7 @@ class Elimination {
     for (const int lead : lead_)
       if (lead < none) ++at(row_begin_, at(supernode_, lead) + 1);
     std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
-    rows_.resize(static_cast<std::size_t>(row_begin_.back()));
+    rows_.resize(row_begin_.back());
     next_.assign(row_begin_.begin(), row_begin_.end());
     for (int row = 0; row < A_.rows(); ++row)
       if (at(lead_, row) < none) at(rows_, at(next_, at(supernode_, at(lead_, row)))++) = row;
@@ -155,7 +153,7 @@ class Elimination {
       next_[k] = rows;
       stair_[k] = rows += stair_[k];
     }
-    entries_.assign(static_cast<std::size_t>(rows) * columns_.size(), 0.0);
+    entries_.assign(rows * columns_.size(), 0.0);
     row_.resize(columns_.size());
     workspace_.resize(workspace_size(static_cast<std::size_t>(rows), columns_.size()));
     front_.entries = entries_.data();
