@@ -221,13 +221,17 @@ void bind_runs(py::module_& module) {
            "and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. "
            "`method`: that of the run, or one that is much more accurate, and `other`.")
       .def("statistics", &run_statistics);
+}
 
+void bind_fixed_steps(py::module_& module) {
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
                        std::int64_t record_every, double t_start, const VectorXd& start) {
              dynamics.set_interrupt(&look_for_signals);
-             return std::make_unique<Simulation>(dynamics, make_integrator(integrator),
-                                                 Schedule{t_end, step, record_every, t_start, start});
+             return std::make_unique<Simulation>(
+                 dynamics, make_integrator(integrator),
+                 Schedule{
+                     .t_end = t_end, .step = step, .record_every = record_every, .t_start = t_start, .start = start});
            }),
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
@@ -239,21 +243,23 @@ void bind_runs(py::module_& module) {
           },
           "(t, y, h) of the step that begins; h = 0 at the end.")
       .def("accept", &Simulation::accept, py::arg("y"));
+}
 
+void bind_adaptive_steps(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
                        std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks) {
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(dynamics, pair,
-                                                         AdaptiveSchedule{t_end,
-                                                                          {rtol, atol},
-                                                                          largest_step,
-                                                                          record_every,
-                                                                          std::move(times),
-                                                                          t_start,
-                                                                          start,
-                                                                          std::move(breaks)},
+                                                         AdaptiveSchedule{.t_end = t_end,
+                                                                          .tolerances = {rtol, atol},
+                                                                          .largest_step = largest_step,
+                                                                          .record_every = record_every,
+                                                                          .times = std::move(times),
+                                                                          .t_start = t_start,
+                                                                          .start = start,
+                                                                          .breaks = std::move(breaks)},
                                                          std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
@@ -314,6 +320,8 @@ void bind_integration(py::module_& module) {
            py::arg("extra_c"), py::arg("interpolant"));
   bind_events(module);
   bind_runs(module);
+  bind_fixed_steps(module);
+  bind_adaptive_steps(module);
 }
 
 }  // namespace linkwork::python

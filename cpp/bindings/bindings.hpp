@@ -6,6 +6,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "linkwork/math/types.hpp"
+
 namespace linkwork::python {
 
 namespace py = pybind11;
@@ -15,11 +17,17 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
 void bind_errors(py::module_& module);
+void bind_time_functions(py::module_& module);
+void bind_kinds(py::module_& module);
 void bind_model(py::module_& module);
+void bind_assembler(py::module_& module);
 void bind_formulation(py::module_& module);
 void bind_integration(py::module_& module);
 
 /// Hands a vector over to numpy without a copy.
 py::array_t<double> to_numpy(std::vector<double>&& values, std::vector<py::ssize_t> shape);
+
+/// OptionError: a vector of another size.
+void check_size(const ConstVector& vector, Eigen::Index size, const char* name);
 
 }  // namespace linkwork::python

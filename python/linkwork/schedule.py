@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -86,7 +86,12 @@ class Fixed:
             )
         compiled = method.compiled() if isinstance(method, Integrator) else None
         return _core.Simulation(
-            system.compiled(), compiled, self.t_end, self.step, self.record_every, *_from(start)
+            system.compiled(),
+            compiled,
+            t_end=self.t_end,
+            step=self.step,
+            record_every=self.record_every,
+            **_from(start),
         )
 
     def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
@@ -162,15 +167,15 @@ class Adaptive:
         return _core.AdaptiveSimulation(
             system.compiled(),
             method.compiled_pair(),
-            self.t_end,
-            self.rtol,
-            self.atol,
-            self.largest_step,
-            self.record_every,
-            self.times.tolist(),
-            list(events),
-            *(_from(start) or (0.0, np.zeros(0))),
-            list(breaks),
+            t_end=self.t_end,
+            rtol=self.rtol,
+            atol=self.atol,
+            largest_step=self.largest_step,
+            record_every=self.record_every,
+            times=self.times.tolist(),
+            events=list(events),
+            breaks=list(breaks),
+            **_from(start),
         )
 
     def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
@@ -182,8 +187,13 @@ class Adaptive:
         return {}
 
 
-def _from(start: Snapshot | None) -> tuple[()] | tuple[float, NDArray[np.float64]]:
-    return () if start is None else (start.t, start.y)
+def _from(start: Snapshot | None) -> _Start:
+    return {} if start is None else {"t_start": start.t, "start": start.y}
+
+
+class _Start(TypedDict, total=False):
+    t_start: float
+    start: NDArray[np.float64]
 
 
 def plan(

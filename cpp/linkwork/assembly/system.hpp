@@ -187,4 +187,10 @@ class System {
   bool time_dependent_constraints_ = false;
 };
 
+using BlockOfD = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, velocity_size, Eigen::RowMajor>>;
+
+inline BlockOfD block_of(const Evaluation& at, const ConstraintBlock& block) {
+  return BlockOfD(at.D.data() + block.offset, block.rows, velocity_size);
+}
+
 }  // namespace linkwork

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "linkwork/assembly/leaf_pruning.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 
 namespace linkwork {
@@ -22,9 +23,8 @@ bool vanishes(const Model& model, int row, double translation, double rotation) 
 /// True where the rows of a block are independent on its body alone.
 bool independent(const Model& model, const Evaluation& at, const VectorXd& scale, const ConstraintBlock& block,
                  double tolerance) {
-  using Block = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
   if (block.rows > 6) return false;
-  const Eigen::Map<const Block> D(at.D.data() + block.offset, block.rows, 6);
+  const BlockOfD D = block_of(at, block);
   Eigen::Matrix<double, 6, Eigen::Dynamic> rows = scale.segment<6>(6 * block.body).asDiagonal() * D.transpose();
   for (int k = 0; k < block.rows; ++k)
     rows.col(k) *= vanishes(model, block.row + k, D.row(k).head<3>().cwiseAbs().maxCoeff(),
@@ -42,36 +42,21 @@ bool joins_many(const Model& model, int joint) {
   return special && special->bodies().size() > 2;
 }
 
-/// Prunes leaves, bodies held by one joint, until none is left: the rows of such a joint are independent of all that
-/// remain, because only they touch that body.
-std::vector<char> prune_leaves(const System& system, const VectorXd& scale, const Evaluation& at, double tolerance) {
-  std::vector<char> pruned(system.joint_count(), 0);
-  std::vector<int> joints_left(system.body_count()), leaves;
-  for (int body = 0; body < system.body_count(); ++body) {
-    const BlockRange blocks = system.body_blocks(body);
-    joints_left[body] = static_cast<int>(blocks.end() - blocks.begin());
-    if (joints_left[body] == 1) leaves.push_back(body);
-  }
-  while (!leaves.empty()) {
-    const int body = leaves.back();
-    leaves.pop_back();
-    for (const int index : system.body_blocks(body)) {
-      const ConstraintBlock& block = system.blocks()[index];
-      if (pruned[block.joint] || !independent(system.model(), at, scale, block, tolerance)) continue;
-      pruned[block.joint] = 1;
-      for (const int other : system.joint_blocks(block.joint)) {
-        const int neighbor = system.blocks()[other].body;
-        if (--joints_left[neighbor] == 1 && neighbor != body) leaves.push_back(neighbor);
-      }
-    }
-  }
-  return pruned;
+/// The rows of the joint of a leaf are independent of all that remain, because only they touch that body, where they
+/// are independent on it.
+std::vector<char> prune_open_branches(const System& system, const VectorXd& scale, const Evaluation& at,
+                                      double tolerance) {
+  const std::vector<char> none(system.joint_count(), 0);
+  const auto prunable = [&](const ConstraintBlock& block) {
+    return independent(system.model(), at, scale, block, tolerance);
+  };
+  return prune_leaves(system, none, prunable).joints;
 }
 
 }  // namespace
 
 ClosedLoops::ClosedLoops(const System& system, const Evaluation& at, double tolerance)
-    : system_(&system), scale_(velocity_scale(system)), pruned_(prune_leaves(system, scale_, at, tolerance)) {
+    : system_(&system), scale_(velocity_scale(system)), pruned_(prune_open_branches(system, scale_, at, tolerance)) {
   const auto& first = system.model().joint_rows();
   for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
     if (!pruned_[joint])
@@ -114,7 +99,7 @@ void ClosedLoops::find_components() {
 /// ground, node b + 1 a body.
 void ClosedLoops::find_tree() {
   const Model& model = system_->model();
-  const auto nodes = static_cast<std::size_t>(system_->body_count()) + 1;
+  const int nodes = system_->body_count() + 1;
   closing_.assign(pruned_.size(), 0);
   parent_joint_.assign(nodes, -1);
   depth_.assign(nodes, -1);
@@ -130,7 +115,7 @@ void ClosedLoops::find_tree() {
     }
     const Element& element = model.joints()[joint];
     const int to = element.i == from ? element.j : element.i;
-    const auto node = static_cast<std::size_t>(to + 1);
+    const int node = to + 1;
     if (pruned_[joint] || parent_joint_[from + 1] == joint) return;
     if (depth_[node] >= 0) {
       closing_[joint] = 1;

@@ -158,38 +158,43 @@ class BlockSolver final : public SaddleSolver {
       compliant_ = compliant();
     }
     at_ = &at;
-    data_ = {symbolic_->steps.data(),
-             static_cast<std::ptrdiff_t>(symbolic_->steps.size()),
-             symbolic_->fronts.data(),
-             static_cast<std::ptrdiff_t>(symbolic_->fronts.size()),
-             symbolic_->relative_indices.data(),
-             symbolic_->bodies.data(),
-             symbolic_->vectors.data(),
-             symbolic_->runs.data(),
-             symbolic_->rows.data(),
-             symbolic_->mixed.data(),
-             symbolic_->hubs.data(),
-             symbolic_->couplings.data(),
-             symbolic_->unknowns.data(),
-             system_->mass_blocks().data(),
-             mass_factors_.data(),
-             at.D.data(),
-             e_.data(),
-             compliant_,
-             factors_.data(),
-             articulated_inertias_.data(),
-             panels_.data(),
-             contributions_.data(),
-             scratch_.data(),
-             pivots_.data(),
-             factors_.size() + panels_.size() > cached,
-             symbolic_->hubs.empty() ? singular_pivot : small_pivot};
+    collect_data(at);
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};
     if (smallest.ratio < data_.breakdown && std::isfinite(smallest.ratio) && delay_pivot(smallest.row))
       return factorize(at, e, a, b);
     if (!(smallest_pivot_.ratio > singular_pivot))
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
+  }
+
+  void collect_data(const Evaluation& at) {
+    const SymbolicFactorization& s = *symbolic_;
+    data_ = {.steps = s.steps.data(),
+             .step_count = std::ssize(s.steps),
+             .fronts = s.fronts.data(),
+             .front_count = std::ssize(s.fronts),
+             .relative_indices = s.relative_indices.data(),
+             .bodies = s.bodies.data(),
+             .vectors = s.vectors.data(),
+             .runs = s.runs.data(),
+             .rows = s.rows.data(),
+             .mixed = s.mixed.data(),
+             .hubs = s.hubs.data(),
+             .couplings = s.couplings.data(),
+             .unknowns = s.unknowns.data(),
+             .mass = system_->mass_blocks().data(),
+             .mass_factors = mass_factors_.data(),
+             .D = at.D.data(),
+             .e = e_.data(),
+             .compliant = compliant_,
+             .factors = factors_.data(),
+             .articulated_inertias = articulated_inertias_.data(),
+             .panels = panels_.data(),
+             .contributions = contributions_.data(),
+             .scratch = scratch_.data(),
+             .pivots = pivots_.data(),
+             .large = factors_.size() + panels_.size() > cached,
+             .breakdown = s.hubs.empty() ? singular_pivot : small_pivot};
   }
 
   /// Whether rows that are not dropped have a compliance.
