@@ -14,7 +14,7 @@ namespace {
 constexpr double golden = 0.6180339887498949;
 constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
 
-/// One step of a one-step method in two parts, with the correction that a method with memory adds.
+/// One step of a one-step method in two parts, with the correction that a multistep method adds.
 class Starter final : public Integrator {
  public:
   explicit Starter(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
