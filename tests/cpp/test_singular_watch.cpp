@@ -140,7 +140,7 @@ TEST_CASE("the least singular value falls linearly to zero toward a singular pos
       Dynamics dynamics(model, options);
       dynamics.evaluate(0.0, dynamics.initial_y());
       double value = 0.0;
-      for (int k = 0; k < 4; ++k) value = dynamics.least_singular_value();
+      for (int k = 0; k < 4; ++k) value = dynamics.formulation().least_singular_value();
       least.push_back(value);
     }
     CHECK(least[0] / least[1] == doctest::Approx(2.0).epsilon(0.05));

@@ -379,7 +379,7 @@ bool AdaptiveSimulation::output_inside() const {
 void AdaptiveSimulation::record_inside() {
   const double t = schedule_.times[next_time_++];
   if (evaluated_ && !away_from_) away_from_ = dynamics_.place();
-  dynamics_.begin_looking();
+  dynamics_.formulation().look(true);
   with_time(t, NAN, [&] {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
     interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
@@ -387,7 +387,7 @@ void AdaptiveSimulation::record_inside() {
     if (leapt_) record_in_leap(t, workspace_);
     else recorder_.record(t, workspace_);
   });
-  dynamics_.end_looking();
+  dynamics_.formulation().look(false);
 }
 
 void AdaptiveSimulation::record_in_leap(double t, const VectorXd& y) {

@@ -55,8 +55,8 @@ double Crossing::Quality::error() const { return std::max({end_part * resolution
 
 Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics), poses_(dynamics) {
   const System& system = dynamics.system();
-  dynamics.list_evaluations(false);
-  if (!dynamics.watches()) return;
+  dynamics.formulation().watch().list_evaluations(false);
+  if (!dynamics.formulation().watched()) return;
   const ClosedLoops loops(system, dynamics.evaluation(), rank_tolerance);
   in_loops_.resize(static_cast<std::size_t>(system.body_count()));
   for (int body = 0; body < system.body_count(); ++body)
@@ -120,7 +120,7 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
     const Unwatched unwatched(dynamics_);
     try {
       dynamics_.factorize();
-      root = dynamics_.root_of_pivot();
+      root = dynamics_.formulation().root_of_pivot();
     } catch (const SingularSystemError&) {
     }
   }
@@ -151,7 +151,7 @@ void Crossing::keep_rows_good() {
   if (root > near * level) rows_good_ = near * level;
   if (root > rows_good_) return;
   rows_good_ = fallen * root;
-  dynamics_.improve_rows();
+  dynamics_.formulation().improve_rows();
 }
 
 bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
@@ -163,7 +163,7 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const System& system = dynamics_.system();
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
-  least_ = {t, fastest_ * h > coarse ? dynamics_.least_singular_value() : INFINITY};
+  least_ = {t, fastest_ * h > coarse ? dynamics_.formulation().least_singular_value() : INFINITY};
   const double tau = std::min(foreseen(t), foreseen_by_least(t));
   if (!(tau >= -h && tau < INFINITY)) return false;
   const auto trend = dynamics_.watch().trend();
@@ -225,7 +225,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   declined_ = 0.0;
   leap_ = std::move(search.best);
   leap_.followed = leap_.h;
-  dynamics_.forget_trend();
+  dynamics_.formulation().watch().forget_trend();
   return true;
 }
 

@@ -36,7 +36,7 @@ struct Leap {
 class Crossing final : public Interpolant {
  public:
   explicit Crossing(Dynamics& dynamics);
-  ~Crossing() override { dynamics_.list_evaluations(true); }
+  ~Crossing() override { dynamics_.formulation().watch().list_evaluations(true); }
   Crossing(const Crossing&) = delete;
   Crossing& operator=(const Crossing&) = delete;
 

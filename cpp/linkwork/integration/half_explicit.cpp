@@ -162,7 +162,7 @@ class HalfExplicit final : public Integrator {
     for (; k < most_vectors && std::abs(s[k]) > exact * size; ++k) {
       dynamics.solve(none_, basis[k], dx_, dlambda_);
       dynamics.system().multiply_D(*at_, dx_, residual_);
-      dynamics.leave_out_redundant(residual_);
+      dynamics.dropped().take_from(residual_);
       for (Eigen::Index i = 0; i <= k; ++i) {
         H(i, k) = residual_.dot(basis[i]);
         residual_ -= H(i, k) * basis[i];
@@ -191,7 +191,7 @@ class HalfExplicit final : public Integrator {
   void find_residual(Dynamics& dynamics, const VectorXd& b, const VectorXd& x) {
     dynamics.system().multiply_D(*at_, x, residual_);
     residual_ = b - residual_;
-    dynamics.leave_out_redundant(residual_);
+    dynamics.dropped().take_from(residual_);
   }
 
   /// A body that turns far does so because the step is long for the motion, or because it has become unstable.

@@ -102,7 +102,7 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
       if (const int joint = model.joint_of_row(row); joints.empty() || joints.back() != joint) joints.push_back(joint);
   y_.head(system.q_size()) = found.q;
   dynamics_.evaluate(t, y_);
-  dynamics_.change_redundant_rows(std::move(found.choice), std::move(joints));
+  dynamics_.formulation().change_redundant_rows(std::move(found.choice), std::move(joints));
   projection().positions(t, y_);
   projection().velocities(t, y_);
   dynamics_.evaluate(t, y_);

@@ -159,7 +159,7 @@ std::vector<StepJudge::Span> StepJudge::parts_of(const KeptStep& step) const {
 
 /// The rows that the run left out in this step; others have become redundant since, or were before.
 void StepJudge::leave_out(const std::vector<int>& rows) {
-  if (dynamics_.dropped().rows() != rows) dynamics_.change_redundant_rows(rows, {});
+  if (dynamics_.dropped().rows() != rows) dynamics_.formulation().change_redundant_rows(rows, {});
 }
 
 void StepJudge::finish(double t) {
