@@ -251,27 +251,20 @@ void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {
   formulation_->distribute(lambda);
 }
 
-// With the residuals r_1 = g - M v_dot + D^T lambda and r_2 = gamma - D v_dot the corrections satisfy
-//   M dv - D^T dlambda = r_1,   D dv = r_2,
-// whatever the formulation solves of it: the penalty method's own solution, too, becomes that of (12.3).
+/// Whatever the formulation solves of them: the penalty method's own solution, too, becomes that of (12.3).
 void Dynamics::refined_accelerations(MutableVector v_dot, MutableVector lambda) {
-  const int nv = system_.v_size();
-  const auto g = at_.g.head(nv);
+  const auto g = at_.g.head(system_.v_size());
+  const auto nearby = [this](const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector multipliers) {
+    solve(a, b, x, multipliers);
+  };
   solve(g, at_.gamma, v_dot, lambda);
   if (system_.row_count() == 0) return;
-  VectorXd r_1(nv), r_2(system_.row_count()), dv(nv), dlambda(system_.row_count());
+  Refinement refinement(system_);
   double last = INFINITY;
   for (int k = 0; k < most_refinements; ++k) {
-    system_.multiply_mass(v_dot, dv);
-    r_1 = g - dv;
-    system_.add_D_transposed(at_, lambda, r_1);
-    system_.multiply_D(at_, v_dot, r_2);
-    r_2 = at_.gamma - r_2;
-    solve(r_1, r_2, dv, dlambda);
-    const double change = dv.norm();
+    refinement.correct(at_, g, at_.gamma, v_dot, lambda, nearby);
+    const double change = refinement.dx().norm();
     if (!(change < 0.5 * last)) break;
-    v_dot += dv;
-    lambda += dlambda;
     last = change;
   }
   formulation_->distribute(lambda);
