@@ -31,7 +31,7 @@ constexpr double same_pose = 1e-2;                 // relative to a leap
 constexpr int most_sweeps = 40, most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
-constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
+constexpr double converged = 1e-13, roundoff = 1e-8, shrinking = 0.5;
 constexpr double tolerance = 1e-10;      // of the energy over a leap
 constexpr double resolved = 1e-10;       // of velocities inside; at the end about the square of it counts
 constexpr double end_part = 1e-2;        // of that, at most
