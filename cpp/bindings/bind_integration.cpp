@@ -114,7 +114,7 @@ py::list excesses(const Run& run) {
   constexpr const char* levels[] = {"position", "velocity", "acceleration"};
   const Model& model = run.dynamics().system().model();
   py::list out;
-  for (const Excess& it : run.budget().excesses()) {
+  for (const Excess& it : run.violation_monitor().excesses()) {
     py::dict one;
     one["level"] = levels[it.level];
     one["t"] = it.t;
@@ -139,7 +139,7 @@ py::dict to_dict(const Run& run, const Contradiction& found) {
 py::dict run_statistics(const Run& run) {
   py::dict out = py::cast(&run.dynamics(), py::return_value_policy::reference).attr("statistics")();
   out["steps"] = run.steps_done();
-  out["violations"] = run.budget().count();
+  out["violations"] = run.violation_monitor().count();
   out["projections"] = run.projections();
   out["excesses"] = excesses(run);
   if (const Contradiction& found = run.contradiction(); !std::isnan(found.t))
@@ -202,14 +202,18 @@ void bind_runs(py::module_& module) {
            "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
            "`method`: that of the run, or one that is much more accurate, and `other`.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics
+}
 
+void bind_fixed_steps(py::module_& module) {
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
                        std::int64_t record_every, double t_start, const VectorXd& start) {
              const Busy busy(dynamics);
              dynamics.set_interrupt(&look_for_signals);
-             return std::make_unique<Simulation>(dynamics, make_integrator(integrator),
-                                                 Schedule{t_end, step, record_every, t_start, start});
+             return std::make_unique<Simulation>(
+                 dynamics, make_integrator(integrator),
+                 Schedule{
+                     .t_end = t_end, .step = step, .record_every = record_every, .t_start = t_start, .start = start});
            }),
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
@@ -220,7 +224,9 @@ void bind_runs(py::module_& module) {
            "(t, y, h) of the step that begins; h = 0 at the end.")
       .def("accept", exclusive(+[](Simulation& simulation, const ConstVector& y) { simulation.accept(y); }),
            py::arg("y"));
+}
 
+void bind_adaptive_steps(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
@@ -228,14 +234,14 @@ void bind_runs(py::module_& module) {
              const Busy busy(dynamics);
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(dynamics, pair,
-                                                         AdaptiveSchedule{t_end,
-                                                                          {rtol, atol},
-                                                                          largest_step,
-                                                                          record_every,
-                                                                          std::move(times),
-                                                                          t_start,
-                                                                          start,
-                                                                          std::move(breaks)},
+                                                         AdaptiveSchedule{.t_end = t_end,
+                                                                          .tolerances = {rtol, atol},
+                                                                          .largest_step = largest_step,
+                                                                          .record_every = record_every,
+                                                                          .times = std::move(times),
+                                                                          .t_start = t_start,
+                                                                          .start = start,
+                                                                          .breaks = std::move(breaks)},
                                                          std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
@@ -294,6 +300,8 @@ void bind_integration(py::module_& module) {
            py::arg("extra_c"), py::arg("interpolant"));
   bind_events(module);
   bind_runs(module);
+  bind_fixed_steps(module);
+  bind_adaptive_steps(module);
 }
 
 }  // namespace linkwork::python

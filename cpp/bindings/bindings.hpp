@@ -7,6 +7,7 @@
 #include <pybind11/stl.h>
 
 #include "linkwork/integration/run.hpp"
+#include "linkwork/math/types.hpp"
 
 namespace linkwork::python {
 
@@ -17,7 +18,10 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
 void bind_errors(py::module_& module);
+void bind_time_functions(py::module_& module);
+void bind_kinds(py::module_& module);
 void bind_model(py::module_& module);
+void bind_assembler(py::module_& module);
 void bind_formulation(py::module_& module);
 void bind_integration(py::module_& module);
 
@@ -36,5 +40,8 @@ auto exclusive(Result (*function)(Self&, Arguments...)) {
 
 /// Hands a vector over to numpy without a copy.
 py::array_t<double> to_numpy(std::vector<double>&& values, std::vector<py::ssize_t> shape);
+
+/// OptionError: a vector of another size.
+void check_size(const ConstVector& vector, Eigen::Index size, const char* name);
 
 }  // namespace linkwork::python

@@ -198,19 +198,19 @@ TEST_CASE(
   CHECK(largest_error(model, h, {0.3701, 0.3711}) == doctest::Approx(0.05).epsilon(1e-3));
 }
 
-TEST_CASE("the halves hold the correction of the whole step") {
+TEST_CASE("the halves keep the zero-order hold of the whole step") {
   const Model model = pendulum();
   Dynamics dynamics(model, Options());
   VectorXd y = dynamics.initial_y(), held(dynamics.y_size()), halved(dynamics.y_size()), free(dynamics.y_size());
   y[2] += 1e-3;  // off the hinge
   dynamics.evaluate(0.0, y);
   dynamics.rates(free);
-  dynamics.hold_correction(deadbeat_gains(0.5, 0.01));
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.01));
   dynamics.rates(held);
   dynamics.begin_parts(0.5);
-  dynamics.hold_correction(deadbeat_gains(0.5, 0.005));
-  dynamics.release_correction();
-  dynamics.hold_correction(deadbeat_gains(0.5, 0.005));
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005));
+  dynamics.end_zero_order_hold();
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005));
   dynamics.rates(halved);
   CHECK((held - free).norm() > 1e-3);
   CHECK((halved - held).norm() <= 1e-12 * held.norm());

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
 import random
@@ -16,14 +17,16 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import h5py
 import linkwork as lw
 import numpy as np
 import pytest
 import synthetic
-from linkwork import Result, result_file
+from linkwork import Result
 from linkwork.errors import FileError
-from linkwork.header import Header
-from linkwork.result_file import ResultWriter
+from linkwork.motion.header import Header
+from linkwork.results import writing
+from linkwork.results.writing import ResultWriter
 
 FIELDS = (
     "t",
@@ -152,10 +155,10 @@ def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
 
 WRITE_UNTIL_KILLED = """
     import sys, synthetic
-    from linkwork import result_file
-    bodies, expected, result_file.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]), float(sys.argv[4])
+    from linkwork.results import writing
+    bodies, expected, writing.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]), float(sys.argv[4])
     header = synthetic.header(bodies, bodies, expected_frames=expected or None)
-    with result_file.ResultWriter(sys.argv[1], header) as writer:
+    with writing.ResultWriter(sys.argv[1], header) as writer:
         print("started", flush=True)
         for first in range(0, 10**9, 5):
             writer.write(synthetic.frames(header, first, 5))
@@ -190,7 +193,7 @@ def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -
 
 BEGIN_A_LARGE_FILE = """
     import sys, synthetic
-    from linkwork.result_file import ResultWriter
+    from linkwork.results.writing import ResultWriter
     header = synthetic.header(20000, 20000)
     print("started", flush=True)
     while True:
@@ -280,11 +283,12 @@ def on_a_small_disk(program: str, folder: Path) -> list[str]:
 
 WRITE_ON_A_SMALL_DISK = """
     import subprocess, sys, synthetic
-    from linkwork import Result, errors, result_file
+    from linkwork import Result, errors
+    from linkwork.results import writing
     subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", sys.argv[1]], check=True)
     header = synthetic.header(20, 20)
     try:
-        with result_file.ResultWriter(sys.argv[1] + "/run.h5", header) as writer:
+        with writing.ResultWriter(sys.argv[1] + "/run.h5", header) as writer:
             for first in range(0, 10**9, 5):
                 writer.write(synthetic.frames(header, first, 5))
     except errors.FileError as error:
@@ -393,7 +397,7 @@ def test_file_of_another_kind_is_refused_in_one_line(tmp_path: Path, content: by
 def test_file_cut_short_in_copying_has_the_frames_before_the_cut(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, share: float
 ) -> None:
-    monkeypatch.setattr(result_file, "FLUSH_SECONDS", 0.0)  # as if every piece took a second
+    monkeypatch.setattr(writing, "FLUSH_SECONDS", 0.0)  # as if every piece took a second
     header = synthetic.header(bodies=20, joints=20, expected_frames=2000)
     path = tmp_path / "run.h5"
     with ResultWriter(path, header) as writer:
@@ -427,3 +431,17 @@ def test_frames_of_a_file_that_was_replaced_are_not_mixed_up(tmp_path: Path) -> 
 def test_finished_file_has_no_spare_room(tmp_path: Path) -> None:
     make_result(synthetic.header(bodies=1, joints=0), count=10).save(tmp_path / "run.h5")
     assert (tmp_path / "run.h5").stat().st_size < 100_000
+
+
+def test_file_with_the_former_names_of_statistics_loads_by_those_of_today(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    lw.simulate(lw.mechanisms.pendulum(), t_end=0.01, step=1e-3).save(path)
+    crossing = {"t": 0.5, "pivot": 1e-9, "joints": ["A"], "rows_changed": False, "taken_over": 3}
+    with h5py.File(path, "r+") as file:
+        statistics = json.loads(file.attrs["statistics"])
+        statistics.pop("singularity_crossings")
+        file.attrs["statistics"] = json.dumps(statistics | {"passages": [crossing]})
+    pose = Result.load(path).singular_poses[0]
+    assert pose == (0.5, ("A",), 1e-9, 3) and pose.fallback_evaluations == 3
+    with pytest.raises(AttributeError, match="'fallback_evaluations' now"):
+        _ = pose.taken_over

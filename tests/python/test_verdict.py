@@ -13,13 +13,13 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork import _core, mechanisms, verdict
-from linkwork.comparison.measures import Differences, Sampled, Scales, longest_arm
+from linkwork import _core, mechanisms
+from linkwork.accuracy import verdict
+from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.arrays import Floats
 from linkwork.integrators import METHODS
 from linkwork.options import compile_options
 from random_mechanisms import make
-
-Floats = np.ndarray[Any, np.dtype[np.float64]]
 
 
 def quick(model: lw.Model, t_end: float, **how: Any) -> lw.Result:

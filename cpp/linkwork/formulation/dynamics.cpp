@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwork/constraints/least_held_motion.hpp"
+#include "linkwork/constraints/least_constrained_motion.hpp"
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
@@ -16,12 +16,8 @@ constexpr int dense_rows = 32;       // up to this size a dense factorization is
 constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
-constexpr int timed_evaluations = 17;   // the first ones, then one in so many: not always the same stage of a step
-constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
-constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
-constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
+constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
 constexpr int most_refinements = 20;
-constexpr double broken = -1.0;  // for a pivot of a factorization that broke down
 constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
@@ -55,7 +51,7 @@ std::string choose_form(const FormulationInfo& info, const Options& options, boo
 std::string choose_solver(const std::string& form, const FormulationInfo& info, const Options& options,
                           const System& system) {
   if (options.linear_solver != "auto") return options.linear_solver;
-  const bool regular = system.massless_bodies().empty() || info.fills_inertia;
+  const bool regular = system.massless_bodies().empty() || info.regularizes_inertia;
   const MatrixForm& unknowns = matrix_form(form);
   const int size = unknowns.velocities * system.v_size() + unknowns.multipliers * system.row_count();
   const auto suits = [&](const LinearSolverInfo& solver) {
@@ -75,34 +71,29 @@ Dynamics::Dynamics(const Model& model, const Options& options)
       at_(system_.make_evaluation()) {
   const FormulationInfo& info = formulation_info(options_.formulation);
   rank_ = examine_rank(system_);
-  dropped_ = DroppedRows(system_, rank_.redundant_rows);
-  options_.matrix_form = choose_form(info, options_, !dropped_.empty());
+  options_.matrix_form = choose_form(info, options_, !rank_.redundant_rows.empty());
   options_.linear_solver = choose_solver(options_.matrix_form, info, options_, system_);
   for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
   for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
-  y_ = initial_y();
-  history_ = system_.initial_history();
-  system_.evaluate(0.0, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
-  history_ = initial_history_ = at_.history;
+  now_.y = initial_y();
+  now_.history = system_.initial_history();
+  system_.evaluate(0.0, now_.y.head(system_.q_size()), now_.y.segment(system_.q_size(), system_.v_size()), now_.history,
+                   at_);
+  now_.history = initial_history_ = at_.history;
   check_masses();
   check_kkt();
-  formulation_ =
-      info.make(make_saddle_solver(options_.matrix_form, linear_solver_info(options_.linear_solver)), options_);
+  const LinearSolverInfo& solver = linear_solver_info(options_.linear_solver);
+  formulation_ = std::make_unique<WatchedFormulation>(
+      system_, at_, now_, info.make(make_saddle_solver(options_.matrix_form, solver), options_),
+      DroppedRows(system_, rank_.redundant_rows));
   if (system_.row_count() == 0) return;
-  inertia_ = std::make_unique<FilledInertia>(system_, at_);
-  const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
-  minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
-  dropped_.take_out(at_);
-  least_singular_value_ = LeastSingularValue(system_, rows.mobility, dropped_);
-  formulation_->analyze(system_, at_, rows);
-  rank_needed_ = info.needs_full_rank;
-  watched_ = rank_needed_ || linear_solver_info(options_.linear_solver).make_saddle;
-  if (!watched_ && options_.on_singular != "pass")
+  formulation_->start(info.needs_full_rank, info.needs_full_rank || solver.make_saddle);
+  if (!formulation_->watched() && options_.on_singular != "pass")
     throw OptionError("unwatched", "on_singular '" + options_.on_singular + "': formulation '" + info.name +
                                        "' with linear solver '" + options_.linear_solver +
                                        "' has no pivots that tell a singular pose; use linear solver 'block', or "
                                        "on_singular 'pass'");
-  if (!rank_.singular_rows.empty()) watch_.start(1.0);
+  if (!rank_.singular_rows.empty()) formulation_->watch().start(1.0);
   if (system_.body_count() > large_model) return_free_memory();
 }
 
@@ -112,30 +103,39 @@ void Dynamics::check_masses() const {
   if (free.empty()) return;
   ErrorDetails details;
   details.bodies = {system_.model().body_name(free.front())};
-  throw SingularSystemError(
-      "free_massless_body",
-      "body '" + details.bodies.front() + "' has a motion without inertia that no joint resists, " +
-          describe_least_held_motion(system_, at_, free.front()) + "; give it mass and inertia, or hold it by joints",
-      details);
+  throw SingularSystemError("free_massless_body",
+                            "body '" + details.bodies.front() +
+                                "' has a motion without inertia that no joint resists, " +
+                                describe_least_constrained_motion(system_, at_, free.front()) +
+                                "; give it mass and inertia, or hold it by joints",
+                            details);
 }
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
 void Dynamics::check_kkt() const {
-  if (dropped_.empty() || matrix_form(options_.matrix_form).definite ||
+  if (rank_.redundant_rows.empty() || matrix_form(options_.matrix_form).definite ||
       linear_solver_info(options_.linear_solver).make_saddle)
     return;
   throw OptionError("redundant_kkt", "matrix_form 'kkt' with linear solver '" + options_.linear_solver +
-                                         "' takes no redundant constraints, and " + std::to_string(dropped_.count()) +
-                                         " of " + std::to_string(rank_.rows) +
+                                         "' takes no redundant constraints, and " +
+                                         std::to_string(rank_.redundant_rows.size()) + " of " +
+                                         std::to_string(rank_.rows) +
                                          " equations are (see linkwork check); use matrix_form 'schur', or linear "
                                          "solver 'block'");
 }
 
 void Dynamics::set_history(const ConstVector& history) {
-  if (history.size() != history_.size())
-    throw OptionError("history", "the mechanism has " + std::to_string(history_.size()) + " history variables, not " +
-                                     std::to_string(history.size()));
-  history_ = history;
+  if (history.size() != now_.history.size())
+    throw OptionError("history", "the mechanism has " + std::to_string(now_.history.size()) +
+                                     " history variables, not " + std::to_string(history.size()));
+  now_.history = history;
+}
+
+DynamicsStatistics Dynamics::statistics() const {
+  DynamicsStatistics out = statistics_;
+  out.factorizations = formulation_->factorizations();
+  out.smallest_pivot = formulation_->smallest_pivot();
+  return out;
 }
 
 VectorXd Dynamics::initial_y() const {
@@ -172,170 +172,29 @@ int Dynamics::evaluations_on_the_clock() const {
 void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   poll();
   observe_now();
-  t_ = t;
-  stage_ = stage;
-  y_ = y;
+  now_.t = t;
+  now_.stage = stage;
+  now_.y = y;
   clocked_ = evaluations_on_the_clock();
   {
     const Stopwatch watch(statistics_.evaluate_time, clocked_);
-    system_.evaluate(t, y_.head(system_.q_size()), y_.segment(system_.q_size(), system_.v_size()), history_, at_);
+    system_.evaluate(t, now_.y.head(system_.q_size()), now_.y.segment(system_.q_size(), system_.v_size()), now_.history,
+                     at_);
     statistics_.evaluations += 1;
   }
-  dropped_.take_out(at_);
-  factorized_ = taken_over_ = false;
+  formulation_->begin();
   if (!sides_.empty()) look_for_switches();
   if (traces_) look_for_nan(false);
 }
 
 void Dynamics::factorize() {
-  if (system_.row_count() > 0 && !factorized_) count_factorization([&] { formulation_->factorize(at_); });
-}
-
-/// False where `factorize` was not the last word: a solution that it found is none.
-template <class Work>
-bool Dynamics::count_factorization(Work factorize) {
+  if (system_.row_count() == 0 || formulation_->factorized()) return;
   const Stopwatch watch(statistics_.factorize_time, clocked_);
-  const double pivot = try_factorization(factorize);
-  factorized_ = true;
-  statistics_.factorizations += 1;
-  statistics_.smallest_pivot = std::min(statistics_.smallest_pivot, std::max(pivot, 0.0));
-  if (!watched_ || !watching_) return true;
-  if (looking_) return look_at(pivot);
-  watch_.note(t_, pivot);
-  return watch_.usual(pivot) || inspect(pivot);
-}
-
-/// The smallest pivot; -1 where the matrix is singular. A state that is not finite makes it so: say which it is.
-template <class Work>
-double Dynamics::try_factorization(Work factorize) {
-  try {
-    factorize();
-  } catch (const SingularSystemError&) {
-    const bool pivots = std::isfinite(formulation_->saddle().smallest_pivot());
-    if (!pivots || !y_.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
-      throw_not_finite(system_, y_, t_, stage_);
-    if (!rank_needed_ || !watching_ || (!looking_ && !watch_.open() && examine_here(broken).rows.empty())) throw;
-    return broken;
-  }
-  return formulation_->saddle().smallest_pivot();
-}
-
-PoseExamination Dynamics::examine_here(double pivot) const {
-  const VectorXd q = y_.head(system_.q_size());
-  return examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(pivot));
-}
-
-/// A small pivot, or any inside a passage. False where the factorization is another one than before.
-bool Dynamics::inspect(double pivot) {
-  if (watch_.open()) {
-    watch_.go_on(pivot);
-  } else {
-    PoseExamination found = examine_here(pivot);
-    if (found.rows.empty()) {
-      watch_.suspect_less();
-      return true;
-    }
-    if (!found.better_choice.empty()) {
-      watch_.change_rows(t_, pivot, std::move(found.joints));
-      change_redundant_rows(std::move(found.better_choice));
-      return false;
-    }
-    watch_.begin(t_, pivot, std::move(found.joints));
-  }
-  if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
-  take_over();
-  watch_.take_over();
-  return false;
-}
-
-double Dynamics::least_singular_value() {
-  try {
-    factorize();
-  } catch (const SingularSystemError&) {
-    return 0.0;
-  }
-  return least_singular_value_.of(formulation_->saddle());
-}
-
-/// Takes the choice where it makes the root of the smallest pivot at least so large.
-bool Dynamics::choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root) {
-  const std::vector<int> before = dropped_.rows();
-  if (rows.empty() || rows == before) return false;
-  const double pivot = formulation_->saddle().smallest_pivot();
-  const auto root_with = [this](std::vector<int> choice) {
-    try {
-      change_redundant_rows(std::move(choice));
-      return root_of_pivot();
-    } catch (const SingularSystemError&) {
-      return -1.0;  // either may be singular, in a singular pose
-    }
-  };
-  if (!(root_with(std::move(rows)) >= least_root)) {
-    factorized_ = root_with(before) >= 0.0;
-    return false;
-  }
-  watch_.change_rows(t_, pivot, std::move(joints));
-  return true;
-}
-
-bool Dynamics::improve_rows() {
-  if (dropped_.empty()) return false;
-  factorize();
-  const VectorXd q = y_.head(system_.q_size());
-  std::vector<int> rows = choose_redundant_rows(system_, {t_, q, history_}, dropped_.rows()), joints;
-  for (const int row : dropped_.rows())
-    if (!std::binary_search(rows.begin(), rows.end(), row))
-      if (const int joint = system_.model().joint_of_row(row); joints.empty() || joints.back() != joint)
-        joints.push_back(joint);
-  if (!choose_rows(std::move(rows), std::move(joints), better * root_of_pivot())) return false;
-  watch_.forget_trend();
-  return true;
-}
-
-bool Dynamics::cross(const VectorXd& y, double pivot) {
-  const VectorXd q = y.head(system_.q_size());
-  PoseExamination found =
-      examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
-  if (found.rows.empty()) return false;
-  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * watch_.root_of_level())) return false;
-  if (!found.singular) return false;
-  watch_.cross(t_, pivot, std::move(found.joints));
-  return true;
-}
-
-void Dynamics::change_redundant_rows(std::vector<int> rows) {
-  dropped_.put_back(at_);
-  dropped_ = DroppedRows(system_, std::move(rows));
-  const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
-  minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
-  dropped_.take_out(at_);
-  least_singular_value_ = LeastSingularValue(system_, now.mobility, dropped_);
-  formulation_->analyze(system_, at_, now);
   formulation_->factorize(at_);
 }
 
-void Dynamics::change_redundant_rows(std::vector<int> rows, std::vector<int> joints) {
-  watch_.change_rows(t_, formulation_->saddle().smallest_pivot(), std::move(joints));
-  change_redundant_rows(std::move(rows));
-  factorized_ = true;
-  taken_over_ = false;
-}
-
-void Dynamics::take_over() {
-  if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_, *inertia_);
-  tolerant_->factorize(at_);
-  taken_over_ = true;
-}
-
-/// As `inspect`, for an observer: the watch does not hear of it.
-bool Dynamics::look_at(double pivot) {
-  if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
-  take_over();
-  return false;
-}
-
 void Dynamics::observe(std::function<void()> look) {
-  if (factorized_ || system_.row_count() == 0) return look();
+  if (formulation_->factorized() || system_.row_count() == 0) return look();
   observer_ = std::move(look);
 }
 
@@ -344,11 +203,11 @@ void Dynamics::observe_now() {
 }
 
 void Dynamics::return_to(const Place& place) {
-  looking_ = true;
+  formulation_->look(true);
   evaluate(place.t, place.y);
   if (place.factorized) factorize();
-  if (place.taken_over && !taken_over_) take_over();
-  looking_ = false;
+  if (place.fallback && !formulation_->fallback()) formulation_->fall_back();
+  formulation_->look(false);
 }
 
 void Dynamics::take_sides() {
@@ -372,62 +231,57 @@ void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v
 void Dynamics::find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
   statistics_.solves += 1;
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
-  if (!factorized_ && count_factorization([&] { formulation_->factorize_and_solve(at_, a, kept(b), v_dot, lambda); }))
-    return;
+  if (!formulation_->factorized()) {
+    const Stopwatch watch(statistics_.factorize_time, clocked_);
+    return formulation_->factorize_and_solve(at_, a, kept(b), v_dot, lambda);
+  }
   const Stopwatch watch(statistics_.solve_time, clocked_);
-  active().solve(a, kept(b), v_dot, lambda);
+  formulation_->solve(a, kept(b), v_dot, lambda);
 }
 
 ConstVector Dynamics::kept(const ConstVector& b) {
-  if (dropped_.empty()) return b;
+  if (dropped().empty()) return b;
   kept_b_ = b;
-  dropped_.take_from(kept_b_);
+  dropped().take_from(kept_b_);
   return kept_b_;
 }
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {
   solve(at_.g.head(system_.v_size()), at_.gamma, v_dot, lambda);
-  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
+  formulation_->distribute(lambda);
 }
 
-// With the residuals r_1 = g - M v_dot + D^T lambda and r_2 = gamma - D v_dot the corrections satisfy
-//   M dv - D^T dlambda = r_1,   D dv = r_2,
-// whatever the formulation solves of it: the penalty method's own solution, too, becomes that of (12.3).
+/// Whatever the formulation solves of them: the penalty method's own solution, too, becomes that of (12.3).
 void Dynamics::refined_accelerations(MutableVector v_dot, MutableVector lambda) {
-  const int nv = system_.v_size();
-  const auto g = at_.g.head(nv);
+  const auto g = at_.g.head(system_.v_size());
+  const auto nearby = [this](const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector multipliers) {
+    solve(a, b, x, multipliers);
+  };
   solve(g, at_.gamma, v_dot, lambda);
   if (system_.row_count() == 0) return;
-  VectorXd r_1(nv), r_2(system_.row_count()), dv(nv), dlambda(system_.row_count());
+  Refinement refinement(system_);
   double last = INFINITY;
   for (int k = 0; k < most_refinements; ++k) {
-    system_.multiply_mass(v_dot, dv);
-    r_1 = g - dv;
-    system_.add_D_transposed(at_, lambda, r_1);
-    system_.multiply_D(at_, v_dot, r_2);
-    r_2 = at_.gamma - r_2;
-    solve(r_1, r_2, dv, dlambda);
-    const double change = dv.norm();
+    refinement.correct(at_, g, at_.gamma, v_dot, lambda, nearby);
+    const double change = refinement.dx().norm();
     if (!(change < 0.5 * last)) break;
-    v_dot += dv;
-    lambda += dlambda;
     last = change;
   }
-  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
+  formulation_->distribute(lambda);
 }
 
 void Dynamics::acceleration_residual(const ConstVector& v_dot, MutableVector residual) {
-  dropped_.put_back(at_);
+  formulation_->dropped().put_back(at_);
   system_.multiply_D(at_, v_dot, residual);
   residual -= at_.gamma;
-  dropped_.take_out(at_);
+  formulation_->dropped().take_out(at_);
 }
 
 Gains Dynamics::gains_or(Gains defaults) const {
   return {options_.baumgarte_alpha.value_or(defaults.alpha), options_.baumgarte_beta.value_or(defaults.beta)};
 }
 
-void Dynamics::hold_correction(Gains gains) {
+void Dynamics::begin_zero_order_hold(Gains gains) {
   if (!sampled() || (held_ && first_part_ > 0.0)) return;
   if (first_part_ > 0.0) gains = {gains.alpha * first_part_, gains.beta * first_part_};
   gains = gains_or(gains);
@@ -445,7 +299,7 @@ void Dynamics::add_correction(double h, MutableVector y) {
   b_ = -gains.beta * gains.beta * h * h * at_.Phi;
   solve(none, b_, x_, lambda_);
   VectorXd dq(system_.q_size());
-  system_.position_rates(y_.head(system_.q_size()), x_, dq);
+  system_.position_rates(now_.y.head(system_.q_size()), x_, dq);
   y.head(system_.q_size()) += dq;
 }
 
@@ -465,7 +319,7 @@ void Dynamics::rates(MutableVector y_dot) {
 // The power of the constraints is v^T D^T lambda = lambda . (Phi_dot - Phi_t): -lambda . Phi_t for driven ones.
 void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const {
   const int nq = system_.q_size(), nv = system_.v_size();
-  system_.position_rates(y_.head(nq), y_.segment(nq, nv), y_dot.head(nq));
+  system_.position_rates(now_.y.head(nq), now_.y.segment(nq, nv), y_dot.head(nq));
   y_dot.segment(nq, nv) = v_dot;
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
 }
@@ -478,10 +332,10 @@ Busy::Busy(const Dynamics& dynamics) : dynamics_(dynamics) {
 }
 
 void Dynamics::look_for_nan(bool accelerations) const {
-  bool finite = y_.allFinite() && at_.g.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite() &&
+  bool finite = now_.y.allFinite() && at_.g.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite() &&
                 at_.gamma.allFinite() && std::isfinite(at_.power);
   if (accelerations) finite = finite && v_dot_.allFinite() && lambda_.allFinite();
-  if (!finite) throw_not_finite(system_, y_, t_, stage_);
+  if (!finite) throw_not_finite(system_, now_.y, now_.t, now_.stage);
 }
 
 }  // namespace linkwork

@@ -10,14 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "linkwork/constraints/dropped_rows.hpp"
-#include "linkwork/constraints/least_singular_value.hpp"
-#include "linkwork/constraints/minimum_norm.hpp"
 #include "linkwork/constraints/rank.hpp"
-#include "linkwork/formulation/formulation.hpp"
-#include "linkwork/formulation/rank_tolerant.hpp"
-#include "linkwork/formulation/singular_watch.hpp"
 #include "linkwork/formulation/stabilization.hpp"
+#include "linkwork/formulation/watched_formulation.hpp"
 
 namespace linkwork {
 
@@ -47,23 +42,23 @@ class Dynamics {
   const System& system() const { return system_; }
   const Options& options() const { return options_; }  ///< as chosen: no "auto" left
   const Evaluation& evaluation() const { return at_; }
-  const DynamicsStatistics& statistics() const { return statistics_; }
-  const IterationStatistics& iterations() const { return formulation_->iterations(); }
+  DynamicsStatistics statistics() const;
+  const IterationStatistics& iterations() const { return formulation_->formulation().iterations(); }
   FactorizationCost factorization_cost() const;  ///< of the last one
   double assemble_time() const;                  ///< part of the factorize_time; see SaddleSolver
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
   VectorXd initial_y() const;
   // History variables (see history.hpp) are held while a step is tried, and go on when its end is accepted.
   /// Those that evaluations take as of the last accepted state; at first those of the initial state.
-  const VectorXd& history() const { return history_; }
+  const VectorXd& history() const { return now_.history; }
   const VectorXd& initial_history() const { return initial_history_; }
   /// OptionError: not as many numbers as there are history variables.
   void set_history(const ConstVector& history);
   /// Accepts the state where this is evaluated. What was evaluated there holds with the new history, too.
-  void advance_history() { history_ = at_.history; }
+  void advance_history() { now_.history = at_.history; }
   /// A contact is found to begin or end in the state that is accepted next, be its depth zero or roundoff.
-  void begin_contact(int variable) { history_[variable] = std::numeric_limits<double>::quiet_NaN(); }
-  void end_contact(int variable) { history_[variable] = at_.history[variable] = 0.0; }
+  void begin_contact(int variable) { now_.history[variable] = std::numeric_limits<double>::quiet_NaN(); }
+  void end_contact(int variable) { now_.history[variable] = at_.history[variable] = 0.0; }
   // Switches of force elements whose law is not smooth, see Wrenches: on which side of zero they are.
   /// The sides of the state where this is evaluated are those of the step that begins there; what is zero keeps its
   /// side.
@@ -73,28 +68,11 @@ class Dynamics {
   /// Whether an evaluation since the last call had one on another side.
   bool take_switched() { return std::exchange(switched_, false); }
   const RankReport& rank() const { return rank_; }
-  const SingularWatch& watch() const { return watch_; }
-  /// Where there are joints.
-  const FilledInertia& inertia() const { return *inertia_; }
-  /// Whether pivots tell singular poses, and there are loops that may come to some.
-  bool watches() const { return watched_ && system_.row_count() > 0; }
-  /// Evaluations from here on serve a step that knows of singular poses: they are not looked at by the watch.
-  void watch_evaluations(bool on) { watching_ = on; }
-  /// See SingularWatch.
-  void list_evaluations(bool on) { watch_.list_evaluations(on); }
-  /// Of the constraint matrix here, see LeastSingularValue; 0 where it has no factorization.
-  double least_singular_value();
-  /// Of the last factorization: the root of the smallest pivot, see SingularWatch.
-  double root_of_pivot() const { return std::sqrt(std::max(formulation_->saddle().smallest_pivot(), 0.0)); }
-  /// At a pose that was stepped over, the state of the last evaluation: whether it is singular. It is listed then; and
-  /// where it only seemed to be because the wrong redundant rows are left out, others are from here on.
-  bool cross(const VectorXd& y, double pivot);
-  /// Where pivots are small: whether other redundant rows serve better at the present state; they are left out from
-  /// here on.
-  bool improve_rows();
-  void forget_trend() { watch_.forget_trend(); }
-  /// The last factorization is that of RankTolerant: some rows have no part in solutions.
-  bool taken_over() const { return taken_over_; }
+  /// What solves: redundant rows, singular poses.
+  WatchedFormulation& formulation() { return *formulation_; }
+  const WatchedFormulation& formulation() const { return *formulation_; }
+  const SingularWatch& watch() const { return formulation_->watch(); }
+  const DroppedRows& dropped() const { return formulation_->dropped(); }
 
   /// Evaluates at (t, y): everything below refers to this state. Redundant rows are zero in the D of the `evaluation`.
   /// `stage` of a step, from 1 on, is for errors.
@@ -118,12 +96,9 @@ class Dynamics {
   struct Place {
     double t;
     VectorXd y;
-    bool factorized, taken_over;
+    bool factorized, fallback;
   };
-  Place place() const { return {t_, y_, factorized_, taken_over_}; }
-  /// Evaluations from here on are not noted by the watch.
-  void begin_looking() { looking_ = true; }
-  void end_looking() { looking_ = false; }
+  Place place() const { return {now_.t, now_.y, formulation_->factorized(), formulation_->fallback()}; }
   void return_to(const Place& place);
 
   /// Accelerations and multipliers of the mechanism itself, without stabilization. The multipliers of redundant
@@ -137,31 +112,23 @@ class Dynamics {
   /// Solves M x - D^T lambda = a, D x = b at the current state by the formulation.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
-  const DroppedRows& dropped() const { return dropped_; }
-  /// Leaves out these rows from here on, where it is evaluated: others have become redundant in the course of the
-  /// motion. `joints` of them are reported, see SingularPassage::rows_changed.
-  void change_redundant_rows(std::vector<int> rows, std::vector<int> joints);
-
-  /// Zeros in `b` for the rows that `solve` does not look at.
-  void leave_out_redundant(MutableVector b) const { dropped_.take_from(b); }
-
   StabilizationKind stabilization() const { return kind_; }
 
   // Sampled stabilization, for integrators. All three do nothing where another stabilization was chosen.
   bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
   /// Computes u from the current state with these gains (the user's, where given) and holds it for `rates`.
-  void hold_correction(Gains gains);
-  void release_correction() { held_ = held_ && first_part_ > 0.0; }
+  void begin_zero_order_hold(Gains gains);
+  void end_zero_order_hold() { held_ = held_ && first_part_ > 0.0; }
   /// From here to end_parts a step is taken in parts, the first of this share: the correction that it holds is that of
   /// the whole, and stays.
   void begin_parts(double share) { held_ = false, first_part_ = share; }
   void end_parts() { held_ = false, first_part_ = 0.0; }
-  /// For methods with memory: adds to `y` the two terms of u where they belong, h (-2 alpha Phi_dot) to v and
+  /// For multistep methods: adds to `y` the two terms of u where they belong, h (-2 alpha Phi_dot) to v and
   /// h^2 (-beta^2 Phi) to q, both through the response of the mechanism; the default alpha = 1/(2h), beta = 1/h annuls
   /// both violations to first order.
   void add_correction(double h, MutableVector y);
 
-  /// y_dot at the current state, with the held correction or the continuous stabilization.
+  /// y_dot at the current state, with the zero-order hold of u or the continuous stabilization.
   void rates(MutableVector y_dot);
   /// y_dot at the current state for accelerations and multipliers that were found otherwise.
   void rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const;
@@ -171,20 +138,9 @@ class Dynamics {
 
  private:
   friend class Busy;
-  template <class Work>
-  bool count_factorization(Work factorize);
-  template <class Work>
-  double try_factorization(Work factorize);
-  PoseExamination examine_here(double pivot) const;
-  bool inspect(double pivot);
-  void change_redundant_rows(std::vector<int> rows);
-  bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
-  void take_over();
-  bool look_at(double pivot);
   void look_for_switches();
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
-  Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
   void check_masses() const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
@@ -196,26 +152,17 @@ class Dynamics {
   System system_;
   StabilizationKind kind_;
   RankReport rank_;
-  DroppedRows dropped_;
-  std::unique_ptr<FilledInertia> inertia_;  ///< where there are joints
-  MinimumNorm minimum_norm_;
-  LeastSingularValue least_singular_value_;
-  std::unique_ptr<Formulation> formulation_;
-  SingularWatch watch_;
-  std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
-  bool watched_ = false, watching_ = true, looking_ = false, taken_over_ = false, rank_needed_ = false;
   Evaluation at_;
-  VectorXd history_, initial_history_;
+  Instant now_;
+  std::unique_ptr<WatchedFormulation> formulation_;
+  VectorXd initial_history_;
   std::vector<char> sides_;  ///< empty until they are taken: positive or not
   bool switched_ = false;
   std::function<void()> observer_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
-  double t_ = 0.0;
-  int stage_ = 1, clocked_ = 1;
-  bool traces_ = false;
-  VectorXd y_;  ///< the state of the last evaluate
-  bool held_ = false, factorized_ = false;
+  int clocked_ = 1;
+  bool traces_ = false, held_ = false;
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
@@ -239,8 +186,8 @@ class Busy {
 /// While it is there the watch does not look at evaluations.
 class Unwatched {
  public:
-  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.watch_evaluations(false); }
-  ~Unwatched() { dynamics_.watch_evaluations(true); }
+  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.formulation().watch_evaluations(false); }
+  ~Unwatched() { dynamics_.formulation().watch_evaluations(true); }
   Unwatched(const Unwatched&) = delete;
   Unwatched& operator=(const Unwatched&) = delete;
 

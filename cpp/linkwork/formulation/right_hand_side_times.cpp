@@ -95,7 +95,7 @@ double time_analysis(const Dynamics& dynamics) {
   if (dynamics.system().row_count() == 0) return time;
   const Options& chosen = dynamics.options();
   const auto solver = make_saddle_solver(chosen.matrix_form, linear_solver_info(chosen.linear_solver));
-  timed(time, [&] { solver->analyze(dynamics.inertia().system(), dynamics.evaluation()); });
+  timed(time, [&] { solver->analyze(dynamics.formulation().inertia().system(), dynamics.evaluation()); });
   return time;
 }
 

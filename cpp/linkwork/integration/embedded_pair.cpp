@@ -42,7 +42,7 @@ PairStepper::PairStepper(const EmbeddedPair& pair)
 
 void PairStepper::start(int y_size) {
   k_.resize(y_size, pair_.interpolant.rows());
-  for (VectorXd* state : {&y_, &y_new_, &work_}) state->resize(y_size);
+  for (VectorXd* state : {&y_, &y_new_, &workspace_}) state->resize(y_size);
   weights_.resize(pair_.interpolant.rows());
 }
 
@@ -54,7 +54,7 @@ bool PairStepper::take(Dynamics& dynamics, const StepSpan& step, const VectorXd&
   h_ = h;
   y_ = y;
   prepared_ = false;
-  evaluate_stages(pair_.method, dynamics, step, y, k_, work_);
+  evaluate_stages(pair_.method, dynamics, step, y, k_, workspace_);
   y_new_ = y;
   add_combination(h, pair_.method.b, k_, y_new_);
   if (!y_new_.allFinite()) return false;
@@ -72,9 +72,9 @@ BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, 
 
 BodyMaximum PairStepper::estimate(const ErrorMeasure& measure, const VectorXd& y) {
   const auto measured = [&](const VectorXd& weights) {
-    work_.setZero();
-    add_combination(h_, weights, k_, work_);
-    return measure.of_change(y, y_new_, work_);
+    workspace_.setZero();
+    add_combination(h_, weights, k_, workspace_);
+    return measure.of_change(y, y_new_, workspace_);
   };
   BodyMaximum error = measured(pair_.error);
   if (pair_.second_error.size() > 0 && error.value > 0.0)
@@ -86,9 +86,9 @@ bool PairStepper::prepare_interpolation(Dynamics& dynamics) {
   if (prepared_) return false;
   prepared_ = true;
   for (Eigen::Index i = 0; i < pair_.extra_c.size(); ++i) {
-    work_ = y_;
-    add_combination(h_, extra_A_.row(i).head(stages_ + 1 + i).transpose(), k_, work_);
-    dynamics.evaluate(step_.at(pair_.extra_c[i]), work_);
+    workspace_ = y_;
+    add_combination(h_, extra_A_.row(i).head(stages_ + 1 + i).transpose(), k_, workspace_);
+    dynamics.evaluate(step_.at(pair_.extra_c[i]), workspace_);
     dynamics.rates(k_.col(stages_ + 1 + i));
   }
   return pair_.extra_c.size() > 0;

@@ -48,7 +48,7 @@ class PairStepper final : public Interpolant {
   StepSpan step_;
   double h_ = 0.0;
   bool prepared_ = false;
-  VectorXd y_, y_new_, work_;
+  VectorXd y_, y_new_, workspace_;
   mutable VectorXd weights_;
   MatrixXd k_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> extra_A_;

@@ -120,12 +120,12 @@ void SingularPoseSearch::finish(double t, const VectorXd& y, int parts) {
   const double level = dynamics_.watch().root_of_level();
   if (!(root < at_rest * level && highest_ > away * level)) return;
   root_at(t, y);
-  if (dynamics_.cross(y, root * root)) highest_ = 0.0;
+  if (dynamics_.formulation().cross(y.head(dynamics_.system().q_size()), root * root)) highest_ = 0.0;
 }
 
 void SingularPoseSearch::list(double t, const VectorXd& y) {
   const double root = root_at(t, y);
-  dynamics_.cross(y, root * root);
+  dynamics_.formulation().cross(y.head(dynamics_.system().q_size()), root * root);
   restart();
   last_listed_ = t;
 }
@@ -134,7 +134,7 @@ double SingularPoseSearch::root_at(double t, const VectorXd& y) {
   dynamics_.observe_now();  // what waits for a solution is not to get it from here
   const Unwatched unwatched(dynamics_);
   dynamics_.evaluate(t, y);
-  return dynamics_.least_singular_value();
+  return dynamics_.formulation().least_singular_value();
 }
 
 bool SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
@@ -145,7 +145,7 @@ bool SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
   const PivotSample least = least_root(a, b, c, root);
   if (!vanishes(a, least, c) || least.at <= last_listed_ + same_pose * (c.at - a.at)) return false;
   const double there = root(least.at);
-  if (!dynamics_.cross(y_, there * there)) return false;
+  if (!dynamics_.formulation().cross(y_.head(dynamics_.system().q_size()), there * there)) return false;
   highest_ = marks_[2].root;
   last_listed_ = least.at;
   return true;

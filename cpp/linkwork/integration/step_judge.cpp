@@ -13,7 +13,7 @@ namespace {
 constexpr double golden = 0.6180339887498949;
 constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
 
-/// One step of a one-step method in two parts, with the correction that a method with memory adds.
+/// One step of a one-step method in two parts, with the correction that a multistep method adds.
 class Starter final : public Integrator {
  public:
   explicit Starter(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
@@ -173,7 +173,7 @@ std::vector<StepJudge::Span> StepJudge::parts_of(const KeptStep& step) const {
 
 /// The rows that the run left out in this step; others have become redundant since, or were before.
 void StepJudge::leave_out(const std::vector<int>& rows) {
-  if (dynamics_.dropped().rows() != rows) dynamics_.change_redundant_rows(rows, {});
+  if (dynamics_.dropped().rows() != rows) dynamics_.formulation().change_redundant_rows(rows, {});
 }
 
 void StepJudge::finish(double t) {

@@ -28,7 +28,7 @@ struct SecondTake {
 /// the golden ratio, which is in step with nothing. An order of 0 is one that nobody knows: nothing is then taken to be
 /// left.
 SecondTake in_parts(std::unique_ptr<Integrator> integrator);
-/// A method with memory cannot take its step in parts: it is compared with its one-step starter in two parts, whose
+/// A multistep method cannot take its step in parts: it is compared with its one-step starter in two parts, whose
 /// error is small beside its own, from the same state and with the same correction of the violation.
 SecondTake by_starter(const MultistepCoefficients& method);
 

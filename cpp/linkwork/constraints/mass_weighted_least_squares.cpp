@@ -1,0 +1,84 @@
+#include "linkwork/constraints/mass_weighted_least_squares.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include "linkwork/constraints/length_scale.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double flat = 1e-6;  // smallest principal moment, relative to the largest, that makes a metric
+
+/// The mean of the positive numbers among x, or 1.
+double mean_of_positive(const VectorXd& x) {
+  const auto count = (x.array() > 0.0).count();
+  return count > 0 ? x.sum() / static_cast<double>(count) : 1.0;
+}
+
+Model with_masses(const System& system, const VectorXd& weights) {
+  const Model& model = system.model();
+  const auto n = static_cast<Eigen::Index>(model.bodies().size());
+  VectorXd mass(n), moment(n);
+  for (Eigen::Index b = 0; b < n; ++b) {
+    mass[b] = model.bodies()[b].mass;
+    moment[b] = model.bodies()[b].inertia.trace() / 3.0;
+  }
+  const double usual_mass = mean_of_positive(mass), usual_length = characteristic_lengths(system).mean();
+  const double usual_moment =
+      moment.maxCoeff() > 0.0 ? mean_of_positive(moment) : usual_mass * usual_length * usual_length;
+  std::vector<Body> bodies = model.bodies();
+  for (Body& body : bodies) {
+    const Vec3<double> moments = Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.inertia).eigenvalues();
+    if (body.mass == 0.0) body.mass = usual_mass;
+    if (!(moments[0] > flat * moments[2]))
+      body.inertia = (moments[2] > 0.0 ? moments.mean() : usual_moment) * Mat3<double>::Identity();
+  }
+  for (Eigen::Index b = 0; b < weights.size(); ++b) {
+    bodies[b].mass *= weights[b];
+    bodies[b].inertia *= weights[b];
+  }
+  return model.with_masses(bodies);
+}
+
+}  // namespace
+
+MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, const VectorXd& weights)
+    : MassWeightedLeastSquares(system, system.massless_bodies().empty() && weights.size() == 0
+                                           ? nullptr
+                                           : std::make_unique<System>(with_masses(system, weights))) {}
+
+MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& system) {
+  const VectorXd lengths = characteristic_lengths(system);
+  std::vector<Body> bodies = system.model().bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double length = lengths[static_cast<Eigen::Index>(b)];
+    bodies[b].mass = 1.0 / (length * length);
+    bodies[b].inertia.setIdentity();
+  }
+  return {system, std::make_unique<System>(system.model().with_masses(bodies))};
+}
+
+MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other)
+    : regularized_(std::move(other)),
+      system_(regularized_ ? regularized_.get() : &system),
+      saddle_(make_saddle_solver("kkt", linear_solver_info("block"))) {
+  const Evaluation at = system_->make_evaluation();
+  saddle_->analyze(*system_, at);
+}
+
+bool MassWeightedLeastSquares::factorize(const Evaluation& at, const VectorXd& e) {
+  try {
+    saddle_->factorize(at, e);
+  } catch (const SingularSystemError&) {
+    return false;
+  }
+  return true;
+}
+
+void MassWeightedLeastSquares::solve(const ConstVector& a, const ConstVector& b, MutableVector x,
+                                     MutableVector lambda) {
+  saddle_->solve(a, b, x, lambda);
+}
+
+}  // namespace linkwork

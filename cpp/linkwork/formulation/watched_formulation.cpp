@@ -1,0 +1,192 @@
+#include "linkwork/formulation/watched_formulation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "linkwork/formulation/not_finite.hpp"
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
+constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
+constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
+constexpr double broken = -1.0;         // for a pivot of a factorization that broke down
+
+}  // namespace
+
+WatchedFormulation::WatchedFormulation(const System& system, Evaluation& at, const Instant& now,
+                                       std::unique_ptr<Formulation> formulation, DroppedRows dropped)
+    : system_(system), at_(at), now_(now), formulation_(std::move(formulation)), dropped_(std::move(dropped)) {}
+
+void WatchedFormulation::start(bool needs_full_rank, bool watched) {
+  inertia_ = std::make_unique<RegularizedInertia>(system_, at_);
+  rank_needed_ = needs_full_rank;
+  watched_ = watched;
+  analyze(system_, at_, {mean_delassus_diagonal(inertia_->system(), at_), dropped_.rows(), inertia_.get()});
+}
+
+/// At `at_`, with the D of all rows.
+void WatchedFormulation::analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) {
+  minimum_norm_ = MinimumNorm(system, rows.delassus, dropped_);
+  dropped_.take_out(at_);
+  least_singular_value_ = LeastSingularValue(system, rows.delassus, dropped_);
+  formulation_->analyze(system, typical, rows);
+}
+
+void WatchedFormulation::begin() {
+  dropped_.take_out(at_);
+  factorized_ = fallback_ = false;
+}
+
+void WatchedFormulation::factorize(const Evaluation& at) {
+  if (!factorized_) attempt([&] { formulation_->factorize(at); });
+}
+
+void WatchedFormulation::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+  active().solve(a, b, v_dot, lambda);
+}
+
+void WatchedFormulation::factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b,
+                                             MutableVector v_dot, MutableVector lambda) {
+  if (!attempt([&] { formulation_->factorize_and_solve(at, a, b, v_dot, lambda); })) solve(a, b, v_dot, lambda);
+}
+
+/// False where `factorize` was not the last word: a solution that it found is none.
+template <class Factorize>
+bool WatchedFormulation::attempt(Factorize factorize) {
+  pivot_ = try_factorization(factorize);
+  factorized_ = true;
+  factorizations_ += 1;
+  smallest_pivot_ = std::min(smallest_pivot_, std::max(pivot_, 0.0));
+  if (!watched_ || !watching_) return true;
+  if (!looking_) {
+    watch_.note(now_.t, pivot_);
+    return watch_.usual(pivot_) || inspect();
+  }
+  if (!rank_needed_ || !watch_.untrustworthy(pivot_)) return true;
+  fall_back();
+  return false;
+}
+
+/// The smallest pivot; -1 where the matrix is singular. A state that is not finite makes it so: say which it is.
+template <class Factorize>
+double WatchedFormulation::try_factorization(Factorize factorize) {
+  try {
+    factorize();
+  } catch (const SingularSystemError&) {
+    const bool pivots = std::isfinite(saddle().smallest_pivot());
+    if (!pivots || !now_.y.allFinite() || !at_.Phi.allFinite() || !at_.Phi_dot.allFinite())
+      throw_not_finite(system_, now_.y, now_.t, now_.stage);
+    if (!rank_needed_ || !watching_ || (!looking_ && !watch_.open() && examine_here(broken).rows.empty())) throw;
+    return broken;
+  }
+  return saddle().smallest_pivot();
+}
+
+PoseExamination WatchedFormulation::examine_here(double pivot) const {
+  return examine_pose(system_, {now_.t, q(), now_.history}, dropped_.rows(), watch_.near(pivot));
+}
+
+/// A small pivot, or any inside a crossing. False where the factorization is another one than before.
+bool WatchedFormulation::inspect() {
+  if (watch_.open()) {
+    watch_.go_on(pivot_);
+  } else {
+    PoseExamination found = examine_here(pivot_);
+    if (found.rows.empty()) {
+      watch_.suspect_less();
+      return true;
+    }
+    if (!found.better_choice.empty()) {
+      watch_.change_rows(now_.t, pivot_, std::move(found.joints));
+      leave_out(std::move(found.better_choice));
+      return false;
+    }
+    watch_.begin(now_.t, pivot_, std::move(found.joints));
+  }
+  if (!rank_needed_ || !watch_.untrustworthy(pivot_)) return true;
+  fall_back();
+  watch_.count_fallback();
+  return false;
+}
+
+void WatchedFormulation::fall_back() {
+  if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_, *inertia_);
+  tolerant_->factorize(at_);
+  fallback_ = true;
+}
+
+void WatchedFormulation::distribute(MutableVector lambda) {
+  if (!dropped_.empty()) minimum_norm_.distribute(dropped_, active(), lambda);
+}
+
+double WatchedFormulation::least_singular_value() {
+  try {
+    factorize(at_);
+  } catch (const SingularSystemError&) {
+    return 0.0;
+  }
+  return least_singular_value_.of(saddle());
+}
+
+void WatchedFormulation::leave_out(std::vector<int> rows) {
+  dropped_.put_back(at_);
+  dropped_ = DroppedRows(system_, std::move(rows));
+  analyze(system_, at_, {mean_delassus_diagonal(inertia_->system(), at_), dropped_.rows(), inertia_.get()});
+  formulation_->factorize(at_);
+}
+
+void WatchedFormulation::change_redundant_rows(std::vector<int> rows, std::vector<int> joints) {
+  watch_.change_rows(now_.t, saddle().smallest_pivot(), std::move(joints));
+  leave_out(std::move(rows));
+  factorized_ = true;
+  fallback_ = false;
+}
+
+/// Takes the choice where it makes the root of the smallest pivot at least so large.
+bool WatchedFormulation::choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root) {
+  const std::vector<int> before = dropped_.rows();
+  if (rows.empty() || rows == before) return false;
+  const double pivot = saddle().smallest_pivot();
+  const auto root_with = [this](std::vector<int> choice) {
+    try {
+      leave_out(std::move(choice));
+      return root_of_pivot();
+    } catch (const SingularSystemError&) {
+      return -1.0;  // either may be singular, in a singular pose
+    }
+  };
+  if (!(root_with(std::move(rows)) >= least_root)) {
+    factorized_ = root_with(before) >= 0.0;
+    return false;
+  }
+  watch_.change_rows(now_.t, pivot, std::move(joints));
+  return true;
+}
+
+bool WatchedFormulation::improve_rows() {
+  if (dropped_.empty()) return false;
+  factorize(at_);
+  std::vector<int> rows = choose_redundant_rows(system_, {now_.t, q(), now_.history}, dropped_.rows()), joints;
+  for (const int row : dropped_.rows())
+    if (!std::binary_search(rows.begin(), rows.end(), row))
+      if (const int joint = system_.model().joint_of_row(row); joints.empty() || joints.back() != joint)
+        joints.push_back(joint);
+  if (!choose_rows(std::move(rows), std::move(joints), better * root_of_pivot())) return false;
+  watch_.forget_trend();
+  return true;
+}
+
+bool WatchedFormulation::cross(const VectorXd& q, double pivot) {
+  PoseExamination found =
+      examine_pose(system_, {now_.t, q, now_.history}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
+  if (found.rows.empty()) return false;
+  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * watch_.root_of_level())) return false;
+  if (!found.singular) return false;
+  watch_.cross(now_.t, pivot, std::move(found.joints));
+  return true;
+}
+
+}  // namespace linkwork

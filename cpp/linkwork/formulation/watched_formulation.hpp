@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "linkwork/constraints/dropped_rows.hpp"
+#include "linkwork/constraints/least_singular_value.hpp"
+#include "linkwork/constraints/minimum_norm.hpp"
+#include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/rank_tolerant.hpp"
+#include "linkwork/formulation/singular_watch.hpp"
+
+namespace linkwork {
+
+/// Of the last evaluation.
+struct Instant {
+  double t = 0.0;
+  VectorXd y;
+  VectorXd history;
+  int stage = 1;
+};
+
+/// Any formulation, watched for poses in which constraint rows depend on each other. Rows that always do are left out of
+/// it, and others where the motion makes those the wrong ones; where its factorization is not to be trusted, the
+/// rank-revealing fallback solves instead.
+class WatchedFormulation final : public Formulation {
+ public:
+  /// `at` and `now`, which are referred to, are evaluated; `dropped` rows are in their place.
+  WatchedFormulation(const System& system, Evaluation& at, const Instant& now, std::unique_ptr<Formulation> formulation,
+                     DroppedRows dropped);
+  /// Where there are joints: takes the redundant rows out of `at`. `needs_full_rank`: see FormulationInfo; `watched`:
+  /// pivots tell singular poses.
+  void start(bool needs_full_rank, bool watched);
+
+  void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override;
+  void require_accuracy(double relative) override { formulation_->require_accuracy(relative); }
+  void factorize(const Evaluation& at) override;
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override;
+  void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector v_dot,
+                           MutableVector lambda) override;
+  SaddleSolver& saddle() const override { return formulation_->saddle(); }
+  const Formulation& formulation() const { return *formulation_; }
+
+  /// There is an evaluation at another state, and no factorization.
+  void begin();
+  bool factorized() const { return factorized_; }
+  std::int64_t factorizations() const { return factorizations_; }
+  double smallest_pivot() const { return smallest_pivot_; }  ///< of all, 0 where one broke down
+  /// Of the last factorization: the root of the smallest pivot, see SingularWatch.
+  double root_of_pivot() const { return std::sqrt(std::max(saddle().smallest_pivot(), 0.0)); }
+  /// The last factorization is that of RankTolerant: some rows have no part in solutions.
+  bool fallback() const { return fallback_; }
+  void fall_back();
+
+  SingularWatch& watch() { return watch_; }
+  const SingularWatch& watch() const { return watch_; }
+  bool watched() const { return watched_; }
+  /// Evaluations from here on serve a step that knows of singular poses: the watch does not look at them.
+  void watch_evaluations(bool on) { watching_ = on; }
+  /// Evaluations from here on serve an observer: the watch does not hear of them.
+  void look(bool on) { looking_ = on; }
+
+  /// Where there are joints.
+  const RegularizedInertia& inertia() const { return *inertia_; }
+  const DroppedRows& dropped() const { return dropped_; }
+  DroppedRows& dropped() { return dropped_; }
+  /// Multipliers of redundant constraints as those of MinimumNorm.
+  void distribute(MutableVector lambda);
+  /// Of the constraint matrix here, see LeastSingularValue; 0 where it has no factorization.
+  double least_singular_value();
+  /// At a pose that was stepped over, at positions q: whether it is singular. It is listed then; and where it only
+  /// seemed to be because the wrong redundant rows are left out, others are from here on.
+  bool cross(const VectorXd& q, double pivot);
+  /// Where pivots are small: whether other redundant rows serve better at the present state; they are left out from
+  /// here on.
+  bool improve_rows();
+  /// Leaves out these rows from here on: others have become redundant in the course of the motion. `joints` of them are
+  /// reported, see SingularityCrossing::rows_changed.
+  void change_redundant_rows(std::vector<int> rows, std::vector<int> joints);
+
+ private:
+  template <class Factorize>
+  bool attempt(Factorize factorize);
+  template <class Factorize>
+  double try_factorization(Factorize factorize);
+  VectorXd q() const { return now_.y.head(system_.q_size()); }
+  PoseExamination examine_here(double pivot) const;
+  bool inspect();
+  void leave_out(std::vector<int> rows);
+  bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
+  Formulation& active() { return fallback_ ? *tolerant_ : *formulation_; }
+
+  const System& system_;
+  Evaluation& at_;
+  const Instant& now_;
+  std::unique_ptr<Formulation> formulation_;
+  std::unique_ptr<RegularizedInertia> inertia_;
+  std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
+  DroppedRows dropped_;
+  MinimumNorm minimum_norm_;
+  LeastSingularValue least_singular_value_;
+  SingularWatch watch_;
+  double pivot_ = 1.0, smallest_pivot_ = 1.0;
+  std::int64_t factorizations_ = 0;
+  bool rank_needed_ = false, watched_ = false, watching_ = true, looking_ = false;
+  bool factorized_ = false, fallback_ = false;
+};
+
+}  // namespace linkwork
