@@ -65,7 +65,7 @@ class Accumulation {
     if (parts_.empty()) return std::move(out_);
     find_scales();
     list_steps();
-    out_.state = errors_.resolved * state() + inside();
+    out_.state = errors_.resolved * state() + std::max(inside(), error(errors_.corrections));
     out_.local_error = sum([this](const StepError& it) { return error(it.end); }) / out_.seconds;
     out_.rate = V_ / L_;
     return std::move(out_);

@@ -212,6 +212,7 @@ bool AdaptiveSimulation::leap() {
     if (!leapt_) dynamics_.evaluate(clock(), y_);
   });
   if (!leapt_) return false;
+  sampling_.correct(y_, crossing_.last().y);
   accepted_ = true;
   evaluated_ = false;
   if (crossing_.last().h > remaining) crossing_.cut(remaining);

@@ -95,6 +95,7 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
     return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
   };
   const double before = energy();
+  const VectorXd y_before = y_;
   const Model& model = system.model();
   std::vector<int> joints;
   for (const int row : dynamics_.dropped().rows())
@@ -106,6 +107,7 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
   projection().positions(t, y_);
   projection().velocities(t, y_);
   dynamics_.evaluate(t, y_);
+  sampling_.correct(y_before, y_);
   y_[y_.size() - 1] += energy() - before;
   contradiction_ = {};  // so near to where they were redundant it could not be told from this
   forget();
@@ -145,8 +147,10 @@ void Run::monitor_violation(double t) {
   if (policy == "stop" && violation_monitor_.count() > before)
     throw_violation(dynamics_, violation_monitor_.excesses().back());
   if (policy != "project" || !drifted) return;
+  const VectorXd y_before = y_;
   projection().positions(t, y_);
   projection().velocities(t, y_);
+  sampling_.correct(y_before, y_);
   projections_ += 1;
   dynamics_.evaluate(t, y_);
   accept_history();

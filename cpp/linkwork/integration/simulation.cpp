@@ -116,6 +116,7 @@ void Simulation::begin_leap() {
   const double most = dynamics_.system().model().autonomous() ? INFINITY : schedule_.t_end - t();
   leaping_ = crossing_.leap(t(), next_step(), schedule_.step, most, y_);
   if (!leaping_) return dynamics_.evaluate(t(), y_);
+  sampling_.correct(y_, crossing_.last().y);
   if (crossing_.last().end() > schedule_.t_end) crossing_.cut(schedule_.t_end - t());
   crossing_.look_into_leap(std::min(crossing_.last().end(), schedule_.t_end));
   if (integrator_) integrator_->start(static_cast<int>(y_.size()));

@@ -6,7 +6,6 @@
 
 #include "linkwork/integration/runge_kutta.hpp"
 #include "linkwork/math/error.hpp"
-#include "linkwork/math/rotation.hpp"
 
 namespace linkwork {
 namespace {
@@ -105,6 +104,21 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside) {
   return out;
 }
 
+StateDifference StepJudge::judge_state(const KeptStep& state) {
+  StateDifference out;
+  try {
+    dynamics_.set_history(state.history);
+    dynamics_.evaluate(state.t, state.y);
+    leave_out(state.left_out);
+    y_ = state.y;
+    projection_.positions(state.t, y_);
+    projection_.velocities(state.t, y_);
+    if (y_.allFinite()) out.raise(dynamics_.system(), state.y, y_);
+  } catch (const Error&) {  // it is too far from them: the steps say so
+  }
+  return out;
+}
+
 void StepJudge::take_again(const KeptStep& step) {
   const std::vector<Span> parts = parts_of(step);
   const double end_of_first = step.t + take_.share * step.h;
@@ -165,19 +179,6 @@ void StepJudge::leave_out(const std::vector<int>& rows) {
 void StepJudge::finish(double t) {
   dynamics_.system().normalize(y_.head(dynamics_.system().q_size()));
   if (projects_) projection_.stabilize(t, y_);
-}
-
-void StateDifference::raise(const System& system, const VectorXd& a, const VectorXd& b) {
-  for (int body = 0; body < system.body_count(); ++body) {
-    const int r = position_size * body, p = r + 3, v = system.q_size() + velocity_size * body;
-    const Vec4<double> other = b.segment<4>(p);
-    const Vec4<double> turn =
-        quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
-    position = std::max(position, (a.segment<3>(r) - b.segment<3>(r)).norm());
-    rotation = std::max(rotation, 2.0 * turn.tail<3>().norm());
-    velocity = std::max(velocity, (a.segment<3>(v) - b.segment<3>(v)).norm());
-    omega = std::max(omega, (a.segment<3>(v + 3) - b.segment<3>(v + 3)).norm());
-  }
 }
 
 void StepJudge::compare(const KeptStep& step, StepError& out) {

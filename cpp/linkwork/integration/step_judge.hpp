@@ -32,14 +32,6 @@ SecondTake in_parts(std::unique_ptr<Integrator> integrator);
 /// error is small beside its own, from the same state and with the same correction of the violation.
 SecondTake by_starter(const MultistepCoefficients& method);
 
-/// The largest of any body.
-struct StateDifference {
-  double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
-
-  /// Between y = (q, v, ...) of both.
-  void raise(const System& system, const VectorXd& a, const VectorXd& b);
-};
-
 /// What a step was off by at its end, the largest of any body or joint, and how large the motion was there. All of it
 /// in the local error of that step alone.
 struct StepError {
@@ -65,6 +57,8 @@ class StepJudge {
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
   /// more step.
   StepError judge(const KeptStep& step, bool reactions, bool inside = false);
+  /// How far a state is from one on the constraints, with other rows left out than the run did before.
+  StateDifference judge_state(const KeptStep& state);
   /// Diagonal of the box around the centers of mass at the steps that were judged [m].
   double diagonal() const { return (high_ - low_).matrix().norm(); }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "linkwork/math/rotation.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
@@ -64,6 +65,26 @@ std::vector<RunPart> join_pairs(std::vector<RunPart> parts) {
 
 }  // namespace
 
+void StateDifference::raise(const StateDifference& other) {
+  position = std::max(position, other.position);
+  rotation = std::max(rotation, other.rotation);
+  velocity = std::max(velocity, other.velocity);
+  omega = std::max(omega, other.omega);
+}
+
+void StateDifference::raise(const System& system, const VectorXd& a, const VectorXd& b) {
+  for (int body = 0; body < system.body_count(); ++body) {
+    const int r = position_size * body, p = r + 3, v = system.q_size() + velocity_size * body;
+    const Vec4<double> other = b.segment<4>(p);
+    const Vec4<double> turn =
+        quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
+    position = std::max(position, (a.segment<3>(r) - b.segment<3>(r)).norm());
+    rotation = std::max(rotation, 2.0 * turn.tail<3>().norm());
+    velocity = std::max(velocity, (a.segment<3>(v) - b.segment<3>(v)).norm());
+    omega = std::max(omega, (a.segment<3>(v + 3) - b.segment<3>(v + 3)).norm());
+  }
+}
+
 StepSampling::StepSampling(const Dynamics& dynamics)
     : q_size_(dynamics.system().q_size()),
       body_count_(dynamics.system().body_count()),
@@ -94,9 +115,22 @@ void StepSampling::expect(std::int64_t steps) {
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
   const VectorXd& history = dynamics.history();
   if (history.size() > 0) look_for_contacts(history, y);
+  const bool other_rows = left_out_ != dynamics.dropped().rows();
+  if (other_rows && last_.kept()) note_rows(dynamics, y);
   balance(dynamics, y);
   if (history.size() > 0) history_ = history;
-  if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
+  if (other_rows) left_out_ = dynamics.dropped().rows();
+}
+
+/// Of many the last ones.
+void StepSampling::note_rows(const Dynamics& dynamics, const VectorXd& y) {
+  const std::size_t place = count_of_row_changes_++ % most_outliers;
+  if (place == row_changes_.size()) row_changes_.emplace_back();
+  KeptStep& now = row_changes_[place];
+  now.t = last_.t + last_.h;
+  now.y = y;
+  now.history = dynamics.history();
+  now.left_out = dynamics.dropped().rows();
 }
 
 /// A variable that was zero is the speed of a contact that has begun. Of many the last ones are kept.

@@ -21,6 +21,15 @@ struct KeptStep {
   bool kept() const { return h > 0.0; }
 };
 
+/// The largest of any body.
+struct StateDifference {
+  double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
+
+  void raise(const StateDifference& other);
+  /// Between y = (q, v, ...) of both.
+  void raise(const System& system, const VectorXd& a, const VectorXd& b);
+};
+
 /// What energies came to over a run, at the ends of its steps [J].
 struct EnergyRange {
   double kinetic = 0.0, work = 0.0;  ///< largest, of the work in amount
@@ -68,10 +77,18 @@ class StepSampling {
     last_.h = 0.0;
   }
 
+  /// The run found its state y off by so much, and went on from another one.
+  void correct(const VectorXd& y, const VectorXd& corrected) { corrections_.raise(system_, y, corrected); }
+
+  /// States in which other redundant rows were left out than in the step before, which was held by few of them: y at t,
+  /// with the rows from there on.
+  const std::vector<KeptStep>& row_changes() const { return row_changes_; }
+
   /// The parts with what is to be taken again of them: of short runs less than what was kept.
   std::vector<RunPart> parts() const;
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
   const EnergyRange& energies() const { return energies_; }
+  const StateDifference& corrections() const { return corrections_; }  ///< the largest
   /// The steps in which the balance of energy jumps far more than elsewhere, without those of `parts`.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
@@ -90,6 +107,7 @@ class StepSampling {
   };
 
   void look_for_contacts(const VectorXd& now, const VectorXd& y);
+  void note_rows(const Dynamics& dynamics, const VectorXd& y);
   void balance(const Dynamics& dynamics, const VectorXd& y);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
@@ -110,6 +128,9 @@ class StepSampling {
   const System& system_;
   double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
   EnergyRange energies_;
+  StateDifference corrections_;
+  std::vector<KeptStep> row_changes_;
+  std::size_t count_of_row_changes_ = 0;
   double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   std::vector<Balanced> worst_;
