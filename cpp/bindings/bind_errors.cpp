@@ -34,6 +34,12 @@ void raise(const Error& error) {
 
 }  // namespace
 
+void check_size(const ConstVector& vector, Eigen::Index size, const char* name) {
+  if (vector.size() != size)
+    throw OptionError(
+        "shape", std::string(name) + " has " + std::to_string(vector.size()) + " entries, not " + std::to_string(size));
+}
+
 void bind_errors(py::module_&) {
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "bindings.hpp"
-#include "linkwork/constraints/initial_conditions.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
@@ -10,12 +9,6 @@
 
 namespace linkwork::python {
 namespace {
-
-void check_size(const ConstVector& vector, Eigen::Index size, const char* name) {
-  if (vector.size() != size)
-    throw OptionError(
-        "shape", std::string(name) + " has " + std::to_string(vector.size()) + " entries, not " + std::to_string(size));
-}
 
 /// OptionError: a time that is none. NotFiniteError: what is no state.
 void check_moment(const System& system, double t, const ConstVector& q, const ConstVector& v) {
@@ -275,9 +268,9 @@ std::vector<std::tuple<int, std::vector<int>, std::string>> groups(const Dynamic
 
 constexpr std::size_t listed_joints = 16;
 
-py::list passages(const Dynamics& dynamics) {
+py::list crossings(const Dynamics& dynamics) {
   py::list out;
-  for (const SingularPassage& it : dynamics.watch().passages()) {
+  for (const SingularityCrossing& it : dynamics.watch().crossings()) {
     std::vector<std::string> joints;
     for (std::size_t k = 0; k < std::min<std::size_t>(it.joints.size(), listed_joints); ++k)
       joints.push_back(dynamics.system().model().joint_name(it.joints[k]));
@@ -286,7 +279,7 @@ py::list passages(const Dynamics& dynamics) {
     one["pivot"] = it.pivot;
     one["joints"] = joints;
     one["rows_changed"] = it.rows_changed;
-    one["taken_over"] = it.taken_over;
+    one["fallback_evaluations"] = it.fallback_evaluations;
     out.append(one);
   }
   return out;
@@ -306,7 +299,7 @@ py::dict statistics(const Dynamics& dynamics) {
   out["smallest_pivot"] = cost.smallest_pivot;
   out["singular_poses"] = dynamics.watch().singular_poses();
   out["row_changes"] = dynamics.watch().row_changes();
-  out["passages"] = passages(dynamics);
+  out["singularity_crossings"] = crossings(dynamics);
   out["factor_nonzeros"] = dynamics.factorization_cost().factor_nonzeros;
   out["iterations"] = iterations.iterations;
   out["most_iterations"] = iterations.most;
@@ -354,101 +347,31 @@ py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector&
   return py::make_tuple(row_lengths(system, at), characteristic_rate(system, at, v), roundoff_of_positions(system, q));
 }
 
-/// A system with the correction of its initial conditions.
-class Assembler {
- public:
-  Assembler(const Model& model, const ConstVector& weights, std::vector<int> held)
-      : system_(model), conditions_(system_, weights, std::move(held)) {}
-
-  py::tuple positions(const ConstVector& given, const ConstVector& start) {
-    check_size(given, system_.q_size(), "given");
-    check_size(start, system_.q_size(), "start");
-    VectorXd q = start;
-    bool reached = false;
-    {
-      const py::gil_scoped_release release;
-      reached = conditions_.positions(given, q);
-    }
-    return py::make_tuple(q, reached);
-  }
-
-  py::tuple velocities(const ConstVector& q, const ConstVector& given) {
-    check_size(q, system_.q_size(), "q");
-    check_size(given, system_.v_size(), "given");
-    VectorXd v = given;
-    bool reached = false;
-    {
-      const py::gil_scoped_release release;
-      reached = conditions_.velocities(q, v);
-    }
-    return py::make_tuple(v, reached);
-  }
-
-  VectorXd row_lengths(const ConstVector& q) const {
-    check_size(q, system_.q_size(), "q");
-    Evaluation at = system_.make_evaluation();
-    system_.evaluate_constraints(0.0, q, VectorXd::Zero(system_.v_size()), system_.initial_history(), at);
-    return linkwork::row_lengths(system_, at);
-  }
-
-  py::tuple residuals(const ConstVector& q, const ConstVector& v) const {
-    check_size(q, system_.q_size(), "q");
-    check_size(v, system_.v_size(), "v");
-    Evaluation at = system_.make_evaluation();
-    system_.evaluate_constraints(0.0, q, v, system_.initial_history(), at);
-    return py::make_tuple(at.Phi, at.Phi_dot);
-  }
-
-  double distance(const ConstVector& given, const ConstVector& q) const { return conditions_.distance(given, q); }
-  int iterations() const { return conditions_.iterations(); }
-
- private:
-  System system_;
-  InitialConditions conditions_;
-};
-
-void bind_assembler(py::module_& module) {
-  py::class_<Assembler>(module, "Assembler", "Takes initial positions and velocities to the constraints at t = 0.")
-      .def(py::init<const Model&, const ConstVector&, std::vector<int>>(), py::arg("model"), py::arg("weights"),
-           py::arg("held"), py::call_guard<py::gil_scoped_release>(),
-           "Weights of the bodies' masses, none for 1; indices of bodies that keep what they have.")
-      .def("positions", &Assembler::positions, py::arg("given"), py::arg("start"),
-           "(q, whether it is on the constraints): from `start`, near to `given`.")
-      .def("velocities", &Assembler::velocities, py::arg("q"), py::arg("given"), "(v, whether it is consistent at q).")
-      .def("residuals", &Assembler::residuals, py::arg("q"), py::arg("v"), "(Phi, Phi_dot).")
-      .def("row_lengths", &Assembler::row_lengths, py::arg("q"),
-           "What residuals are relative to: Phi [m or 1] / row length is part of the size of the mechanism.")
-      .def("distance", &Assembler::distance, py::arg("given"), py::arg("q"),
-           "Displacement of the mass, squared: integral |x - x_given|^2 w dm [kg m2].")
-      .def_property_readonly("iterations", &Assembler::iterations);
-}
-
 void bind_measurements(py::class_<Dynamics>& dynamics) {
-  dynamics.def("statistics", &statistics)
-      .def("factorization_cost", &factorization_cost,
+  dynamics.def("statistics", exclusive(&statistics))
+      .def("factorization_cost", exclusive(&factorization_cost),
            "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.")
-      .def("right_hand_side_times", &right_hand_side_times, py::arg("t"), py::arg("y"), py::arg("repeats"),
+      .def("right_hand_side_times", exclusive(&right_hand_side_times), py::arg("t"), py::arg("y"), py::arg("repeats"),
            "Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, "
            "reactions, and the whole, which may be less than their sum.")
-      .def(
-          "repeat_right_hand_side",
-          [](Dynamics& self, double t, const ConstVector& y, int repeats) {
-            const VectorXd full = with_work(self, y);
-            const py::gil_scoped_release release;
-            repeat_right_hand_side(self, t, full, repeats);
-          },
-          py::arg("t"), py::arg("y"), py::arg("repeats"),
-          "So many right-hand sides at y = (q, v), reactions included, for others to time.")
-      .def(
-          "redundancy_watch_time",
-          [](Dynamics& self, double t, const ConstVector& y, int repeats) {
-            const VectorXd full = with_work(self, y);
-            const py::gil_scoped_release release;
-            return time_redundancy_watch(self, t, full, repeats);
-          },
-          py::arg("t"), py::arg("y"), py::arg("repeats"),
-          "Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].")
-      .def("analysis_time", &time_analysis, py::call_guard<py::gil_scoped_release>(),
+      .def("repeat_right_hand_side", exclusive(+[](Dynamics& self, double t, const ConstVector& y, int repeats) {
+             const VectorXd full = with_work(self, y);
+             const py::gil_scoped_release release;
+             repeat_right_hand_side(self, t, full, repeats);
+           }),
+           py::arg("t"), py::arg("y"), py::arg("repeats"),
+           "So many right-hand sides at y = (q, v), reactions included, for others to time.")
+      .def("redundancy_watch_time", exclusive(+[](Dynamics& self, double t, const ConstVector& y, int repeats) {
+             const VectorXd full = with_work(self, y);
+             const py::gil_scoped_release release;
+             return time_redundancy_watch(self, t, full, repeats);
+           }),
+           py::arg("t"), py::arg("y"), py::arg("repeats"),
+           "Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].")
+      .def("analysis_time", exclusive(+[](Dynamics& self) {
+             const py::gil_scoped_release release;
+             return time_analysis(self);
+           }),
            "Time of one symbolic analysis, by a solver like the one in use [s].");
 }
 
@@ -457,7 +380,6 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
 void bind_formulation(py::module_& module) {
   bind_information(module);
   bind_options(module);
-  bind_assembler(module);
   py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
   dynamics
       .def(py::init<const Model&, const Options&>(), py::arg("model"), py::arg("options"),
@@ -470,39 +392,38 @@ void bind_formulation(py::module_& module) {
       .def_property_readonly("options", &Dynamics::options)
       .def_property_readonly("initial_history", &Dynamics::initial_history,
                              "History variables of the initial state: full turns, speeds at which contacts began.")
-      .def_property("history", &Dynamics::history, &Dynamics::set_history,
+      .def_property("history", exclusive(+[](const Dynamics& d) { return VectorXd(d.history()); }),
+                    exclusive(+[](Dynamics& d, const ConstVector& history) { d.set_history(history); }),
                     "Those of the last accepted state, which evaluations take where none are given.")
-      .def(
-          "beginning_history",
-          [](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v) {
-            check_size(q, d.system().q_size(), "q");
-            check_size(v, d.system().v_size(), "v");
-            return d.system().beginning_history(t, q, v);
-          },
-          py::arg("t"), py::arg("q"), py::arg("v"), "Of a motion that begins in this state.")
-      .def(
-          "advanced_history",
-          [](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v, const History& history) {
-            check_size(q, d.system().q_size(), "q");
-            check_size(v, d.system().v_size(), "v");
-            Evaluation at = d.system().make_evaluation();
-            d.system().evaluate(t, q, v, history_or_own(d, history), at);
-            return at.history;
-          },
-          py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
-          "What the history becomes where this state is accepted.")
+      .def("beginning_history", exclusive(+[](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v) {
+             check_size(q, d.system().q_size(), "q");
+             check_size(v, d.system().v_size(), "v");
+             return d.system().beginning_history(t, q, v);
+           }),
+           py::arg("t"), py::arg("q"), py::arg("v"), "Of a motion that begins in this state.")
+      .def("advanced_history",
+           exclusive(
+               +[](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v, const History& history) {
+                 check_size(q, d.system().q_size(), "q");
+                 check_size(v, d.system().v_size(), "v");
+                 Evaluation at = d.system().make_evaluation();
+                 d.system().evaluate(t, q, v, history_or_own(d, history), at);
+                 return at.history;
+               }),
+           py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
+           "What the history becomes where this state is accepted.")
       .def(
           "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
           "y = (q, v), 13 per body.")
-      .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
+      .def("evaluate", exclusive(&evaluate), py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
            "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.")
-      .def("residual_scales", &residual_scales, py::arg("t"), py::arg("q"), py::arg("v"),
+      .def("residual_scales", exclusive(&residual_scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
            "rate "
            "are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
-      .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
-           "(v_dot, multipliers) of the mechanism itself, without stabilization.")
-      .def("derivative", &derivative, py::arg("t"), py::arg("y"), py::arg("history") = py::none(),
+      .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
+           py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
+      .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),
            "y_dot for y = (q, v).")
       .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"), py::arg("history") = py::none(),
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "

@@ -1,17 +1,11 @@
-#include <pybind11/typing.h>
-
 #include <array>
-#include <cmath>
-#include <cstdio>
-#include <optional>
 #include <variant>
 
 #include "bindings.hpp"
-#include "linkwork/math/error.hpp"
-#include "linkwork/model/joint_coordinates.hpp"
 #include "linkwork/model/model.hpp"
 #include "linkwork/model/special/coupler.hpp"
 #include "linkwork/model/special/point_on_curve.hpp"
+#include "python_function.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -172,46 +166,6 @@ py::array_t<double> poses(const Model& model, const Integers& bodies) {
   return out;
 }
 
-std::string at_time(double t) {
-  char text[48];
-  std::snprintf(text, sizeof text, " at t = %.6g s", t);
-  return text;
-}
-
-/// A value in a message.
-std::string shown(const py::handle& value) {
-  constexpr std::size_t longest = 80;
-  const auto text = py::repr(value).cast<std::string>();
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
-/// A Python function of numbers that returns a number; `what` it is for, in messages.
-class PythonFunction {
- public:
-  PythonFunction(py::object function, std::string what)
-      : function_(new py::object(std::move(function)), &release), what_(std::move(what)) {}
-
-  template <class... Numbers>
-  double operator()(double t, Numbers... rest) const {
-    const py::gil_scoped_acquire gil;
-    const py::object given = (*function_)(t, rest...);
-    if (PyFloat_CheckExact(given.ptr())) return PyFloat_AS_DOUBLE(given.ptr());
-    const bool number = !PyUnicode_Check(given.ptr()) && !PyBytes_Check(given.ptr());
-    const double value = number ? PyFloat_AsDouble(given.ptr()) : -1.0;
-    if (number && !PyErr_Occurred()) return value;
-    PyErr_Clear();
-    throw ModelError("not_a_number", what_ + ": returned " + shown(given) + at_time(t) + ", not a number");
-  }
-
- private:
-  static void release(const py::object* function) {
-    const py::gil_scoped_acquire gil;
-    delete function;
-  }
-  std::shared_ptr<const py::object> function_;
-  std::string what_;
-};
-
 /// (t, x, x_dot) -> force or torque.
 class PythonLaw final : public CoordinateLaw {
  public:
@@ -222,16 +176,6 @@ class PythonLaw final : public CoordinateLaw {
  private:
   PythonFunction function_;
 };
-
-/// Function, first and second derivative: None where they are not known.
-TimeFunctionPtr python_callback(py::object value, py::object rate, py::object acceleration, const std::string& what) {
-  const auto wrapped = [&](py::object& function, const char* which) -> std::function<double(double)> {
-    if (function.is_none()) return nullptr;
-    return PythonFunction(std::move(function), what + which);
-  };
-  return callback(wrapped(value, ""), wrapped(rate, ", first derivative"),
-                  wrapped(acceleration, ", second derivative"));
-}
 
 /// (t, q (n, 7), v (n, 6)) -> (n, 6).
 class PythonForce final : public UserForce {
@@ -285,168 +229,8 @@ class CompiledForce final : public UserForce {
   void* data_;
 };
 
-void bind_time_functions(py::module_& module) {
-  py::class_<TimeFunction, std::shared_ptr<TimeFunction>>(module, "TimeFunction",
-                                                          "A quantity as a function of time [s], with two derivatives.")
-      .def(
-          "evaluate",
-          [](const TimeFunction& f, double t) {
-            const Signal<double> s = f.evaluate(t);
-            return py::make_tuple(s.value, s.rate, s.acceleration);
-          },
-          py::arg("t"), "(value, rate, acceleration) at t.")
-      .def_property_readonly("has_derivatives", &TimeFunction::has_derivatives)
-      .def_property_readonly("of_time", &TimeFunction::of_time)
-      .def_static(
-          "characteristic",
-          [](std::shared_ptr<TimeFunction> f) {
-            return std::const_pointer_cast<TimeFunction>(characteristic(std::move(f)));
-          },
-          py::arg("function"), "The same function of a coordinate or velocity of a force element.")
-      .def_property_readonly(
-          "breaks",
-          [](const TimeFunction& f) {
-            std::vector<Break> breaks;
-            f.add_breaks(breaks);
-            std::vector<std::pair<double, bool>> out;
-            for (const Break& it : breaks) out.emplace_back(it.t, it.ends_step);
-            return out;
-          },
-          "Times at which it is not smooth, and whether each ends a step whatever the tables say.")
-      .def_static(
-          "with_breaks",
-          [](std::shared_ptr<TimeFunction> f, std::vector<double> times) {
-            return std::const_pointer_cast<TimeFunction>(with_breaks(std::move(f), std::move(times)));
-          },
-          py::arg("function"), py::arg("times"), "The same function, not smooth at these times, either.")
-      .def_static(
-          "constant", [](double c) { return polynomial({c}); }, py::arg("value"))
-      .def_static("polynomial", &polynomial, py::arg("coefficients"), "sum c_k t^k, ascending powers.")
-      .def_static("cycloidal", &cycloidal, py::arg("rise"), py::arg("start"), py::arg("duration"),
-                  "rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration between 0 and 1; constant beyond.")
-      .def_static(
-          "sum",
-          [](const std::vector<std::shared_ptr<TimeFunction>>& terms) {
-            return sum(std::vector<TimeFunctionPtr>(terms.begin(), terms.end()));
-          },
-          py::arg("terms"))
-      .def_static("harmonic", &harmonic, py::arg("amplitude"), py::arg("frequency"), py::arg("phase") = 0.0,
-                  py::arg("offset") = 0.0, "offset + amplitude sin(frequency t + phase); frequency in rad/s.")
-      .def_static("piecewise_polynomial", &piecewise_polynomial, py::arg("breaks"), py::arg("coefficients"),
-                  "Rows of ascending coefficients in t - breaks[i], flattened.")
-      .def_static(
-          "callback",
-          [](py::object value, py::object rate, py::object acceleration, const std::string& what) {
-            return std::const_pointer_cast<TimeFunction>(
-                python_callback(std::move(value), std::move(rate), std::move(acceleration), what));
-          },
-          py::arg("value"), py::arg("rate") = py::none(), py::arg("acceleration") = py::none(),
-          py::arg("what") = "function of time", "Python functions of t; `what` they are, in messages.");
-}
-
-const std::string& name_of(const auto& info) { return info.name; }
-std::string name_of(const FreeCoordinate* coordinate) { return std::string(coordinate->name); }
-
-/// {name: info}
-template <class Info>
-py::typing::Dict<py::str, std::remove_pointer_t<Info>> by_name(const std::vector<Info>& infos) {
-  py::typing::Dict<py::str, std::remove_pointer_t<Info>> out;
-  for (const Info& info : infos) out[py::str(name_of(info))] = info;
-  return out;
-}
-
-void bind_kinds(py::module_& module) {
-  using Values = ParameterInfo::Values;
-  const auto value = [](auto member) { return [member](const ParameterInfo& it) { return it.value.*member; }; };
-  constexpr std::array takes = {"function", "differentiable", "number", "whole_number", "characteristic"};
-  py::class_<ParameterInfo>(module, "ParameterInfo", "A parameter of a kind of joint or force.")
-      .def_readonly("name", &ParameterInfo::name)
-      .def_readonly("unit", &ParameterInfo::unit, "Such as \"N s/m\" or \"N/m^exponent\"; \"\" for a mere number.")
-      .def_readonly("meaning", &ParameterInfo::meaning)
-      .def_property_readonly(
-          "takes", [takes](const ParameterInfo& it) { return takes[static_cast<std::size_t>(it.takes)]; },
-          "\"function\" (of time), \"differentiable\", \"number\", \"whole_number\" or \"characteristic\".")
-      .def_property_readonly("constant", &ParameterInfo::constant, "A number, no function.")
-      .def_property_readonly("usual", value(&Values::usual), "Where it is not given; None: it must be.")
-      .def_property_readonly("initial_distance", value(&Values::initial_distance),
-                             "Where it is not given: that of the two points at the initial pose.")
-      .def_property_readonly("example", value(&Values::example), "Of the usual size.")
-      .def_property_readonly(
-          "least",
-          [](const ParameterInfo& it) {
-            return it.value.bounds.any() ? std::optional(it.value.bounds.least) : std::nullopt;
-          },
-          "The least number, if there is one.")
-      .def_property_readonly(
-          "above", [](const ParameterInfo& it) { return it.value.bounds.above; }, "Numbers are above the bound.")
-      .def_property_readonly("not_above", value(&Values::not_above), "Another parameter, or \"\".");
-  py::class_<EquationInfo>(module, "EquationInfo", "A constraint equation of a kind of joint.")
-      .def_readonly("name", &EquationInfo::name)
-      .def_property_readonly(
-          "quantity",
-          [](const EquationInfo& it) {
-            return std::array{"translation", "rotation", "distance", "velocity",
-                              "relation"}[static_cast<std::size_t>(it.quantity)];
-          },
-          "\"translation\", \"rotation\", \"distance\", \"velocity\" (non-holonomic) or \"relation\".")
-      .def_property_readonly(
-          "axis",
-          [](const EquationInfo& it) {
-            return it.axis.empty() ? std::nullopt : std::optional(static_cast<int>(it.axis.front()));
-          },
-          "Of a translation or rotation that is held at zero: the axis of the joint along or about which, 0 to 2.")
-      .def_property_readonly(
-          "perpendicular",
-          [](const EquationInfo& it) {
-            std::vector<std::pair<int, int>> out;
-            for (const auto& [of_a, of_b] : it.perpendicular)
-              out.emplace_back(static_cast<int>(of_a), static_cast<int>(of_b));
-            return out;
-          },
-          "Of such a rotation: axes of a and of b that are perpendicular; of two pairs the products are equal.");
-  py::class_<FreeCoordinate>(module, "CoordinateInfo", "A free coordinate of a kind of joint.")
-      .def_property_readonly("name", [](const FreeCoordinate& it) { return it.name; })
-      .def_property_readonly("unit", [](const FreeCoordinate& it) { return it.unit; });
-  py::class_<KindInfo>(module, "KindInfo", "A registered kind of joint or force.")
-      .def_readonly("name", &KindInfo::name)
-      .def_readonly("rows", &KindInfo::rows)
-      .def_readonly("placement", &KindInfo::placement)
-      .def_property_readonly(
-          "parameters", [](const KindInfo& kind) { return by_name(kind.parameters); }, "By name, in their order.")
-      .def_property_readonly(
-          "equations", [](const KindInfo& kind) { return by_name(kind.equations); },
-          "By name, in the order of the rows.")
-      .def_property_readonly(
-          "coordinates", [](const KindInfo& kind) { return by_name(kind.coordinates); },
-          "Those that are free, by name.")
-      .def_property_readonly("velocity_rows", &KindInfo::velocity_rows, "How many of the last rows are of velocities.")
-      .def_readonly("symmetric", &KindInfo::symmetric, "The same joint where a and b change places.")
-      .def_readonly("driver", &KindInfo::driver, "It prescribes a motion, its parameter.")
-      .def_readonly("documentation", &KindInfo::documentation);
-  module.def("joint_kinds", [] {
-    std::vector<KindInfo> out;
-    for (const JointKind& kind : joint_kinds()) out.push_back(kind.info);
-    return out;
-  });
-  module.def(
-      "special_joint_kinds", &special_joint_kinds,
-      "Of joints that a point and axes on two bodies do not describe; their numbers follow those of joint_kinds.");
-  module.def("force_kinds", [] {
-    std::vector<KindInfo> out;
-    for (const ForceKind& kind : force_kinds()) out.push_back(kind.info);
-    return out;
-  });
-}
-
-}  // namespace
-
-void bind_model(py::module_& module) {
-  bind_time_functions(module);
-  bind_kinds(module);
-  py::class_<CoupledCoordinate>(module, "CoupledCoordinate", "A free coordinate of a joint, as it enters a coupler.")
-      .def(py::init<int, std::string, double>(), py::arg("joint"), py::arg("name"), py::arg("factor"));
-  py::class_<Model>(module, "Model", "The constant description of a mechanism; see linkwork.Model.")
-      .def(py::init<const Vec3<double>&>(), py::arg("gravity") = Vec3<double>(0.0, 0.0, -9.81))
+void bind_bodies_and_elements(py::class_<Model>& model) {
+  model.def(py::init<const Vec3<double>&>(), py::arg("gravity") = Vec3<double>(0.0, 0.0, -9.81))
       .def("add_bodies", &add_bodies, py::arg("names"), py::arg("mass"), py::arg("inertia"), py::arg("position"),
            py::arg("orientation"), py::arg("velocity"), py::arg("omega"),
            "Adds bodies under a prefix (str) or names (list); returns the first index.")
@@ -472,7 +256,11 @@ void bind_model(py::module_& module) {
             return model.add_forces(kind, read_names(names), list.elements, list.parameters);
           },
           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
-          py::arg("parameters"), py::arg("signals"), "Adds force elements; returns the first index.")
+          py::arg("parameters"), py::arg("signals"), "Adds force elements; returns the first index.");
+}
+
+void bind_functions(py::class_<Model>& model) {
+  model
       .def(
           "add_signal", [](Model& model, std::shared_ptr<TimeFunction> f) { return model.add_signal(std::move(f)); },
           py::arg("function"))
@@ -499,7 +287,11 @@ void bind_model(py::module_& module) {
             model.add_joint_force(name, joint, coordinate, std::move(compiled));
           },
           py::arg("name"), py::arg("joint"), py::arg("coordinate"), py::arg("law"),
-          "A function of (t, x, x_dot), or of time alone, along a free coordinate of a joint.")
+          "A function of (t, x, x_dot), or of time alone, along a free coordinate of a joint.");
+}
+
+void bind_contents(py::class_<Model>& model) {
+  model
       .def_property_readonly(
           "joint_forces",
           [](const Model& model) {
@@ -523,8 +315,11 @@ void bind_model(py::module_& module) {
       .def_property_readonly("body_count", [](const Model& model) { return model.bodies().size(); })
       .def_property_readonly("joint_count", [](const Model& model) { return model.joints().size(); })
       .def_property_readonly("force_count", [](const Model& model) { return model.forces().size(); })
-      .def_property_readonly("row_count", &Model::row_count)
-      .def("body_name", &Model::body_name, py::arg("body"))
+      .def_property_readonly("row_count", &Model::row_count);
+}
+
+void bind_names(py::class_<Model>& model) {
+  model.def("body_name", &Model::body_name, py::arg("body"))
       .def("joint_name", &Model::joint_name, py::arg("joint"))
       .def(
           "force_name", [](const Model& model, int force) { return model.force_names().name(force); }, py::arg("force"))
@@ -556,12 +351,13 @@ void bind_model(py::module_& module) {
           [](const Model& model, const std::string& name) { return model.own_force_names().find(name); },
           py::arg("name"), "Index of the name of one of the user's own forces, -1 where there is none.")
       .def("describe_row", &Model::describe_row, py::arg("row"))
-      .def_property_readonly("joint_rows",
-                             [](const Model& model) {
-                               return py::array_t<int>(static_cast<py::ssize_t>(model.joint_rows().size()),
-                                                       model.joint_rows().data());
-                             })
-      .def_property_readonly("mass", &masses)
+      .def_property_readonly("joint_rows", [](const Model& model) {
+        return py::array_t<int>(static_cast<py::ssize_t>(model.joint_rows().size()), model.joint_rows().data());
+      });
+}
+
+void bind_state(py::class_<Model>& model) {
+  model.def_property_readonly("mass", &masses)
       .def_property_readonly("inertia", &inertias)
       .def("poses", &poses, py::arg("bodies"), "(k, 7) at t = 0, of bodies by index; -1 is the ground.")
       .def_property_readonly("q0", &Model::initial_q)
@@ -576,6 +372,19 @@ void bind_model(py::module_& module) {
       .def(
           "force_arrays", [](const Model& model) { return element_arrays(model.forces(), model.force_parameters()); },
           "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_forces took.");
+}
+
+}  // namespace
+
+void bind_model(py::module_& module) {
+  py::class_<CoupledCoordinate>(module, "CoupledCoordinate", "A free coordinate of a joint, as it enters a coupler.")
+      .def(py::init<int, std::string, double>(), py::arg("joint"), py::arg("name"), py::arg("factor"));
+  py::class_<Model> model(module, "Model", "The constant description of a mechanism; see linkwork.Model.");
+  bind_bodies_and_elements(model);
+  bind_functions(model);
+  bind_contents(model);
+  bind_names(model);
+  bind_state(model);
 }
 
 }  // namespace linkwork::python

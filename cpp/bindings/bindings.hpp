@@ -6,6 +6,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "linkwork/integration/run.hpp"
+#include "linkwork/math/types.hpp"
+
 namespace linkwork::python {
 
 namespace py = pybind11;
@@ -15,11 +18,30 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
 void bind_errors(py::module_& module);
+void bind_time_functions(py::module_& module);
+void bind_kinds(py::module_& module);
 void bind_model(py::module_& module);
+void bind_assembler(py::module_& module);
 void bind_formulation(py::module_& module);
 void bind_integration(py::module_& module);
 
+// A System works for one caller at a time; see Busy.
+inline const Dynamics& dynamics_of(const Dynamics& dynamics) { return dynamics; }
+inline const Dynamics& dynamics_of(const Run& run) { return run.dynamics(); }
+
+/// The function, in which the dynamics of its first argument are busy.
+template <class Result, class Self, class... Arguments>
+auto exclusive(Result (*function)(Self&, Arguments...)) {
+  return [function](Self& self, Arguments... arguments) -> Result {
+    const Busy busy(dynamics_of(self));
+    return function(self, std::forward<Arguments>(arguments)...);
+  };
+}
+
 /// Hands a vector over to numpy without a copy.
 py::array_t<double> to_numpy(std::vector<double>&& values, std::vector<py::ssize_t> shape);
+
+/// OptionError: a vector of another size.
+void check_size(const ConstVector& vector, Eigen::Index size, const char* name);
 
 }  // namespace linkwork::python

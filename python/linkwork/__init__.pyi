@@ -12,6 +12,7 @@ from linkwork.equations.assembly import Assembly, JointResidual, assemble
 from linkwork.equations.system import System
 from linkwork.errors import (
     AccuracyError,
+    BusyError,
     Fault,
     FileError,
     LinkworkError,
@@ -44,6 +45,7 @@ __all__ = [
     "Body",
     "BodyResult",
     "Box",
+    "BusyError",
     "Comparison",
     "Cylinder",
     "Drive",

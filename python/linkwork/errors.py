@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from linkwork.results.result import Result
 
 __all__ = [
-    "AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
+    "AccuracyError", "BusyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
     "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError", "SingularSystemError",
     "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
 ]  # fmt: skip
@@ -97,6 +97,10 @@ class StepSizeError(LinkworkError):
 
 class ViolationError(LinkworkError):
     """The constraints are violated beyond the limit of the run."""
+
+
+class BusyError(LinkworkError):
+    """A System is called while it works, from another thread or from a function that it calls itself."""
 
 
 class AccuracyError(LinkworkError):

@@ -8,7 +8,7 @@
 #include <ctime>
 #include <functional>
 
-#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/row_selection.hpp"
 #include "spqr_rank.hpp"
 #include "support.hpp"
@@ -84,7 +84,7 @@ double seconds(const std::function<void()>& work) {
 void measure(const char* name, int size, const Model& model) {
   const System system(model);
   const Evaluation at = evaluate_initially(system);
-  const LoopCore core(system, at, 1e-9);
+  const ClosedLoops core(system, at, 1e-9);
   const SparseRows D = core.scaled_D(at);
   const Eigen::SparseMatrix<double> transposed = D.transpose();
   double own = 1e300, reference = 1e300;

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "linkwork/linear/block/block_solver.hpp"
-#include "linkwork/linear/block/schedule.hpp"
+#include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/special/coupler.hpp"
 #include "support.hpp"
@@ -156,8 +156,8 @@ TEST_CASE("fronts of every width and height are eliminated on every instruction 
       }
       const System system(model);
       check_solves(solver, system, random, true);
-      const block::Schedule schedule(system);
-      for (const block::Front& front : schedule.fronts) {
+      const block::SymbolicFactorization symbolic(system);
+      for (const block::Front& front : symbolic.fronts) {
         widths.insert(front.width);
         heights.insert(front.size);
         lanes_filled.insert((front.size - front.width) % block::lanes);
@@ -234,7 +234,7 @@ Model hub(Random& random, int arms, bool loops, const Model& start = Model()) {
 TEST_CASE("a hub with many arms costs in proportion to its arms, with loops too") {
   const auto flops = [](int arms, bool loops) {
     Random random(15);
-    return block::Schedule(System(hub(random, arms, loops))).flops;
+    return block::SymbolicFactorization(System(hub(random, arms, loops))).flops;
   };
   for (const bool loops : {false, true}) CHECK(flops(3000, loops) / flops(300, loops) < 10.1);
 }
@@ -254,7 +254,7 @@ TEST_CASE("hubs in loops, with branches, joined to the ground and to each other,
       add_joint(model, random, "distance", "link", 0, other);
       add_joint(model, random, "distance", "rope", 3, other + 5);
       const System system(model);
-      CHECK(block::Schedule(system).hubs.size() == 2);
+      CHECK(block::SymbolicFactorization(system).hubs.size() == 2);
       check_solves(solver, system, random, false);
       check_solves(solver, system, random, true);
     }
@@ -273,7 +273,7 @@ TEST_CASE("joints that a held hub would make dependent wait for the hub") {
       add_joint(model, random, leg % 2 && leg < 12 ? "universal" : "distance", "ankle" + number, leg, 0);
     }
     const System system(model);
-    CHECK(block::Schedule(system).hubs.size() == 1);
+    CHECK(block::SymbolicFactorization(system).hubs.size() == 1);
     check_solves(solver, system, random, false);
     check_solves(solver, system, random, true);
   });

@@ -257,7 +257,7 @@ TEST_CASE("multipliers of redundant rows are those of least weighted norm") {
   const System system(model);
   const Evaluation at = evaluate_initially(system);
   const MatrixXd D = dense_D(system, at);
-  const VectorXd root = row_mobility(system, at).cwiseSqrt();
+  const VectorXd root = mean_delassus_diagonal(system, at).cwiseSqrt();
   const MatrixXd weighted = D.transpose() * root.cwiseInverse().asDiagonal();  // D^T lambda = weighted (root lambda)
   const VectorXd force = D.transpose() * found.lambda;
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> least(weighted);
@@ -333,18 +333,18 @@ TEST_CASE("continuous Baumgarte adds -2 alpha Phi_dot - beta^2 Phi to gamma") {
   CHECK(relative_error(dense_D(system, at) * v_dot, at.gamma - 6.0 * at.Phi_dot - 49.0 * at.Phi) < 1e-10);
 }
 
-TEST_CASE("a held correction enters the rates until it is released, and never the accelerations") {
+TEST_CASE("a zero-order hold enters the rates until it ends, and never the accelerations") {
   const Model model = mechanisms()[0].model;
   Dynamics dynamics(model, options_of("standard"));
   VectorXd y = dynamics.initial_y(), free(y.size()), held(y.size()), released(y.size());
   const auto n = dynamics.system().v_size();
   dynamics.evaluate(0.0, y);
   dynamics.rates(free);
-  dynamics.hold_correction({2.0, 5.0});
+  dynamics.begin_zero_order_hold({2.0, 5.0});
   dynamics.rates(held);
   VectorXd v_dot(n), lambda(dynamics.system().row_count());
   dynamics.accelerations(v_dot, lambda);
-  dynamics.release_correction();
+  dynamics.end_zero_order_hold();
   dynamics.rates(released);
   const Evaluation& at = dynamics.evaluation();
   const VectorXd u = dense_D(dynamics.system(), at) * (held - free).segment(dynamics.system().q_size(), n);

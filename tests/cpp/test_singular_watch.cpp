@@ -89,25 +89,25 @@ TEST_CASE("suspicion lasts until the pivots have recovered; poses are listed wit
     watch.go_on(pivot);
     CHECK(watch.open());
   }
-  watch.take_over();
-  watch.take_over();
+  watch.count_fallback();
+  watch.count_fallback();
   watch.go_on(0.1);
   CHECK_FALSE(watch.open());
   CHECK(watch.usual(0.1));
-  CHECK(watch.passages().empty());
+  CHECK(watch.crossings().empty());
   watch.cross(1.1, 1e-7, {3});
   watch.cross(2.1, 0.0, {3});
-  REQUIRE(watch.passages().size() == 2);
-  CHECK(watch.passages()[0].t == 1.1);
-  CHECK(watch.passages()[0].pivot == doctest::Approx(1e-7));
-  CHECK(watch.passages()[0].taken_over == 2);
-  CHECK(watch.passages()[1].taken_over == 0);
+  REQUIRE(watch.crossings().size() == 2);
+  CHECK(watch.crossings()[0].t == 1.1);
+  CHECK(watch.crossings()[0].pivot == doctest::Approx(1e-7));
+  CHECK(watch.crossings()[0].fallback_evaluations == 2);
+  CHECK(watch.crossings()[1].fallback_evaluations == 0);
   CHECK(watch.singular_poses() == 2);
   watch.list_evaluations(true);
   watch.begin(3.0, 1e-7, {3});
-  watch.take_over();
-  REQUIRE(watch.passages().size() == 3);
-  CHECK(watch.passages()[2].taken_over == 1);
+  watch.count_fallback();
+  REQUIRE(watch.crossings().size() == 3);
+  CHECK(watch.crossings()[2].fallback_evaluations == 1);
 }
 
 TEST_CASE("the least singular value falls linearly to zero toward a singular pose, whatever the formulation") {

@@ -152,8 +152,8 @@ TEST_CASE("a step taken again in halves gives its error, which falls with the or
         if (step->kept()) {
           const StepError error = judge.judge(*step, true);
           CHECK(!error.failed);
-          CHECK(error.force < 1e3 * (error.velocity + error.position + 1e-12));
-          largest = std::max(largest, error.velocity);
+          CHECK(error.force < 1e3 * (error.end.velocity + error.end.position + 1e-12));
+          largest = std::max(largest, error.end.velocity);
         }
     if (last > 0.0) CHECK(std::log2(last / largest) == doctest::Approx(5.0).epsilon(0.1));
     last = largest;
@@ -168,7 +168,7 @@ double largest_error(const Model& model, double h, std::vector<double> breaks) {
   run.advance(1000000, 1e9);
   double largest = 0.0;
   for (const StepError& step : judge_run(run.sampling(), dynamics, in_parts(make_runge_kutta(rk4()))).steps)
-    largest = std::max(largest, step.velocity);
+    largest = std::max(largest, step.end.velocity);
   return largest;
 }
 
@@ -198,19 +198,19 @@ TEST_CASE(
   CHECK(largest_error(model, h, {0.3701, 0.3711}) == doctest::Approx(0.05).epsilon(1e-3));
 }
 
-TEST_CASE("the halves hold the correction of the whole step") {
+TEST_CASE("the halves keep the zero-order hold of the whole step") {
   const Model model = pendulum();
   Dynamics dynamics(model, Options());
   VectorXd y = dynamics.initial_y(), held(dynamics.y_size()), halved(dynamics.y_size()), free(dynamics.y_size());
   y[2] += 1e-3;  // off the hinge
   dynamics.evaluate(0.0, y);
   dynamics.rates(free);
-  dynamics.hold_correction(deadbeat_gains(0.5, 0.01));
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.01));
   dynamics.rates(held);
   dynamics.begin_parts(0.5);
-  dynamics.hold_correction(deadbeat_gains(0.5, 0.005));
-  dynamics.release_correction();
-  dynamics.hold_correction(deadbeat_gains(0.5, 0.005));
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005));
+  dynamics.end_zero_order_hold();
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005));
   dynamics.rates(halved);
   CHECK((held - free).norm() > 1e-3);
   CHECK((halved - held).norm() <= 1e-12 * held.norm());

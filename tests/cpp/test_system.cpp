@@ -71,13 +71,13 @@ TEST_CASE("Phi_dot = D v + Phi_t") {
   CHECK(relative_error(at.Phi_dot, dense_D(system, at) * model.initial_v() + at.Phi_t) < 1e-14);
 }
 
-TEST_CASE("row_mobility = diag(D M^-1 D^T)") {
+TEST_CASE("delassus_diagonal = diag(D M^-1 D^T)") {
   for (const Model& model : random_models(54)) {
     const System system(model);
     const Evaluation at = evaluate_initially(system);
     const MatrixXd D = dense_D(system, at);
     const VectorXd expected = (D * dense_M(model).inverse() * D.transpose()).diagonal();
-    CHECK(relative_error(system.row_mobility(at), expected) < 1e-12);
+    CHECK(relative_error(system.delassus_diagonal(at), expected) < 1e-12);
   }
 }
 

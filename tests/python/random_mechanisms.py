@@ -217,10 +217,10 @@ class Equations:
         return x[:n].astype(float), -x[n:].astype(float)
 
 
-def row_mobility(mechanism: Mechanism, at: Equations) -> Floats:
+def mean_delassus_diagonal(mechanism: Mechanism, at: Equations) -> Floats:
     """diag(D M^-1 D^T), the mean over each joint's translations and over its rotations."""
-    mobility = np.einsum("ij,ji->i", at.D, np.linalg.solve(at.M, at.D.T))
-    out, row = mobility.copy(), 0
+    delassus = np.einsum("ij,ji->i", at.D, np.linalg.solve(at.M, at.D.T))
+    out, row = delassus.copy(), 0
     for joint in mechanism.joints:
         names = JOINTS[joint.kind].equations
         for rotation in (False, True):
@@ -228,7 +228,7 @@ def row_mobility(mechanism: Mechanism, at: Equations) -> Floats:
                 row + k for k, it in enumerate(names.values()) if (it.quantity == "rotation") == rotation
             ]
             if group:
-                out[group] = mobility[group].mean()
+                out[group] = delassus[group].mean()
         row += len(names)
     return out
 

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from linkwork import _core
 from linkwork.arrays import Floats
-from random_mechanisms import Equations, Mechanism, examples, make, mechanisms, row_mobility
+from random_mechanisms import Equations, Mechanism, examples, make, mean_delassus_diagonal, mechanisms
 
 #: (matrix, linear solver): "normal" is M + D^T a D of the augmented Lagrangian.
 CHOICES = [
@@ -80,7 +80,7 @@ def test_penalty_is_off_by_what_its_smallest_eigenvalue_predicts(
     at = Equations.of(mechanism)
     exact_v_dot, multipliers = at.solution()
     S = at.D @ np.linalg.solve(at.M, at.D.T)
-    scaled = penalty.get("penalty_scale", 1.0) / row_mobility(mechanism, at)
+    scaled = penalty.get("penalty_scale", 1.0) / mean_delassus_diagonal(mechanism, at)
     a = np.full(len(S), penalty["penalty"]) if "penalty" in penalty else scaled
     sigma = np.linalg.eigvalsh(np.sqrt(a)[:, None] * S * np.sqrt(a))
     predicted = -np.linalg.solve(at.M, at.D.T @ np.linalg.solve(S + np.diag(1 / a), multipliers / a))

@@ -13,7 +13,15 @@ import pytest
 from hypothesis import given
 from linkwork import _core
 from linkwork.arrays import Floats
-from random_mechanisms import JOINTS, ZERO, Equations, Mechanism, examples, redundant_mechanisms, row_mobility
+from random_mechanisms import (
+    JOINTS,
+    ZERO,
+    Equations,
+    Mechanism,
+    examples,
+    mean_delassus_diagonal,
+    redundant_mechanisms,
+)
 
 #: (matrix, linear solver) of the standard formulation that take redundant equations.
 CHOICES = [("kkt", "block")] + [
@@ -37,7 +45,7 @@ def expected_accelerations(at: Equations) -> Floats:
 
 
 def expected_multipliers(mechanism: Mechanism, at: Equations, v_dot: Floats) -> Floats:
-    root = np.sqrt(row_mobility(mechanism, at))
+    root = np.sqrt(mean_delassus_diagonal(mechanism, at))
     metric = np.linalg.inv(np.linalg.cholesky(at.M))  # forces in the metric M^-1
     force = metric @ (at.M @ v_dot - at.g)
     return np.linalg.pinv(metric @ at.D.T / root, rcond=ZERO) @ force / root
@@ -90,7 +98,7 @@ def check(mechanism: Mechanism, **options: str) -> None:
     v_dot, multipliers = mechanism.dynamics(**options).accelerations(0.0, mechanism.q, mechanism.v)
     assert relative(v_dot, expected, at.free_v_dot) <= 1e-9
     least = expected_multipliers(mechanism, at, expected)
-    root = np.sqrt(row_mobility(mechanism, at))
+    root = np.sqrt(mean_delassus_diagonal(mechanism, at))
     assert relative(root * multipliers, root * least, np.zeros(1)) <= 1e-5  # roundoff / s^2 of the kept rows
 
 

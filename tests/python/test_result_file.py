@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
 import random
@@ -16,6 +17,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import h5py
 import linkwork as lw
 import numpy as np
 import pytest
@@ -429,3 +431,17 @@ def test_frames_of_a_file_that_was_replaced_are_not_mixed_up(tmp_path: Path) -> 
 def test_finished_file_has_no_spare_room(tmp_path: Path) -> None:
     make_result(synthetic.header(bodies=1, joints=0), count=10).save(tmp_path / "run.h5")
     assert (tmp_path / "run.h5").stat().st_size < 100_000
+
+
+def test_file_with_the_former_names_of_statistics_loads_by_those_of_today(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    lw.simulate(lw.mechanisms.pendulum(), t_end=0.01, step=1e-3).save(path)
+    crossing = {"t": 0.5, "pivot": 1e-9, "joints": ["A"], "rows_changed": False, "taken_over": 3}
+    with h5py.File(path, "r+") as file:
+        statistics = json.loads(file.attrs["statistics"])
+        statistics.pop("singularity_crossings")
+        file.attrs["statistics"] = json.dumps(statistics | {"passages": [crossing]})
+    pose = Result.load(path).singular_poses[0]
+    assert pose == (0.5, ("A",), 1e-9, 3) and pose.fallback_evaluations == 3
+    with pytest.raises(AttributeError, match="'fallback_evaluations' now"):
+        _ = pose.taken_over

@@ -16,28 +16,20 @@ namespace {
 constexpr std::size_t most_parameters = 8;  // of a special joint
 constexpr double singular_moment = 1e-14;   // principal moment, relative to the largest
 
-using Block = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>>;
-
-Block block_of(const Evaluation& at, const ConstraintBlock& block) {
-  return Block(at.D.data() + block.offset, block.rows, 6);
-}
-
 /// Fills `begin` and `list` so that list[begin[k] .. begin[k+1]) holds the blocks whose key is k, in order.
 template <class Key>
 void group_blocks(const std::vector<ConstraintBlock>& blocks, int groups, Key key, std::vector<int>& list,
                   std::vector<int>& begin) {
-  begin.assign(static_cast<std::size_t>(groups) + 1, 0);
-  for (const ConstraintBlock& block : blocks) begin[static_cast<std::size_t>(key(block)) + 1] += 1;
+  begin.assign(groups + 1, 0);
+  for (const ConstraintBlock& block : blocks) begin[key(block) + 1] += 1;
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   list.resize(blocks.size());
   std::vector<int> next(begin.begin(), begin.end() - 1);
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    list[static_cast<std::size_t>(next[static_cast<std::size_t>(key(blocks[b]))]++)] = static_cast<int>(b);
+  for (std::size_t b = 0; b < blocks.size(); ++b) list[next[key(blocks[b])]++] = static_cast<int>(b);
 }
 
 BlockRange range(const std::vector<int>& list, const std::vector<int>& begin, int k) {
-  const auto index = static_cast<std::size_t>(k);
-  return {list.data() + begin[index], list.data() + begin[index + 1]};
+  return {list.data() + begin[k], list.data() + begin[k + 1]};
 }
 
 /// The inverse on the range of J, zero on its kernel (bodies without inertia).
@@ -51,6 +43,18 @@ Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
   for (int k = 0; k < 3; ++k)
     if (moments[k] > singular_moment * moments[2] && moments[2] > 0.0) inverse[k] = 1.0 / moments[k];
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+void append_joint(const Model& model, const Element& element, int row, std::ptrdiff_t D, JointBatch& batch) {
+  batch.body_i.push_back(element.i);
+  batch.body_j.push_back(element.j);
+  batch.attachment.push_back(element.at);
+  batch.row.push_back(row);
+  batch.D.push_back(D);
+  for (std::size_t p = 0; p < joint_info(element.kind).parameters.size(); ++p) {
+    batch.parameters.push_back(model.joint_parameters()[element.first_parameter + p]);
+    batch.time_dependent = batch.time_dependent || batch.parameters.back().signal >= 0;
+  }
 }
 
 }  // namespace
@@ -83,37 +87,26 @@ void System::compile_joints() {
   std::vector<int> count(joint_kinds().size(), 0);
   std::vector<std::size_t> place(joint_kinds().size(), 0);
   for (const Element& element : model_.joints())
-    if (static_cast<std::size_t>(element.kind) < count.size()) count[static_cast<std::size_t>(element.kind)] += 1;
+    if (static_cast<std::size_t>(element.kind) < count.size()) count[element.kind] += 1;
   for (std::size_t kind = 0; kind < count.size(); ++kind) {
     if (count[kind] == 0) continue;
     place[kind] = joints_.size();
     const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
     joints_.push_back({joint_kinds()[kind].evaluate[instructions.level], instructions.width, {}});
-    joints_.back().batch.reserve(static_cast<std::size_t>(count[kind]), joint_kinds()[kind].info.parameters.size(),
-                                 instructions.width);
+    joints_.back().batch.reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions.width);
   }
   blocks_.reserve(2 * model_.joints().size());
   for (int joint = 0; joint < joint_count(); ++joint) {
-    const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+    const Element& element = model_.joints()[joint];
     if (const SpecialJoint* special = model_.special_joint(joint)) {
       compile_special_joint(joint, *special);
       continue;
     }
-    const KindInfo& info = joint_info(element.kind);
-    JointBatch& batch = joints_[place[static_cast<std::size_t>(element.kind)]].batch;
-    const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
-    batch.body_i.push_back(element.i);
-    batch.body_j.push_back(element.j);
-    batch.attachment.push_back(element.at);
-    batch.row.push_back(row);
-    batch.D.push_back(D_size_);
-    for (std::size_t p = 0; p < info.parameters.size(); ++p) {
-      batch.parameters.push_back(model_.joint_parameters()[element.first_parameter + p]);
-      batch.time_dependent = batch.time_dependent || batch.parameters.back().signal >= 0;
-    }
-    if (element.i != ground) blocks_.push_back({joint, element.i, row, info.rows, D_size_});
-    if (element.j != ground) blocks_.push_back({joint, element.j, row, info.rows, D_size_ + 6 * info.rows});
-    D_size_ += 12 * info.rows;
+    const int row = model_.joint_rows()[joint], rows = joint_info(element.kind).rows;
+    append_joint(model_, element, row, D_size_, joints_[place[element.kind]].batch);
+    if (element.i != ground) blocks_.push_back({joint, element.i, row, rows, D_size_});
+    if (element.j != ground) blocks_.push_back({joint, element.j, row, rows, D_size_ + velocity_size * rows});
+    D_size_ += 2 * velocity_size * rows;
   }
   for (CompiledJoints& joints : joints_) {
     joints.batch.pack(joints.width);
@@ -126,9 +119,9 @@ void System::compile_joints() {
 }
 
 void System::compile_special_joint(int joint, const SpecialJoint& special) {
-  const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
+  const Element& element = model_.joints()[joint];
   const KindInfo& info = joint_info(element.kind);
-  const int row = model_.joint_rows()[static_cast<std::size_t>(joint)];
+  const int row = model_.joint_rows()[joint];
   special_joints_.push_back({&special, joint, row, info.rows, D_size_, history_size()});
   add_history(special.history_kind(), true, joint, special.history_size());
   most_bodies_ = std::max(most_bodies_, special.bodies().size());
@@ -146,8 +139,8 @@ void System::compile_forces() {
   const int n = body_count();
   for (std::size_t k = 0; k < model_.forces().size(); ++k) {
     const Element& element = model_.forces()[k];
-    const ForceKind& kind = force_kinds()[static_cast<std::size_t>(element.kind)];
-    Batch& batch = force_batches_[static_cast<std::size_t>(element.kind)];
+    const ForceKind& kind = force_kinds()[element.kind];
+    Batch& batch = force_batches_[element.kind];
     batch.body_i.push_back(element.i == ground ? n : element.i);
     batch.body_j.push_back(element.j == ground ? n : element.j);
     batch.attachment.push_back(element.at);
@@ -172,7 +165,7 @@ void System::add_history(HistoryKind kind, bool joint, int element, int count) {
 }
 
 std::string System::history_name(int variable) const {
-  const HistoryOwner& owner = history_owners_[static_cast<std::size_t>(variable)];
+  const HistoryOwner& owner = history_owners_[variable];
   if (owner.joint) return "joint '" + model_.joint_name(owner.element) + "'";
   if (const auto k = static_cast<std::size_t>(owner.element); k >= model_.forces().size())
     return "force '" + model_.joint_forces()[k - model_.forces().size()].name + "'";
@@ -200,7 +193,7 @@ void System::begin_history() {
 VectorXd System::blank_history() const {
   VectorXd out(history_size());
   for (int k = 0; k < history_size(); ++k)
-    out[k] = history_owners_[static_cast<std::size_t>(k)].joint ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    out[k] = history_owners_[k].joint ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   return out;
 }
 
@@ -222,10 +215,9 @@ VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVe
 
 Evaluation System::make_evaluation() const {
   Evaluation out;
-  if (!model_.forces().empty())
-    out.bodies.assign(static_cast<std::size_t>(body_count()) + 1, BodyState<double>::ground());
+  if (!model_.forces().empty()) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
-  out.D.assign(static_cast<std::size_t>(D_size_) + velocity_size, 0.0);
+  out.D.assign(D_size_ + velocity_size, 0.0);
   out.special.resize(most_bodies_);
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
@@ -318,7 +310,7 @@ void System::check_limits(double t, const std::vector<Signal<double>>& signals) 
 
 void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstVector& q, const ConstVector& v,
                                     const ConstVector& history, Evaluation& out) const {
-  const Element& element = model_.joints()[static_cast<std::size_t>(it.joint)];
+  const Element& element = model_.joints()[it.joint];
   std::array<Signal<double>, most_parameters> parameters{};
   const std::size_t count = joint_info(element.kind).parameters.size();
   for (std::size_t p = 0; p < count; ++p)
@@ -336,14 +328,14 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
       {rows(out.Phi).data(), rows(out.Phi_t).data(), rows(out.gamma).data(), D});
   rows(out.Phi_dot) = rows(out.Phi_t);
   for (const int index : joint_blocks(it.joint)) {
-    const ConstraintBlock& block = blocks_[static_cast<std::size_t>(index)];
+    const ConstraintBlock& block = blocks_[index];
     rows(out.Phi_dot).noalias() += block_of(out, block) * v.segment<velocity_size>(velocity_size * block.body);
   }
 }
 
 void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
-  for (int b = 0; b < body_count(); ++b) out.bodies[static_cast<std::size_t>(b)] = moving(b, q, v);
+  for (int b = 0; b < body_count(); ++b) out.bodies[b] = moving(b, q, v);
   out.g.tail<velocity_size>().setZero();
   const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
                            out.switches.data(), &out.potential, &out.power};
@@ -369,19 +361,6 @@ BodyState<double> System::moving(int body, const ConstVector& q, const ConstVect
   return state;
 }
 
-void System::position_rates(const ConstVector& q, const ConstVector& v, MutableVector q_dot) const {
-  for (int b = 0; b < body_count(); ++b) {
-    const auto velocity = v.segment<velocity_size>(velocity_size * b);
-    auto rates = q_dot.segment<position_size>(position_size * b);
-    rates.head<3>() = velocity.head<3>();
-    rates.tail<4>() = euler_parameter_rates<double>(q.segment<4>(position_size * b + 3), velocity.tail<3>());
-  }
-}
-
-void System::normalize(MutableVector q) const {
-  for (int b = 0; b < body_count(); ++b) q.segment<4>(position_size * b + 3).normalize();
-}
-
 MatrixXd System::massless_directions(int body) const {
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(inertia(body));
   const Vec3<double> moments = eigen.eigenvalues();
@@ -398,107 +377,7 @@ MatrixXd System::massless_directions(int body) const {
   return kernel;
 }
 
-void System::multiply_mass(const ConstVector& x, MutableVector y) const {
-  for (int b = 0; b < body_count(); ++b) {
-    const int k = velocity_size * b;
-    y.segment<3>(k) = mass(b) * x.segment<3>(k);
-    y.segment<3>(k + 3).noalias() = inertia(b) * x.segment<3>(k + 3);
-  }
-}
-
-void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {
-  for (int b = 0; b < body_count(); ++b) {
-    const int k = velocity_size * b;
-    y.segment<3>(k) = inverse_mass(b) * x.segment<3>(k);
-    y.segment<3>(k + 3).noalias() = inverse_inertia(b) * x.segment<3>(k + 3);
-  }
-}
-
-double System::kinetic_energy(const ConstVector& v) const {
-  double twice = 0.0;
-  for (int b = 0; b < body_count(); ++b) {
-    const auto velocity = v.segment<velocity_size>(velocity_size * b);
-    const Vec3<double> omega = velocity.tail<3>();
-    twice += mass(b) * velocity.head<3>().squaredNorm() + omega.dot(inertia(b) * omega);
-  }
-  return 0.5 * twice;
-}
-
 BlockRange System::joint_blocks(int joint) const { return range(joint_block_list_, joint_block_begin_, joint); }
 BlockRange System::body_blocks(int body) const { return range(body_block_list_, body_block_begin_, body); }
-
-void System::multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const {
-  y.setZero();
-  for (const ConstraintBlock& block : blocks_)
-    y.segment(block.row, block.rows).noalias() +=
-        block_of(at, block) * x.segment<velocity_size>(velocity_size * block.body);
-}
-
-void System::add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const {
-  for (const ConstraintBlock& block : blocks_)
-    y.segment<velocity_size>(velocity_size * block.body).noalias() +=
-        block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
-}
-
-VectorXd System::row_mobility(const Evaluation& at) const {
-  VectorXd mobility = VectorXd::Zero(row_count());
-  for (const ConstraintBlock& block : blocks_) {
-    const Block D = block_of(at, block);
-    for (int k = 0; k < block.rows; ++k) {
-      const Vec3<double> rotation = D.row(k).tail<3>();
-      mobility[block.row + k] += inverse_mass(block.body) * D.row(k).head<3>().squaredNorm() +
-                                 rotation.dot(inverse_inertia(block.body) * rotation);
-    }
-  }
-  return mobility;
-}
-
-// A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.
-// About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite;
-// that one is asked where the second is the ground, where P_j = s_j. Of a coupler: what it exerts on the second body of
-// its first coordinate, be it the ground, as the first body may have to do with other coordinates, too.
-void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
-                       Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
-  using Vec6 = Eigen::Matrix<double, velocity_size, 1>;
-  for (int joint = 0; joint < joint_count(); ++joint) {
-    const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
-    const bool grounded = element.j == ground;
-    const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
-    const double* D = at.D.data() + block.offset;
-    Vec6 sum = Vec6::Zero();
-    for (int row = 0; row < block.rows; ++row, D += velocity_size)
-      sum += lambda[block.row + row] * Eigen::Map<const Vec6>(D);
-    const Vec3<double> F = sum.head<3>();
-    const Mat3<double> A = rotation_matrix<double>(q.segment<4>(position_size * block.body + 3));
-    const Vec3<double> arm = grounded ? Vec3<double>(element.at.s_j - q.segment<3>(position_size * block.body))
-                                      : Vec3<double>(A * element.at.s_j);
-    const Vec3<double> T = A * sum.tail<3>() - arm.cross(F);
-    force.col(joint) = grounded ? Vec3<double>(-F) : F;
-    torque.col(joint) = grounded ? Vec3<double>(-T) : T;
-  }
-  for (const CompiledSpecialJoint& it : special_joints_)
-    if (model_.joints()[static_cast<std::size_t>(it.joint)].j == ground) {
-      const std::vector<int>& bodies = it.special->bodies();
-      const auto place = std::find(bodies.begin(), bodies.end(), ground) - bodies.begin();
-      const Block D(at.D.data() + it.D + velocity_size * it.rows * place, it.rows, velocity_size);
-      const Vec6 sum = D.transpose() * lambda.segment(it.row, it.rows);
-      const Vec3<double> F = sum.head<3>();
-      force.col(it.joint) = F;
-      torque.col(it.joint) = sum.tail<3>() - model_.joints()[static_cast<std::size_t>(it.joint)].at.s_j.cross(F);
-    }
-}
-
-const ConstraintBlock& System::block_of_body(int joint, int body) const {
-  const BlockRange range = joint_blocks(joint);
-  const int* found = range.begin();
-  while (blocks_[static_cast<std::size_t>(*found)].body != body) ++found;
-  return blocks_[static_cast<std::size_t>(*found)];
-}
-
-Mat3<double> System::joint_frame(int joint, const ConstVector& q) const {
-  const Element& element = model_.joints()[static_cast<std::size_t>(joint)];
-  if (element.i == ground) return element.at.C_i;
-  return rotation_matrix<double>(q.segment<4>(position_size * element.i + 3)) * element.at.C_i;
-}
 
 }  // namespace linkwork

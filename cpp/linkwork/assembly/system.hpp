@@ -106,10 +106,10 @@ class System {
                                HistoryVariable<double>& history) const;
 
   // The mass matrix: blocks diag(m I, J), constant.
-  double mass(int body) const { return mass_[static_cast<std::size_t>(body)].m; }
-  double inverse_mass(int body) const { return inverse_mass_[static_cast<std::size_t>(body)].m; }
-  ConstMat3 inertia(int body) const { return ConstMat3(mass_[static_cast<std::size_t>(body)].J); }
-  ConstMat3 inverse_inertia(int body) const { return ConstMat3(inverse_mass_[static_cast<std::size_t>(body)].J); }
+  double mass(int body) const { return mass_[body].m; }
+  double inverse_mass(int body) const { return inverse_mass_[body].m; }
+  ConstMat3 inertia(int body) const { return ConstMat3(mass_[body].J); }
+  ConstMat3 inverse_inertia(int body) const { return ConstMat3(inverse_mass_[body].J); }
   const std::vector<MassBlock>& mass_blocks() const { return mass_; }
   std::ptrdiff_t row_of_zeros() const { return D_size_; }  ///< its place in D
   /// Bodies whose mass or inertia is singular; their inverses are zero in the singular directions.
@@ -127,7 +127,7 @@ class System {
   void multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const;             ///< y = D x
   void add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const;  ///< y += D^T lambda
   /// diag(D M^-1 D^T): how strongly each row accelerates under its own multiplier.
-  VectorXd row_mobility(const Evaluation& at) const;
+  VectorXd delassus_diagonal(const Evaluation& at) const;
 
   /// What joint k exerts on its second body, for all joints: force and torque about the joint's point on the second
   /// body, inertial axes (3 x joints each).
@@ -186,5 +186,11 @@ class System {
   VectorXd initial_history_;
   bool time_dependent_constraints_ = false;
 };
+
+using BlockOfD = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, velocity_size, Eigen::RowMajor>>;
+
+inline BlockOfD block_of(const Evaluation& at, const ConstraintBlock& block) {
+  return BlockOfD(at.D.data() + block.offset, block.rows, velocity_size);
+}
 
 }  // namespace linkwork

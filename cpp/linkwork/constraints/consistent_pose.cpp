@@ -22,10 +22,10 @@ constexpr double immobile = 1e-5;  // part of a random velocity that the constra
 constexpr double steps[] = {0.1, 0.01, 0.001};
 constexpr double moved_part = 0.1;  // of a step: less, and the pose fell back to where it was
 
-/// The components of the core and the sizes of their motions. Bodies outside belong to none.
+/// The connected components of the loops and the sizes of their motions. Bodies outside belong to none.
 class Components {
  public:
-  Components(const System& system, const LoopCore& core) : system_(system), core_(core) {
+  Components(const System& system, const ClosedLoops& loops) : system_(system), loops_(loops) {
     measure_lengths();
     measure_reach();
   }
@@ -33,7 +33,7 @@ class Components {
   /// Size of a step that can be the last: far from the origin that of the roundoff of positions.
   double last_step(std::size_t c) const { return std::max(converged, roundoff * reach_[c] / length_[c]); }
 
-  std::size_t count() const { return static_cast<std::size_t>(core_.component_count()); }
+  std::size_t count() const { return static_cast<std::size_t>(loops_.component_count()); }
 
   /// Largest |omega| and |r_dot| / length of the bodies of each component.
   std::vector<double> sizes(const VectorXd& velocity) const {
@@ -70,7 +70,7 @@ class Components {
   template <class Visit>
   void for_each_body(Visit visit) const {
     for (int body = 0; body < system_.body_count(); ++body)
-      if (const int c = core_.component_of_body(body); c >= 0) visit(body, static_cast<std::size_t>(c));
+      if (const int c = loops_.component_of_body(body); c >= 0) visit(body, static_cast<std::size_t>(c));
   }
 
   void measure_lengths() {
@@ -82,12 +82,12 @@ class Components {
   void measure_reach() {
     reach_.assign(count(), 0.0);
     for_each_body([&](int body, std::size_t c) {
-      reach_[c] = std::max(reach_[c], system_.model().bodies()[static_cast<std::size_t>(body)].position.norm());
+      reach_[c] = std::max(reach_[c], system_.model().bodies()[body].position.norm());
     });
   }
 
   const System& system_;
-  const LoopCore& core_;
+  const ClosedLoops& loops_;
   std::vector<double> length_, reach_;
 };
 
@@ -99,16 +99,16 @@ void move(const System& system, const VectorXd& velocity, VectorXd& q) {
 }
 
 /// Rows of the open branches, which follow the loops, yield to everything.
-VectorXd compliance(const System& system, const LoopCore& core, const Evaluation& at) {
-  VectorXd mobility = system.row_mobility(at);
-  mobility = (mobility.array() > 0.0).select(mobility, 1.0);
-  VectorXd e = yielding * mobility;
-  for (const int row : core.rows()) e[row] = epsilon * mobility[row];
+VectorXd compliance(const System& system, const ClosedLoops& loops, const Evaluation& at) {
+  VectorXd delassus = system.delassus_diagonal(at);
+  delassus = (delassus.array() > 0.0).select(delassus, 1.0);
+  VectorXd e = yielding * delassus;
+  for (const int row : loops.rows()) e[row] = epsilon * delassus[row];
   return e;
 }
 
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Components& components,
-                         const TimedPose& pose) {
+ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
+                                 const Components& components, const TimedPose& pose) {
   const System& system = solver.system();
   VectorXd q = pose.q;
   const VectorXd rest = VectorXd::Zero(system.v_size());
@@ -117,7 +117,7 @@ ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Compo
   Evaluation at = system.make_evaluation();
   for (int k = 0; k < most_steps && std::find(out.reached.begin(), out.reached.end(), 0) != out.reached.end(); ++k) {
     system.evaluate_constraints(pose.t, q, rest, pose.history, at);
-    if (!solver.factorize(at, compliance(system, core, at))) break;
+    if (!solver.factorize(at, compliance(system, loops, at))) break;
     solver.solve(rest, -at.Phi, step, lambda);
     if (!step.allFinite()) break;
     std::vector<double> factors = components.sizes(step);
@@ -133,9 +133,10 @@ ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const Compo
 }
 
 /// A random velocity less its part that the constraints resist; three times, for epsilon.
-VectorXd allowed_velocity(MetricSolver& solver, const LoopCore& core, const Evaluation& at, VectorXd velocity) {
+VectorXd allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+                          VectorXd velocity) {
   const System& system = solver.system();
-  const VectorXd e = compliance(system, core, at), none = VectorXd::Zero(system.row_count());
+  const VectorXd e = compliance(system, loops, at), none = VectorXd::Zero(system.row_count());
   VectorXd momentum(system.v_size()), lambda(system.row_count());
   if (!solver.factorize(at, e)) return VectorXd::Zero(system.v_size());
   for (int k = 0; k < 3; ++k) {
@@ -155,21 +156,23 @@ VectorXd random_velocity(const System& system, std::uint64_t seed) {
 
 }  // namespace
 
-VectorXd random_allowed_velocity(MetricSolver& solver, const LoopCore& core, const Evaluation& at, std::uint64_t seed) {
-  return allowed_velocity(solver, core, at, random_velocity(solver.system(), seed));
+VectorXd random_allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+                                 std::uint64_t seed) {
+  return allowed_velocity(solver, loops, at, random_velocity(solver.system(), seed));
 }
 
-ConsistentPose pull_back(MetricSolver& solver, const LoopCore& core, const TimedPose& pose) {
-  return pull_back(solver, core, Components(solver.system(), core), pose);
+ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& pose) {
+  return project_positions(solver, loops, Components(solver.system(), loops), pose);
 }
 
-PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd& q, const std::vector<int>& freedoms) {
+PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const VectorXd& q,
+                      const std::vector<int>& freedoms) {
   const System& system = solver.system();
-  const Components components(system, core);
+  const Components components(system, loops);
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   const VectorXd random = random_velocity(system, 1);
-  VectorXd velocity = allowed_velocity(solver, core, at, random);
+  VectorXd velocity = allowed_velocity(solver, loops, at, random);
 
   PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};
   std::vector<double> unit = components.sizes(velocity);
@@ -181,7 +184,7 @@ PerturbedPose perturb(MetricSolver& solver, const LoopCore& core, const VectorXd
   for (const double step : steps) {
     VectorXd moved = q;
     move(system, step * velocity, moved);
-    const ConsistentPose found = pull_back(solver, core, components, {0.0, moved, system.initial_history()});
+    const ConsistentPose found = project_positions(solver, loops, components, {0.0, moved, system.initial_history()});
     const std::vector<double> way = components.distances(q, found.q);
     std::vector<char> news(components.count());
     for (std::size_t c = 0; c < news.size(); ++c)

@@ -4,12 +4,12 @@
 
 namespace linkwork {
 
-ConstraintKernel::ConstraintKernel(MetricSolver& solver, const LoopCore& core, const Evaluation& at,
+ConstraintKernel::ConstraintKernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
                                    const std::vector<int>& dependent)
     : solver_(solver),
-      core_(core),
+      loops_(loops),
       at_(at),
-      scale_(solver.system().row_mobility(at).cwiseSqrt()),
+      scale_(solver.system().delassus_diagonal(at).cwiseSqrt()),
       dropped_(solver.system(), dependent),
       refinement_(solver.system()) {
   const System& system = solver.system();
@@ -34,8 +34,8 @@ VectorXd ConstraintKernel::vector(const VectorXd& n_d) {
                                 MutableVector dlambda) { solver_.solve(r_1, r_2, dx, dlambda); };
   refinement_.correct(at_, a_, b_, x_, lambda_, once_more);
   dropped_.scatter(omega, lambda_);
-  VectorXd n(core_.row_count());
-  for (int place = 0; place < core_.row_count(); ++place) n[place] = lambda_[row(place)] * scale_[row(place)];
+  VectorXd n(loops_.row_count());
+  for (int place = 0; place < loops_.row_count(); ++place) n[place] = lambda_[row(place)] * scale_[row(place)];
   return n;
 }
 
@@ -47,7 +47,7 @@ void ConstraintKernel::mark_members(std::vector<char>& marks) {
   const VectorXd n = vector(n_d);
   const double least = member * n.cwiseAbs().maxCoeff();
   for (Eigen::Index k = 0; k < n.size(); ++k)
-    if (std::abs(n[k]) > least) marks[static_cast<std::size_t>(k)] = 1;
+    if (std::abs(n[k]) > least) marks[k] = 1;
 }
 
 }  // namespace linkwork

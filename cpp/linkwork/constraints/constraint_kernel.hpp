@@ -1,19 +1,20 @@
 #pragma once
 
+#include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/dropped_rows.hpp"
-#include "linkwork/constraints/loop_core.hpp"
-#include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/mass_weighted_least_squares.hpp"
 #include "linkwork/constraints/refinement.hpp"
 
 namespace linkwork {
 
-/// ker D^T of the core at an evaluation, by its values at dependent rows d: with the others, k, independent,
+/// ker D^T of the rows in loops at an evaluation, by its values at dependent rows d: with the others, k, independent,
 ///   n_k = -(D_k M^-1 D_k^T)^-1 D_k M^-1 D_d^T n_d.
-/// Vectors are over the core and refer to rows of unit length in the solver's metric M^-1.
+/// Vectors are over these rows and refer to rows of unit length in the metric M^-1.
 class ConstraintKernel {
  public:
-  /// `dependent` are constraint rows of the core. One kernel at a time may use a solver.
-  ConstraintKernel(MetricSolver& solver, const LoopCore& core, const Evaluation& at, const std::vector<int>& dependent);
+  /// `dependent` are constraint rows in loops. One kernel at a time may use a solver.
+  ConstraintKernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+                   const std::vector<int>& dependent);
 
   int size() const { return dropped_.count(); }
   const std::vector<int>& dependent() const { return dropped_.rows(); }  ///< ascending
@@ -29,10 +30,10 @@ class ConstraintKernel {
   void mark_members(std::vector<char>& marks);
 
  private:
-  int row(int place) const { return core_.rows()[static_cast<std::size_t>(place)]; }
+  int row(int place) const { return loops_.rows()[place]; }
 
-  MetricSolver& solver_;
-  const LoopCore& core_;
+  MassWeightedLeastSquares& solver_;
+  const ClosedLoops& loops_;
   Evaluation at_;
   VectorXd scale_, a_, b_, x_, lambda_;
   DroppedRows dropped_;

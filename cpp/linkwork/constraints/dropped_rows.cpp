@@ -7,9 +7,9 @@ namespace linkwork {
 DroppedRows::DroppedRows(const System& system, std::vector<int> rows) : rows_(std::move(rows)) {
   std::sort(rows_.begin(), rows_.end());
   for (int place = 0; place < count(); ++place) {
-    const int row = rows_[static_cast<std::size_t>(place)];
+    const int row = rows_[place];
     for (const int index : system.joint_blocks(system.model().joint_of_row(row))) {
-      const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+      const ConstraintBlock& block = system.blocks()[index];
       pieces_.push_back({place, block.body, block.offset + 6 * (row - block.row), Row::Zero()});
     }
   }
@@ -18,7 +18,7 @@ DroppedRows::DroppedRows(const System& system, std::vector<int> rows) : rows_(st
 std::vector<char> DroppedRows::translating() const {
   std::vector<char> out(rows_.size(), 0);
   for (const Piece& piece : pieces_)
-    if (piece.entries.head<3>().cwiseAbs().maxCoeff() > 0.0) out[static_cast<std::size_t>(piece.place)] = 1;
+    if (piece.entries.head<3>().cwiseAbs().maxCoeff() > 0.0) out[piece.place] = 1;
   return out;
 }
 
@@ -48,11 +48,11 @@ void DroppedRows::take_from(MutableVector b) const {
 }
 
 void DroppedRows::scatter(const ConstVector& omega, MutableVector lambda) const {
-  for (int place = 0; place < count(); ++place) lambda[rows_[static_cast<std::size_t>(place)]] = omega[place];
+  for (int place = 0; place < count(); ++place) lambda[rows_[place]] = omega[place];
 }
 
 void DroppedRows::gather(const ConstVector& lambda, MutableVector omega) const {
-  for (int place = 0; place < count(); ++place) omega[place] = lambda[rows_[static_cast<std::size_t>(place)]];
+  for (int place = 0; place < count(); ++place) omega[place] = lambda[rows_[place]];
 }
 
 }  // namespace linkwork

@@ -15,7 +15,7 @@ constexpr double exact = 1e-15, roundoff = 1e-12;  // violations, relative to th
 constexpr double least_damping = 1e-10, most_damping = 1e8;
 constexpr double stationary = 1e-9;      // part of the violation that a step should take away
 constexpr double longest_step = 0.5;     // relative to the extent of the mechanism, or rad
-constexpr double least_mobility = 1e-2;  // of a row of rotations, of its usual one
+constexpr double least_delassus = 1e-2;  // of a row of rotations, of its usual one
 constexpr double nearest = 1e-11;        // displacement that is none
 constexpr double shortest_part = 1e-4;   // of a step along the constraints
 constexpr double nudge = 0.05;           // [rad, or relative to the length of a body], off a saddle
@@ -64,15 +64,14 @@ InitialConditions::InitialConditions(const System& system, const VectorXd& weigh
   history_ = this->system().initial_history();
   this->system().evaluate_constraints(0.0, this->system().model().initial_q(), rest_, history_, at_);
   row_lengths_ = row_lengths(system, at_);
-  mobility_ = this->system().row_mobility(at_);
+  delassus_ = this->system().delassus_diagonal(at_);
   const std::vector<char> rotations = rows_of_rotations(system, at_);
   VectorXd usual = VectorXd::Zero(system.row_count());  // of rows of rotations, which may have none in one pose only
   for (const ConstraintBlock& block : this->system().blocks())
     usual.segment(block.row, block.rows).array() += this->system().inverse_inertia(block.body).trace() / 3.0;
   for (int row = 0; row < system.row_count(); ++row) {
-    if (rotations[static_cast<std::size_t>(row)])
-      mobility_[row] = std::max(mobility_[row], least_mobility * usual[row]);
-    if (!(mobility_[row] > 0.0)) mobility_[row] = 1.0;
+    if (rotations[row]) delassus_[row] = std::max(delassus_[row], least_delassus * usual[row]);
+    if (!(delassus_[row] > 0.0)) delassus_[row] = 1.0;
   }
 }
 
@@ -81,7 +80,7 @@ void InitialConditions::evaluate(const VectorXd& q, const VectorXd& v) {
   history_ = at_.history;  // on the way to the constraints angles may turn far
   for (const int body : held_)
     for (const int place : system().body_blocks(body)) {
-      const ConstraintBlock& block = system().blocks()[static_cast<std::size_t>(place)];
+      const ConstraintBlock& block = system().blocks()[place];
       std::fill_n(at_.D.begin() + block.offset, 6 * block.rows, 0.0);
     }
 }
@@ -89,7 +88,7 @@ void InitialConditions::evaluate(const VectorXd& q, const VectorXd& v) {
 /// M x - D^T lambda = a, D x + damping diag(w) lambda = b.
 bool InitialConditions::solve(const VectorXd& a, const VectorXd& b, double damping) {
   ++iterations_;
-  if (!solver_.factorize(at_, damping * mobility_)) return false;
+  if (!solver_.factorize(at_, damping * delassus_)) return false;
   solver_.solve(a, b, x_, lambda_);
   return x_.allFinite() && lambda_.allFinite();
 }
@@ -99,9 +98,9 @@ double InitialConditions::relative(const VectorXd& residuals) const {
   return largest(residuals.cwiseQuotient(row_lengths_)) / rounding_;
 }
 
-double InitialConditions::merit() const { return (at_.Phi.array().square() / mobility_.array()).sum(); }
+double InitialConditions::merit() const { return (at_.Phi.array().square() / delassus_.array()).sum(); }
 
-// Levenberg and Marquardt's method for min f = Phi^T W^-1 Phi, W = diag(w) of the mobilities:
+// Levenberg and Marquardt's method for min f = Phi^T W^-1 Phi, W the diagonal of the Delassus matrix:
 //   dq = -M^-1 D^T (D M^-1 D^T + mu W)^-1 Phi,   Phi + D dq = -mu W lambda.
 // Off the constraints, rows that repeat others are not quite dependent, and Newton's steps would follow the difference
 // far away; mu = c |Phi| keeps the way short there, and leaves Newton's steps near the end (J. Fan, Y. Yuan, On the
@@ -116,7 +115,7 @@ bool InitialConditions::descend(VectorXd& q) {
     for (;; c *= 8.0) {
       const double mu = std::max(least_damping, c * now);
       if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return now <= roundoff;
-      const double expected = f - mu * mu * (lambda_.array().square() * mobility_.array()).sum();
+      const double expected = f - mu * mu * (lambda_.array().square() * delassus_.array()).sum();
       if (!(expected > stationary * f) && mu <= 1.0) return now <= roundoff;
       const double size = size_of(x_, extent_), part = std::min(1.0, longest_step / std::max(size, longest_step));
       VectorXd next = q;

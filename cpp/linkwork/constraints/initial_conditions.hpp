@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/mass_weighted_least_squares.hpp"
 
 namespace linkwork {
 
@@ -39,10 +39,10 @@ class InitialConditions {
   void approach(const VectorXd& given, VectorXd& q);
   VectorXd pull(const VectorXd& given, const VectorXd& q) const;
 
-  MetricSolver solver_;
+  MassWeightedLeastSquares solver_;
   std::vector<int> held_;
   Evaluation at_;
-  VectorXd history_, mobility_, rest_, x_, lambda_;
+  VectorXd history_, delassus_, rest_, x_, lambda_;
   VectorXd lengths_;      ///< of the bodies, see characteristic_lengths
   VectorXd row_lengths_;  ///< at the given pose
   double extent_;         ///< of the mechanism [m]

@@ -11,8 +11,8 @@ namespace linkwork {
 class LeastSingularValue {
  public:
   LeastSingularValue() = default;
-  /// `mobility`: see row_mobility.
-  LeastSingularValue(const System& system, const VectorXd& mobility, const DroppedRows& dropped);
+  /// `delassus`: see mean_delassus_diagonal.
+  LeastSingularValue(const System& system, const VectorXd& delassus, const DroppedRows& dropped);
 
   /// With the last factorization of `saddle`; 0 where nothing finite comes of it.
   double of(SaddleSolver& saddle);
@@ -21,7 +21,7 @@ class LeastSingularValue {
   double iterate(SaddleSolver& saddle);
 
   const System* system_ = nullptr;
-  VectorXd scale_;  ///< roots of the mobilities of kept rows, 0 of dropped ones
+  VectorXd scale_;  ///< roots of the Delassus diagonal in kept rows, 0 of dropped ones
   VectorXd u_;      ///< the last left singular vector; empty: none yet
   VectorXd some_;   ///< a vector with a part in all directions
   VectorXd none_, b_, x_, lambda_, momentum_;

@@ -24,7 +24,7 @@ class Clusters {
  public:
   explicit Clusters(const System& system)
       : model_(system.model()),
-        parent_(static_cast<std::size_t>(system.body_count())),
+        parent_(system.body_count()),
         arm_(parent_.size(), 0.0),
         way_(arm_),
         gyration_(arm_),
@@ -33,7 +33,7 @@ class Clusters {
     for (int joint = 0; joint < system.joint_count(); ++joint) {
       int last = -1;
       for (const int block : system.joint_blocks(joint)) {
-        const int body = system.blocks()[static_cast<std::size_t>(block)].body;
+        const int body = system.blocks()[block].body;
         if (last >= 0) parent_[root(body)] = static_cast<int>(root(last));
         last = body;
       }
@@ -52,8 +52,7 @@ class Clusters {
  private:
   std::size_t root(int body) {
     auto k = static_cast<std::size_t>(body);
-    while (static_cast<std::size_t>(parent_[k]) != k)
-      k = static_cast<std::size_t>(parent_[k] = parent_[static_cast<std::size_t>(parent_[k])]);
+    while (static_cast<std::size_t>(parent_[k]) != k) k = static_cast<std::size_t>(parent_[k] = parent_[parent_[k]]);
     return k;
   }
 
@@ -65,7 +64,7 @@ class Clusters {
     for (int k = 0; k < 2; ++k)
       if (bodies[k] != ground) {
         keep_largest(arm_[root(bodies[k])], ends[k].norm());
-        ends[k] = point(model_.bodies()[static_cast<std::size_t>(bodies[k])], ends[k]);
+        ends[k] = point(model_.bodies()[bodies[k]], ends[k]);
       }
     for (const int body : bodies)
       if (body != ground) keep_largest(way_[root(body)], (ends[0] - ends[1]).norm());
@@ -114,19 +113,19 @@ VectorXd row_lengths(const System& system, const Evaluation& at) {
   VectorXd lengths = squares.cwiseSqrt();
   const std::vector<char> rotations = rows_of_rotations(system, at);
   for (int row = 0; row < system.row_count(); ++row) {
-    if (rotations[static_cast<std::size_t>(row)]) lengths[row] = std::max(lengths[row], least_row);
+    if (rotations[row]) lengths[row] = std::max(lengths[row], least_row);
     else if (!(lengths[row] > 0.0)) lengths[row] = 1.0;
   }
   return lengths;
 }
 
 std::vector<char> rows_of_rotations(const System& system, const Evaluation& at) {
-  std::vector<char> out(static_cast<std::size_t>(system.row_count()), 1);
+  std::vector<char> out(system.row_count(), 1);
   for (const ConstraintBlock& block : system.blocks()) {
     const bool special = system.model().special_joint(block.joint) != nullptr;
     for (int k = 0; k < block.rows; ++k) {
       const double* row = at.D.data() + block.offset + velocity_size * k;
-      if (special || row[0] != 0.0 || row[1] != 0.0 || row[2] != 0.0) out[static_cast<std::size_t>(block.row + k)] = 0;
+      if (special || row[0] != 0.0 || row[1] != 0.0 || row[2] != 0.0) out[block.row + k] = 0;
     }
   }
   return out;

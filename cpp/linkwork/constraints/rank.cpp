@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/consistent_pose.hpp"
 #include "linkwork/constraints/constraint_kernel.hpp"
 #include "linkwork/constraints/length_scale.hpp"
-#include "linkwork/constraints/loop_core.hpp"
 #include "linkwork/constraints/row_selection.hpp"
 #include "linkwork/linear/column_rank.hpp"
 
@@ -30,81 +30,80 @@ Places complement(const Places& places, int count) {
 
 /// The kernel by its values at the redundant rows, and where that leaves a singular matrix (a dead center) at the
 /// singular ones, too.
-std::unique_ptr<ConstraintKernel> make_kernel(MetricSolver& solver, const LoopCore& core, const Evaluation& at,
-                                              const RankReport& report) {
+std::unique_ptr<ConstraintKernel> make_kernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
+                                              const Evaluation& at, const RankReport& report) {
   std::vector<int> rows = report.redundant_rows;
-  auto kernel = std::make_unique<ConstraintKernel>(solver, core, at, rows);
+  auto kernel = std::make_unique<ConstraintKernel>(solver, loops, at, rows);
   if (kernel->regular() || report.singular_rows.empty()) return kernel;
   rows.insert(rows.end(), report.singular_rows.begin(), report.singular_rows.end());
-  return std::make_unique<ConstraintKernel>(solver, core, at, rows);
+  return std::make_unique<ConstraintKernel>(solver, loops, at, rows);
 }
 
-/// Per component of the core: 6 per body less the rank.
-std::vector<int> degrees_of_freedom(const System& system, const LoopCore& core, const Places& dependent) {
-  std::vector<int> out(static_cast<std::size_t>(core.component_count()), 0);
-  const auto add = [&](int component, int count) { out[static_cast<std::size_t>(component)] += count; };
+/// Per component of the loops: 6 per body less the rank.
+std::vector<int> degrees_of_freedom(const System& system, const ClosedLoops& loops, const Places& dependent) {
+  std::vector<int> out(loops.component_count(), 0);
+  const auto add = [&](int component, int count) { out[component] += count; };
   for (int body = 0; body < system.body_count(); ++body)
-    if (const int component = core.component_of_body(body); component >= 0) add(component, velocity_size);
-  for (int place = 0; place < core.row_count(); ++place) add(core.component_of_row(place), -1);
-  for (const int place : dependent) add(core.component_of_row(place), 1);
+    if (const int component = loops.component_of_body(body); component >= 0) add(component, velocity_size);
+  for (int place = 0; place < loops.row_count(); ++place) add(loops.component_of_row(place), -1);
+  for (const int place : dependent) add(loops.component_of_row(place), 1);
   return out;
 }
 
 /// The least tolerance that does not tell errors of the given geometry from its rank: joints that are off by a little
 /// can be assembled but for a residual, and singular values of that size mean nothing.
-double tolerance_of_geometry(const System& system, const LoopCore& core, const VectorXd& q) {
+double tolerance_of_geometry(const System& system, const ClosedLoops& loops, const VectorXd& q) {
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   const VectorXd residuals = at.Phi.cwiseQuotient(row_lengths(system, at)).cwiseAbs();
   double most = 0.0;
-  for (const int row : core.rows()) most = std::max(most, residuals[row]);
+  for (const int row : loops.rows()) most = std::max(most, residuals[row]);
   return std::min(residual_margin * most, coarsest);
 }
 
 /// Fills in the report: rows that are redundant at the assembled and at a perturbed pose, and those that are dependent
 /// at the assembled one only.
-void find_redundancy(const System& given, const LoopCore& core, double tolerance, RankReport& report) {
-  MetricSolver solver = MetricSolver::of_geometry(given);
+void find_redundancy(const System& given, const ClosedLoops& loops, double tolerance, RankReport& report) {
+  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given);
   const System& system = solver.system();
-  const auto row = [&](int place) { return core.rows()[static_cast<std::size_t>(place)]; };
-  const ConsistentPose start = pull_back(solver, core, {0.0, report.q, system.initial_history()});
+  const auto row = [&](int place) { return loops.rows()[place]; };
+  const ConsistentPose start = project_positions(solver, loops, {0.0, report.q, system.initial_history()});
   report.q = start.q;
-  tolerance = std::max(tolerance, tolerance_of_geometry(system, core, report.q));
-  const CorePose assembled(system, core, {0.0, report.q, system.initial_history()}, tolerance);
+  tolerance = std::max(tolerance, tolerance_of_geometry(system, loops, report.q));
+  const LoopPose assembled(system, loops, {0.0, report.q, system.initial_history()}, tolerance);
   if (assembled.dependent.empty()) return;
-  std::vector<int> freedoms = degrees_of_freedom(system, core, assembled.dependent);
+  std::vector<int> freedoms = degrees_of_freedom(system, loops, assembled.dependent);
   for (std::size_t c = 0; c < freedoms.size(); ++c)
     if (!start.reached[c]) freedoms[c] = 0;  // its joints contradict each other: there is no other pose to look at
-  const PerturbedPose found = perturb(solver, core, report.q, freedoms);
+  const PerturbedPose found = perturb(solver, loops, report.q, freedoms);
   report.q = found.q;
-  const CorePose perturbed(system, core, {0.0, report.q, system.initial_history()}, tolerance);
-  const Places redundant = redundant_rows(solver, core, assembled, perturbed, found, tolerance);
+  const LoopPose perturbed(system, loops, {0.0, report.q, system.initial_history()}, tolerance);
+  const Places redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
   for (const int place : redundant) report.redundant_rows.push_back(row(place));
 
-  const Places kept = complement(redundant, core.row_count());
+  const Places kept = complement(redundant, loops.row_count());
   for (const int k : dependent_rows(select_rows(assembled.D, kept), tolerance))
-    report.singular_rows.push_back(row(kept[static_cast<std::size_t>(k)]));
-  std::vector<char> members(static_cast<std::size_t>(core.row_count()), 0);
-  const auto kernel = make_kernel(solver, core, perturbed.at, report);
+    report.singular_rows.push_back(row(kept[k]));
+  std::vector<char> members(loops.row_count(), 0);
+  const auto kernel = make_kernel(solver, loops, perturbed.at, report);
   if (kernel->regular()) kernel->mark_members(members);
   else std::fill(members.begin(), members.end(), 1);
   if (report.singular_rows.empty()) {
-    ConstraintKernel at_start(solver, core, assembled.at, report.redundant_rows);
+    ConstraintKernel at_start(solver, loops, assembled.at, report.redundant_rows);
     if (at_start.regular()) at_start.mark_members(members);
   }
-  for (int place = 0; place < core.row_count(); ++place)
-    if (members[static_cast<std::size_t>(place)])
-      report.unique[static_cast<std::size_t>(system.model().joint_of_row(row(place)))] = 0;
+  for (int place = 0; place < loops.row_count(); ++place)
+    if (members[place]) report.unique[system.model().joint_of_row(row(place))] = 0;
 }
 
 }  // namespace
 
 PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance) {
-  const LoopCore core(system, at, tolerance);
+  const ClosedLoops loops(system, at, tolerance);
   PoseRank report;
   report.rows = system.row_count();
-  for (const int place : dependent_rows(core.scaled_D(at), tolerance))
-    report.dependent_rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
+  for (const int place : dependent_rows(loops.scaled_D(at), tolerance))
+    report.dependent_rows.push_back(loops.rows()[place]);
   report.rank = report.rows - static_cast<int>(report.dependent_rows.size());
   report.degrees_of_freedom = system.v_size() - report.rank;
   return report;
@@ -113,16 +112,16 @@ PoseRank rank_of_constraints(const System& system, const Evaluation& at, double 
 RankReport examine_rank(const System& given, double least_tolerance) {
   RankReport report;
   report.rows = given.row_count();
-  report.unique.assign(static_cast<std::size_t>(given.joint_count()), 1);
+  report.unique.assign(given.joint_count(), 1);
   report.q = given.model().initial_q();
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   Evaluation at = given.make_evaluation();
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), given.initial_history(), at);
-  const LoopCore core(given, at, tolerance);
+  const ClosedLoops loops(given, at, tolerance);
   const bool consistent =
       report.rows == 0 || at.Phi.cwiseQuotient(row_lengths(given, at)).cwiseAbs().maxCoeff() <= assembled;
-  if (core.row_count() > 0 && !(consistent && dependent_rows(core.scaled_D(at), tolerance).empty()))
-    find_redundancy(given, core, tolerance, report);
+  if (loops.row_count() > 0 && !(consistent && dependent_rows(loops.scaled_D(at), tolerance).empty()))
+    find_redundancy(given, loops, tolerance, report);
   report.rank = report.rows - static_cast<int>(report.redundant_rows.size());
   report.degrees_of_freedom = given.v_size() - report.rank;
   return report;
@@ -131,20 +130,20 @@ RankReport examine_rank(const System& given, double least_tolerance) {
 std::vector<DependentGroup> dependent_groups(const System& given, const RankReport& report, std::size_t most) {
   std::vector<DependentGroup> groups;
   if (report.redundant_rows.empty()) return groups;
-  MetricSolver solver = MetricSolver::of_geometry(given);
+  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
-  const LoopCore core(system, at, std::max(rank_tolerance, roundoff_of_positions(system, report.q)));
-  const auto kernel = make_kernel(solver, core, at, report);
+  const ClosedLoops loops(system, at, std::max(rank_tolerance, roundoff_of_positions(system, report.q)));
+  const auto kernel = make_kernel(solver, loops, at, report);
   for (std::size_t k = 0; k < std::min(most, report.redundant_rows.size()); ++k) {
     const auto& dependent = kernel->dependent();
     const auto own = std::lower_bound(dependent.begin(), dependent.end(), report.redundant_rows[k]) - dependent.begin();
     const VectorXd n = kernel->vector(VectorXd::Unit(kernel->size(), own));
     const double least = ConstraintKernel::member * n.cwiseAbs().maxCoeff();
     DependentGroup group{report.redundant_rows[k], {}};
-    for (int place = 0; place < core.row_count(); ++place)
-      if (const int row = core.rows()[static_cast<std::size_t>(place)]; std::abs(n[place]) > least && row != group.row)
+    for (int place = 0; place < loops.row_count(); ++place)
+      if (const int row = loops.rows()[place]; std::abs(n[place]) > least && row != group.row)
         group.others.push_back(row);
     groups.push_back(std::move(group));
   }
@@ -178,7 +177,7 @@ std::vector<int> free_massless_bodies(const System& system, const Evaluation& at
       const int column = static_cast<int>(owner.size());
       owner.push_back(body);
       for (const int index : system.body_blocks(body)) {
-        const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+        const ConstraintBlock& block = system.blocks()[index];
         for (int k = 0; k < block.rows; ++k) {
           const double value = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(at.D.data() + block.offset + 6 * k)
                                    .dot(kernel.col(c).transpose());
@@ -190,7 +189,7 @@ std::vector<int> free_massless_bodies(const System& system, const Evaluation& at
   std::vector<int> bodies;
   for (const int column :
        dependent_columns(system.row_count(), static_cast<int>(owner.size()), std::move(entries), tolerance))
-    bodies.push_back(owner[static_cast<std::size_t>(column)]);
+    bodies.push_back(owner[column]);
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   return bodies;
 }

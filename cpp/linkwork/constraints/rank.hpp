@@ -31,7 +31,7 @@ struct RankReport {
   VectorXd q;                       ///< pose at which dependent groups are found: perturbed where that was possible
 };
 
-/// The rank at the assembled pose (t = 0, pulled onto the constraints first) and at a randomly perturbed consistent
+/// The rank at the assembled pose (t = 0, projected onto the constraints first) and at a randomly perturbed consistent
 /// pose near it. Rows that depend on the others at both are redundant; of each dependent group the rows that leave the
 /// others best conditioned, at both poses, are chosen. A component of loops that cannot be perturbed though it has a
 /// free velocity (its assembled pose is a dead center) has no redundant rows, and singular ones instead. The least

@@ -39,22 +39,22 @@ double size_of(const System& system, const VectorXd& q) {
 }
 
 /// Rows of the loops alone: those of open branches yield to a pull.
-void take_branches_from(VectorXd& Phi, const LoopCore& core) {
+void take_branches_from(VectorXd& Phi, const ClosedLoops& loops) {
   VectorXd of_loops = VectorXd::Zero(Phi.size());
-  for (const int row : core.rows()) of_loops[row] = Phi[row];
+  for (const int row : loops.rows()) of_loops[row] = Phi[row];
   Phi = of_loops;
 }
 
 /// The redundant rows as they would be chosen at a pose, with those outside of the loops.
-std::vector<int> choose(MetricSolver& solver, const LoopCore& core, const CorePose& pose,
+std::vector<int> choose(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& pose,
                         const std::vector<int>& redundant) {
-  const std::vector<char> all(static_cast<std::size_t>(core.component_count()), 1);
+  const std::vector<char> all(loops.component_count(), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
-  for (const int place : redundant_rows(solver, core, pose, pose, found, rank_tolerance))
-    rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
+  for (const int place : redundant_rows(solver, loops, pose, pose, found, rank_tolerance))
+    rows.push_back(loops.rows()[place]);
   for (const int row : redundant)
-    if (!std::binary_search(core.rows().begin(), core.rows().end(), row)) rows.push_back(row);
+    if (!std::binary_search(loops.rows().begin(), loops.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
   return rows;
 }
@@ -73,30 +73,30 @@ std::vector<int> joints_with_residuals(const Model& model, const VectorXd& Phi) 
 
 RedundancyExamination examine_redundancy(const System& given, const TimedPose& here,
                                          const std::vector<int>& redundant) {
-  MetricSolver solver(given);
+  MassWeightedLeastSquares solver(given);
   const System& system = solver.system();
   const VectorXd rest = VectorXd::Zero(system.v_size());
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(here.t, here.q, rest, here.history, at);
   const double before = largest(at.Phi);
-  const LoopCore core(system, at, rank_tolerance);
+  const ClosedLoops loops(system, at, rank_tolerance);
   RedundancyExamination out;
   out.q = here.q;
-  if (core.row_count() == 0) return out;
+  if (loops.row_count() == 0) return out;
   bool reached = true;
   for (int k = 0; k < most_pulls && reached && !out.consistent; ++k) {
-    ConsistentPose pulled = pull_back(solver, core, {here.t, out.q, here.history});
-    reached = std::find(pulled.reached.begin(), pulled.reached.end(), 0) == pulled.reached.end();
-    out.q = std::move(pulled.q);
+    ConsistentPose projected = project_positions(solver, loops, {here.t, out.q, here.history});
+    reached = std::find(projected.reached.begin(), projected.reached.end(), 0) == projected.reached.end();
+    out.q = std::move(projected.q);
     system.evaluate_constraints(here.t, out.q, rest, here.history, at);
-    take_branches_from(at.Phi, core);
+    take_branches_from(at.Phi, loops);
     out.consistent = largest(at.Phi) <= std::max(met * before, met_absolute);
   }
   out.contradicts = reached && largest(at.Phi) > remaining * before;
   if (out.contradicts) out.joints = joints_with_residuals(system.model(), at.Phi);
   if (!out.consistent) return out;
-  const CorePose pose(system, core, {here.t, out.q, here.history}, rank_tolerance);
-  out.choice = choose(solver, core, pose, redundant);
+  const LoopPose pose(system, loops, {here.t, out.q, here.history}, rank_tolerance);
+  out.choice = choose(solver, loops, pose, redundant);
   out.changed = out.choice.size() < redundant.size();
   return out;
 }

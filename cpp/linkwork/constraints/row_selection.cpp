@@ -46,29 +46,28 @@ Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& 
   return chosen;
 }
 
-/// A component of the core at one pose.
+/// A component of the loops at one pose.
 struct ComponentPose {
   Places dependent;  ///< places in its rows
   MatrixXd kernel;   ///< orthonormal basis; empty where it would be too large
 };
 
-/// Finds the redundant rows of the core, component by component.
+/// Finds the redundant rows of the loops, component by component.
 class Selection {
  public:
-  Selection(MetricSolver& solver, const LoopCore& core, const CorePose& assembled, const CorePose& perturbed,
-            const PerturbedPose& found, double tolerance, bool prefer_closing)
+  Selection(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
+            const LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing)
       : solver_(solver),
-        core_(core),
+        loops_(loops),
         assembled_(assembled),
         perturbed_(perturbed),
         found_(found),
         tolerance_(tolerance) {
-    rows_.resize(static_cast<std::size_t>(core.component_count()));
-    for (int place = 0; place < core.row_count(); ++place)
-      rows_[static_cast<std::size_t>(core.component_of_row(place))].push_back(place);
-    preferred_.resize(core.row_count());
-    for (int place = 0; place < core.row_count(); ++place)
-      preferred_[place] = !prefer_closing || core.closing(joint_of(place));
+    rows_.resize(loops.component_count());
+    for (int place = 0; place < loops.row_count(); ++place) rows_[loops.component_of_row(place)].push_back(place);
+    preferred_.resize(loops.row_count());
+    for (int place = 0; place < loops.row_count(); ++place)
+      preferred_[place] = !prefer_closing || loops.closing(joint_of(place));
   }
 
   Places run() {
@@ -83,7 +82,7 @@ class Selection {
       const bool both = found_.reached[c] && perturbed[c].dependent.size() <= assembled[c].dependent.size();
       const ComponentPose& generic = both ? perturbed[c] : assembled[c];
       for (const int local : redundant_rows(c, generic, both ? &assembled[c] : nullptr))
-        redundant.push_back(rows_[c][static_cast<std::size_t>(local)]);
+        redundant.push_back(rows_[c][local]);
     }
     std::sort(redundant.begin(), redundant.end());
     return redundant;
@@ -107,7 +106,7 @@ class Selection {
     std::vector<MatrixXd> bases = {kernel * Q.rightCols(kernel.cols() - qr.rank())};
     if (bases.front().cols() == 0) return;
     for (const int local : choose_rows(static_cast<int>(bases.front().cols()), preferred_of(c), bases))
-      redundant.push_back(rows_[c][static_cast<std::size_t>(local)]);
+      redundant.push_back(rows_[c][local]);
   }
 
   /// gamma of a random motion that the constraints allow, its part without drivers, of the rows of a component, which
@@ -116,8 +115,8 @@ class Selection {
     const System& system = solver_.system();
     const VectorXd history = system.initial_history();
     Evaluation at = assembled_.at;
-    const VectorXd v = random_allowed_velocity(solver_, core_, at, seed);
-    const VectorXd scale = system.row_mobility(at).cwiseSqrt();
+    const VectorXd v = random_allowed_velocity(solver_, loops_, at, seed);
+    const VectorXd scale = system.delassus_diagonal(at).cwiseSqrt();
     VectorXd sum = VectorXd::Zero(system.row_count());
     for (const auto& [sign, weight] : {std::pair{1.0, 0.5}, {-1.0, 0.5}, {0.0, -1.0}}) {
       system.evaluate_constraints(0.0, found_.q, sign * v, history, at);
@@ -125,7 +124,7 @@ class Selection {
     }
     VectorXd out(static_cast<Eigen::Index>(rows_[c].size()));
     for (std::size_t r = 0; r < rows_[c].size(); ++r) {
-      const int row = core_.rows()[static_cast<std::size_t>(rows_[c][r])];
+      const int row = loops_.rows()[rows_[c][r]];
       out[static_cast<Eigen::Index>(r)] = scale[row] > 0.0 ? sum[row] / scale[row] : 0.0;
     }
     return out;
@@ -138,12 +137,12 @@ class Selection {
   }
 
   /// Components share no body, so one solution gives a vector of the kernel of each.
-  std::vector<ComponentPose> components_at(const CorePose& pose) {
+  std::vector<ComponentPose> components_at(const LoopPose& pose) {
     std::vector<ComponentPose> out(rows_.size());
     std::vector<Places> order(rows_.size());  // places in pose.dependent
     std::size_t most = 0;
     for (std::size_t k = 0; k < pose.dependent.size(); ++k) {
-      const auto c = static_cast<std::size_t>(core_.component_of_row(pose.dependent[k]));
+      const auto c = static_cast<std::size_t>(loops_.component_of_row(pose.dependent[k]));
       const auto first = rows_[c].begin();
       out[c].dependent.push_back(static_cast<int>(std::lower_bound(first, rows_[c].end(), pose.dependent[k]) - first));
       order[c].push_back(static_cast<int>(k));
@@ -154,7 +153,7 @@ class Selection {
       most = std::max(most, order[c].size());
       out[c].kernel.resize(static_cast<Eigen::Index>(rows_[c].size()), static_cast<Eigen::Index>(order[c].size()));
     }
-    ConstraintKernel kernel(solver_, core_, pose.at, rows_at(pose.dependent));
+    ConstraintKernel kernel(solver_, loops_, pose.at, rows_at(pose.dependent));
     for (std::size_t k = 0; k < most && kernel.regular(); ++k) {
       VectorXd n_d = VectorXd::Zero(kernel.size());
       for (const Places& places : order)
@@ -199,8 +198,7 @@ class Selection {
     Places kept;
     for (const int place : rows_[c])
       if (!std::binary_search(redundant.begin(), redundant.end(), place)) kept.push_back(place);
-    for (const int k : dependent_rows(select_rows(perturbed_.D, kept), tolerance_))
-      redundant.push_back(kept[static_cast<std::size_t>(k)]);
+    for (const int k : dependent_rows(select_rows(perturbed_.D, kept), tolerance_)) redundant.push_back(kept[k]);
     std::sort(redundant.begin(), redundant.end());
     for (int& place : redundant)
       place = static_cast<int>(std::lower_bound(rows_[c].begin(), rows_[c].end(), place) - rows_[c].begin());
@@ -210,7 +208,7 @@ class Selection {
   /// Rows of a closing joint; ascending.
   Places repeated_in_loop(int joint, const Places& own, bool both) {
     Places rows = own;
-    for (const int other : core_.loop_of(joint, longest_loop))
+    for (const int other : loops_.loop_of(joint, longest_loop))
       if (other != joint)
         for (const int place : rows_of(other)) rows.push_back(place);
     if (rows.size() == own.size()) return {};
@@ -222,7 +220,7 @@ class Selection {
     preferred.head(static_cast<Eigen::Index>(own.size())).setOnes();
     Places out;
     for (const int k : choose_rows(static_cast<int>(count), preferred, bases))
-      if (static_cast<std::size_t>(k) < own.size()) out.push_back(own[static_cast<std::size_t>(k)]);
+      if (static_cast<std::size_t>(k) < own.size()) out.push_back(own[k]);
     std::sort(out.begin(), out.end());
     return out;
   }
@@ -237,7 +235,7 @@ class Selection {
     const auto count = static_cast<Eigen::Index>(rows.size());
     MatrixXd A = MatrixXd::Zero(count, static_cast<Eigen::Index>(columns.size()));
     for (Eigen::Index k = 0; k < count; ++k)
-      for (SparseRows::InnerIterator it(D, rows[static_cast<std::size_t>(k)]); it; ++it)
+      for (SparseRows::InnerIterator it(D, rows[k]); it; ++it)
         A(k, std::lower_bound(columns.begin(), columns.end(), static_cast<int>(it.col())) - columns.begin()) =
             it.value();
     Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
@@ -247,31 +245,30 @@ class Selection {
   }
 
   std::vector<int> rows_at(Places places) const {
-    for (int& place : places) place = core_.rows()[static_cast<std::size_t>(place)];
+    for (int& place : places) place = loops_.rows()[place];
     return places;
   }
 
-  int joint_of(int place) const {
-    return solver_.system().model().joint_of_row(core_.rows()[static_cast<std::size_t>(place)]);
-  }
+  int joint_of(int place) const { return solver_.system().model().joint_of_row(loops_.rows()[place]); }
 
   /// Places of a joint's rows.
   Places rows_of(int joint) const {
     const auto& first = solver_.system().model().joint_rows();
-    const int row = first[static_cast<std::size_t>(joint)], count = first[static_cast<std::size_t>(joint) + 1] - row;
+    const int row = first[joint], count = first[joint + 1] - row;
     Places out(static_cast<std::size_t>(count));
-    std::iota(out.begin(), out.end(),
-              static_cast<int>(std::lower_bound(core_.rows().begin(), core_.rows().end(), row) - core_.rows().begin()));
+    std::iota(
+        out.begin(), out.end(),
+        static_cast<int>(std::lower_bound(loops_.rows().begin(), loops_.rows().end(), row) - loops_.rows().begin()));
     return out;
   }
 
-  MetricSolver& solver_;
-  const LoopCore& core_;
-  const CorePose &assembled_, &perturbed_;
+  MassWeightedLeastSquares& solver_;
+  const ClosedLoops& loops_;
+  const LoopPose &assembled_, &perturbed_;
   const PerturbedPose& found_;
   double tolerance_;
   std::vector<Places> rows_;  ///< per component
-  VectorXd preferred_;        ///< per row of the core: 1 for joints that close loops, else 0
+  VectorXd preferred_;        ///< per row of the loops: 1 for joints that close loops, else 0
 };
 
 /// Numbers for rows next to each other that have the same bodies.
@@ -297,16 +294,16 @@ Places dependent_rows(const SparseRows& A, double tolerance) {
   return dependent_columns(transposed, tolerance, neighbors_on_same_bodies(A));
 }
 
-CorePose::CorePose(const System& system, const LoopCore& core, const TimedPose& pose, double tolerance)
+LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance)
     : at(system.make_evaluation()) {
   system.evaluate_constraints(pose.t, pose.q, VectorXd::Zero(system.v_size()), pose.history, at);
-  D = core.scaled_D(at);
+  D = loops.scaled_D(at);
   dependent = dependent_rows(D, tolerance);
 }
 
-Places redundant_rows(MetricSolver& solver, const LoopCore& core, const CorePose& assembled, const CorePose& perturbed,
-                      const PerturbedPose& found, double tolerance, bool prefer_closing) {
-  return Selection(solver, core, assembled, perturbed, found, tolerance, prefer_closing).run();
+Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
+                      const LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing) {
+  return Selection(solver, loops, assembled, perturbed, found, tolerance, prefer_closing).run();
 }
 
 }  // namespace linkwork

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwork/constraints/least_held_motion.hpp"
+#include "linkwork/constraints/least_constrained_motion.hpp"
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
@@ -55,7 +55,7 @@ std::string choose_form(const FormulationInfo& info, const Options& options, boo
 std::string choose_solver(const std::string& form, const FormulationInfo& info, const Options& options,
                           const System& system) {
   if (options.linear_solver != "auto") return options.linear_solver;
-  const bool regular = system.massless_bodies().empty() || info.fills_inertia;
+  const bool regular = system.massless_bodies().empty() || info.regularizes_inertia;
   const MatrixForm& unknowns = matrix_form(form);
   const int size = unknowns.velocities * system.v_size() + unknowns.multipliers * system.row_count();
   const auto suits = [&](const LinearSolverInfo& solver) {
@@ -89,11 +89,11 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   formulation_ =
       info.make(make_saddle_solver(options_.matrix_form, linear_solver_info(options_.linear_solver)), options_);
   if (system_.row_count() == 0) return;
-  inertia_ = std::make_unique<FilledInertia>(system_, at_);
-  const ConstraintRows rows{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
-  minimum_norm_ = MinimumNorm(system_, rows.mobility, dropped_);
+  inertia_ = std::make_unique<RegularizedInertia>(system_, at_);
+  const ConstraintRows rows{mean_delassus_diagonal(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
+  minimum_norm_ = MinimumNorm(system_, rows.delassus, dropped_);
   dropped_.take_out(at_);
-  least_singular_value_ = LeastSingularValue(system_, rows.mobility, dropped_);
+  least_singular_value_ = LeastSingularValue(system_, rows.delassus, dropped_);
   formulation_->analyze(system_, at_, rows);
   rank_needed_ = info.needs_full_rank;
   watched_ = rank_needed_ || linear_solver_info(options_.linear_solver).make_saddle;
@@ -112,11 +112,12 @@ void Dynamics::check_masses() const {
   if (free.empty()) return;
   ErrorDetails details;
   details.bodies = {system_.model().body_name(free.front())};
-  throw SingularSystemError(
-      "free_massless_body",
-      "body '" + details.bodies.front() + "' has a motion without inertia that no joint resists, " +
-          describe_least_held_motion(system_, at_, free.front()) + "; give it mass and inertia, or hold it by joints",
-      details);
+  throw SingularSystemError("free_massless_body",
+                            "body '" + details.bodies.front() +
+                                "' has a motion without inertia that no joint resists, " +
+                                describe_least_constrained_motion(system_, at_, free.front()) +
+                                "; give it mass and inertia, or hold it by joints",
+                            details);
 }
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
@@ -182,7 +183,7 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
     statistics_.evaluations += 1;
   }
   dropped_.take_out(at_);
-  factorized_ = taken_over_ = false;
+  factorized_ = fallback_ = false;
   if (!sides_.empty()) look_for_switches();
   if (traces_) look_for_nan(false);
 }
@@ -192,8 +193,8 @@ void Dynamics::factorize() {
 }
 
 /// False where `factorize` was not the last word: a solution that it found is none.
-template <class Work>
-bool Dynamics::count_factorization(Work factorize) {
+template <class Factorize>
+bool Dynamics::count_factorization(Factorize factorize) {
   const Stopwatch watch(statistics_.factorize_time, clocked_);
   const double pivot = try_factorization(factorize);
   factorized_ = true;
@@ -206,8 +207,8 @@ bool Dynamics::count_factorization(Work factorize) {
 }
 
 /// The smallest pivot; -1 where the matrix is singular. A state that is not finite makes it so: say which it is.
-template <class Work>
-double Dynamics::try_factorization(Work factorize) {
+template <class Factorize>
+double Dynamics::try_factorization(Factorize factorize) {
   try {
     factorize();
   } catch (const SingularSystemError&) {
@@ -225,7 +226,7 @@ PoseExamination Dynamics::examine_here(double pivot) const {
   return examine_pose(system_, {t_, q, history_}, dropped_.rows(), watch_.near(pivot));
 }
 
-/// A small pivot, or any inside a passage. False where the factorization is another one than before.
+/// A small pivot, or any inside a crossing. False where the factorization is another one than before.
 bool Dynamics::inspect(double pivot) {
   if (watch_.open()) {
     watch_.go_on(pivot);
@@ -243,8 +244,8 @@ bool Dynamics::inspect(double pivot) {
     watch_.begin(t_, pivot, std::move(found.joints));
   }
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
-  take_over();
-  watch_.take_over();
+  fall_back();
+  watch_.count_fallback();
   return false;
 }
 
@@ -306,10 +307,10 @@ bool Dynamics::cross(const VectorXd& y, double pivot) {
 void Dynamics::change_redundant_rows(std::vector<int> rows) {
   dropped_.put_back(at_);
   dropped_ = DroppedRows(system_, std::move(rows));
-  const ConstraintRows now{row_mobility(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
-  minimum_norm_ = MinimumNorm(system_, now.mobility, dropped_);
+  const ConstraintRows now{mean_delassus_diagonal(inertia_->system(), at_), dropped_.rows(), inertia_.get()};
+  minimum_norm_ = MinimumNorm(system_, now.delassus, dropped_);
   dropped_.take_out(at_);
-  least_singular_value_ = LeastSingularValue(system_, now.mobility, dropped_);
+  least_singular_value_ = LeastSingularValue(system_, now.delassus, dropped_);
   formulation_->analyze(system_, at_, now);
   formulation_->factorize(at_);
 }
@@ -318,19 +319,19 @@ void Dynamics::change_redundant_rows(std::vector<int> rows, std::vector<int> joi
   watch_.change_rows(t_, formulation_->saddle().smallest_pivot(), std::move(joints));
   change_redundant_rows(std::move(rows));
   factorized_ = true;
-  taken_over_ = false;
+  fallback_ = false;
 }
 
-void Dynamics::take_over() {
+void Dynamics::fall_back() {
   if (!tolerant_) tolerant_ = std::make_unique<RankTolerant>(system_, *inertia_);
   tolerant_->factorize(at_);
-  taken_over_ = true;
+  fallback_ = true;
 }
 
 /// As `inspect`, for an observer: the watch does not hear of it.
 bool Dynamics::look_at(double pivot) {
   if (!rank_needed_ || !watch_.untrustworthy(pivot)) return true;
-  take_over();
+  fall_back();
   return false;
 }
 
@@ -347,7 +348,7 @@ void Dynamics::return_to(const Place& place) {
   looking_ = true;
   evaluate(place.t, place.y);
   if (place.factorized) factorize();
-  if (place.taken_over && !taken_over_) take_over();
+  if (place.fallback && !fallback_) fall_back();
   looking_ = false;
 }
 
@@ -427,7 +428,7 @@ Gains Dynamics::gains_or(Gains defaults) const {
   return {options_.baumgarte_alpha.value_or(defaults.alpha), options_.baumgarte_beta.value_or(defaults.beta)};
 }
 
-void Dynamics::hold_correction(Gains gains) {
+void Dynamics::begin_zero_order_hold(Gains gains) {
   if (!sampled() || (held_ && first_part_ > 0.0)) return;
   if (first_part_ > 0.0) gains = {gains.alpha * first_part_, gains.beta * first_part_};
   gains = gains_or(gains);
@@ -468,6 +469,13 @@ void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, Mutabl
   system_.position_rates(y_.head(nq), y_.segment(nq, nv), y_dot.head(nq));
   y_dot.segment(nq, nv) = v_dot;
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
+}
+
+Busy::Busy(const Dynamics& dynamics) : dynamics_(dynamics) {
+  if (dynamics.busy_.test_and_set(std::memory_order_acquire))
+    throw BusyError("busy",
+                    "this System is at work, in another thread or for a function that calls it: it works for one "
+                    "caller at a time, so make a System for each");
 }
 
 void Dynamics::look_for_nan(bool accelerations) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -74,7 +75,7 @@ class Dynamics {
   const RankReport& rank() const { return rank_; }
   const SingularWatch& watch() const { return watch_; }
   /// Where there are joints.
-  const FilledInertia& inertia() const { return *inertia_; }
+  const RegularizedInertia& inertia() const { return *inertia_; }
   /// Whether pivots tell singular poses, and there are loops that may come to some.
   bool watches() const { return watched_ && system_.row_count() > 0; }
   /// Evaluations from here on serve a step that knows of singular poses: they are not looked at by the watch.
@@ -93,7 +94,7 @@ class Dynamics {
   bool improve_rows();
   void forget_trend() { watch_.forget_trend(); }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.
-  bool taken_over() const { return taken_over_; }
+  bool fallback() const { return fallback_; }
 
   /// Evaluates at (t, y): everything below refers to this state. Redundant rows are zero in the D of the `evaluation`.
   /// `stage` of a step, from 1 on, is for errors.
@@ -117,9 +118,9 @@ class Dynamics {
   struct Place {
     double t;
     VectorXd y;
-    bool factorized, taken_over;
+    bool factorized, fallback;
   };
-  Place place() const { return {t_, y_, factorized_, taken_over_}; }
+  Place place() const { return {t_, y_, factorized_, fallback_}; }
   /// Evaluations from here on are not noted by the watch.
   void begin_looking() { looking_ = true; }
   void end_looking() { looking_ = false; }
@@ -138,7 +139,7 @@ class Dynamics {
 
   const DroppedRows& dropped() const { return dropped_; }
   /// Leaves out these rows from here on, where it is evaluated: others have become redundant in the course of the
-  /// motion. `joints` of them are reported, see SingularPassage::rows_changed.
+  /// motion. `joints` of them are reported, see SingularityCrossing::rows_changed.
   void change_redundant_rows(std::vector<int> rows, std::vector<int> joints);
 
   /// Zeros in `b` for the rows that `solve` does not look at.
@@ -149,18 +150,18 @@ class Dynamics {
   // Sampled stabilization, for integrators. All three do nothing where another stabilization was chosen.
   bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
   /// Computes u from the current state with these gains (the user's, where given) and holds it for `rates`.
-  void hold_correction(Gains gains);
-  void release_correction() { held_ = held_ && first_part_ > 0.0; }
+  void begin_zero_order_hold(Gains gains);
+  void end_zero_order_hold() { held_ = held_ && first_part_ > 0.0; }
   /// From here to end_parts a step is taken in parts, the first of this share: the correction that it holds is that of
   /// the whole, and stays.
   void begin_parts(double share) { held_ = false, first_part_ = share; }
   void end_parts() { held_ = false, first_part_ = 0.0; }
-  /// For methods with memory: adds to `y` the two terms of u where they belong, h (-2 alpha Phi_dot) to v and
+  /// For multistep methods: adds to `y` the two terms of u where they belong, h (-2 alpha Phi_dot) to v and
   /// h^2 (-beta^2 Phi) to q, both through the response of the mechanism; the default alpha = 1/(2h), beta = 1/h annuls
   /// both violations to first order.
   void add_correction(double h, MutableVector y);
 
-  /// y_dot at the current state, with the held correction or the continuous stabilization.
+  /// y_dot at the current state, with the zero-order hold of u or the continuous stabilization.
   void rates(MutableVector y_dot);
   /// y_dot at the current state for accelerations and multipliers that were found otherwise.
   void rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const;
@@ -169,20 +170,21 @@ class Dynamics {
   void set_interrupt(std::function<void()> interrupt) { interrupt_ = std::move(interrupt); }
 
  private:
-  template <class Work>
-  bool count_factorization(Work factorize);
-  template <class Work>
-  double try_factorization(Work factorize);
+  friend class Busy;
+  template <class Factorize>
+  bool count_factorization(Factorize factorize);
+  template <class Factorize>
+  double try_factorization(Factorize factorize);
   PoseExamination examine_here(double pivot) const;
   bool inspect(double pivot);
   void change_redundant_rows(std::vector<int> rows);
   bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
-  void take_over();
+  void fall_back();
   bool look_at(double pivot);
   void look_for_switches();
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
-  Formulation& active() { return taken_over_ ? *tolerant_ : *formulation_; }
+  Formulation& active() { return fallback_ ? *tolerant_ : *formulation_; }
   void check_masses() const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
@@ -195,13 +197,13 @@ class Dynamics {
   StabilizationKind kind_;
   RankReport rank_;
   DroppedRows dropped_;
-  std::unique_ptr<FilledInertia> inertia_;  ///< where there are joints
+  std::unique_ptr<RegularizedInertia> inertia_;  ///< where there are joints
   MinimumNorm minimum_norm_;
   LeastSingularValue least_singular_value_;
   std::unique_ptr<Formulation> formulation_;
   SingularWatch watch_;
   std::unique_ptr<RankTolerant> tolerant_;  ///< where it was needed
-  bool watched_ = false, watching_ = true, looking_ = false, taken_over_ = false, rank_needed_ = false;
+  bool watched_ = false, watching_ = true, looking_ = false, fallback_ = false, rank_needed_ = false;
   Evaluation at_;
   VectorXd history_, initial_history_;
   std::vector<char> sides_;  ///< empty until they are taken: positive or not
@@ -217,6 +219,21 @@ class Dynamics {
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
+  mutable std::atomic_flag busy_;
+};
+
+/// Dynamics work for one caller at a time: while this is there, for the one that made it. Nothing here waits: whoever
+/// comes meanwhile, from another thread or from a function of the user's that the dynamics call, gets a BusyError.
+/// For those who share dynamics; a loop of evaluations makes one of these, not one for each.
+class Busy {
+ public:
+  explicit Busy(const Dynamics& dynamics);
+  ~Busy() { dynamics_.busy_.clear(std::memory_order_release); }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  const Dynamics& dynamics_;
 };
 
 /// While it is there the watch does not look at evaluations.

@@ -49,21 +49,21 @@ void for_each_row_group(const Model& model, Visit visit) {
 
 }  // namespace
 
-VectorXd row_mobility(const System& system, const Evaluation& at) {
-  VectorXd mobility = system.row_mobility(at);
+VectorXd mean_delassus_diagonal(const System& system, const Evaluation& at) {
+  VectorXd delassus = system.delassus_diagonal(at);
   for_each_row_group(system.model(), [&](int first, int count) {
-    auto group = mobility.segment(first, count);
+    auto group = delassus.segment(first, count);
     group.setConstant(group.mean());
   });
   double least = std::numeric_limits<double>::infinity();
-  for (const double value : mobility)
+  for (const double value : delassus)
     if (value > 0.0) least = std::min(least, value);
-  return (mobility.array() > 0.0).select(mobility, std::isfinite(least) ? least : 1.0);
+  return (delassus.array() > 0.0).select(delassus, std::isfinite(least) ? least : 1.0);
 }
 
 VectorXd row_penalties(const ConstraintRows& rows, const std::optional<double>& penalty, double scale) {
-  if (penalty) return VectorXd::Constant(rows.mobility.size(), *penalty);
-  return scale * rows.mobility.cwiseInverse();
+  if (penalty) return VectorXd::Constant(rows.delassus.size(), *penalty);
+  return scale * rows.delassus.cwiseInverse();
 }
 
 }  // namespace linkwork

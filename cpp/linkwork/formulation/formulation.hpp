@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "linkwork/constraints/constrained_solver.hpp"
-#include "linkwork/constraints/filled_inertia.hpp"
+#include "linkwork/constraints/regularized_inertia.hpp"
 #include "linkwork/formulation/options.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 
@@ -25,9 +25,9 @@ struct IterationStatistics {
 
 /// What a formulation knows of the constraint rows.
 struct ConstraintRows {
-  VectorXd mobility;         ///< see row_mobility
+  VectorXd delassus;         ///< see mean_delassus_diagonal
   std::vector<int> dropped;  ///< rows that are left out: their D is zero in every evaluation, and their b is 0
-  const FilledInertia* inertia = nullptr;
+  const RegularizedInertia* inertia = nullptr;
 };
 
 /// How v_dot and lambda follow from M v_dot - D^T lambda = a, D v_dot = b at one evaluation.
@@ -59,7 +59,7 @@ struct FormulationInfo {
   std::vector<std::string> forms;         ///< matrices it can use, see SaddleSolver
   std::vector<std::string> options = {};  ///< of some methods only that it has, see options.def
   bool needs_full_rank = false;           ///< a singular pose is an error
-  bool fills_inertia = false;             ///< it takes massless bodies with any linear solver, see FilledInertia
+  bool regularizes_inertia = false;       ///< it takes massless bodies with any linear solver, see RegularizedInertia
   bool compliant = false;                 ///< constraints yield to forces: accelerations meet them only nearly
   std::unique_ptr<Formulation> (*make)(std::unique_ptr<SaddleSolver>, const Options&) = nullptr;
 };
@@ -70,9 +70,9 @@ const FormulationInfo& formulation_info(const std::string& name);
 
 /// diag(D M^-1 D^T), the mean over a joint's translations and the mean over its rotations: it does not depend on the
 /// directions of axes. Rows between massless bodies get the least of the others.
-VectorXd row_mobility(const System& system, const Evaluation& at);
+VectorXd mean_delassus_diagonal(const System& system, const Evaluation& at);
 
-/// The same penalty for every row where the user gave one, else scale / mobility: then every row is as stiff against
+/// The same penalty for every row where the user gave one, else scale / delassus: then every row is as stiff against
 /// its own inertia, and results do not depend on units.
 VectorXd row_penalties(const ConstraintRows& rows, const std::optional<double>& penalty, double scale);
 

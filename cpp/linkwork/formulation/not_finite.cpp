@@ -28,11 +28,11 @@ Model alone(const Model& model, const Element& force, std::vector<int>& bodies) 
     const auto found = std::find(bodies.begin(), bodies.end(), body);
     if (found != bodies.end()) return static_cast<int>(found - bodies.begin());
     bodies.push_back(body);
-    return out.add_body(model.body_name(body), model.bodies()[static_cast<std::size_t>(body)]);
+    return out.add_body(model.body_name(body), model.bodies()[body]);
   };
   const int i = place(force.i), j = place(force.j);
   for (const TimeFunctionPtr& signal : model.signals()) out.add_signal(signal);
-  const KindInfo& info = force_kinds()[static_cast<std::size_t>(force.kind)].info;
+  const KindInfo& info = force_kinds()[force.kind].info;
   const auto first = model.force_parameters().begin() + static_cast<std::ptrdiff_t>(force.first_parameter);
   out.add_force(info.name, "force", i, j, force.at,
                 {first, first + static_cast<std::ptrdiff_t>(info.parameters.size())});
@@ -107,7 +107,7 @@ void throw_not_finite(const System& system, const VectorXd& y, double t, int sta
     else if (force = user_force_not_finite(system, t, y); force >= 0)
       details.forces = {model.user_force_name(static_cast<std::size_t>(force))};
     else if (force = joint_force_not_finite(system, t, y); force >= 0)
-      details.forces = {model.joint_forces()[static_cast<std::size_t>(force)].name};
+      details.forces = {model.joint_forces()[force].name};
     if (force >= 0) {
       throw NotFiniteError("not_finite",
                            "force '" + details.forces.front() + "' became infinite or undefined" + when +

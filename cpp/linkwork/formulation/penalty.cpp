@@ -1,4 +1,4 @@
-#include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/direct_formulation.hpp"
 
 namespace linkwork {
 namespace {
@@ -6,32 +6,22 @@ namespace {
 // v_dot is wrong by about 1e-9 / s_min, s_min of the scaled D M^-1 D^T, and roundoff in lambda is magnified by 1e9.
 constexpr double default_scale = 1e9;
 
-/// Constraints as stiff massless elements: (M + D^T alpha D) v_dot = a + D^T alpha b, lambda = alpha (b - D v_dot)
-/// (12.14).
-class Penalty final : public Formulation {
+/// Constraints as stiff massless elements,
+///   (M + D^T alpha D) v_dot = a + D^T alpha b,   lambda = alpha (b - D v_dot),                 (12.14)
+/// which is the system of DirectFormulation with E = alpha^-1.
+class Penalty final : public DirectFormulation {
  public:
   Penalty(std::unique_ptr<SaddleSolver> saddle, const Options& options)
-      : saddle_(std::move(saddle)), options_(options) {}
+      : DirectFormulation(std::move(saddle)), options_(options) {}
 
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
     saddle_->drop(rows.dropped);
     saddle_->analyze(system, typical);
     compliance_ = row_penalties(rows, options_.penalty, options_.penalty_scale.value_or(default_scale)).cwiseInverse();
   }
-  void factorize(const Evaluation& at) override { saddle_->factorize(at, compliance_); }
-  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
-    saddle_->solve(a, b, v_dot, lambda);
-  }
-  void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector v_dot,
-                           MutableVector lambda) override {
-    saddle_->factorize_and_solve(at, compliance_, a, b, v_dot, lambda);
-  }
-  SaddleSolver& saddle() const override { return *saddle_; }
 
  private:
-  std::unique_ptr<SaddleSolver> saddle_;
   Options options_;
-  VectorXd compliance_;
 };
 
 }  // namespace

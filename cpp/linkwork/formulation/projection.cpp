@@ -47,7 +47,7 @@ void Projection::iterate(double t, VectorXd& y, double scale, Violation violatio
     dynamics_.solve(none_, b_, x_, lambda_);
     const double change = move();
     if (change <= exact || (change <= roundoff && change > shrinking * last)) {
-      if (!dynamics_.taken_over() || relative_violation(scale) <= impossible) return;
+      if (!dynamics_.fallback() || relative_violation(scale) <= impossible) return;
       break;
     }
     if (!(change <= last)) {

@@ -10,7 +10,7 @@ constexpr double tolerances[] = {1e-8, 1e-7, 1e-6, 1e-4};  // the first that lea
 
 }  // namespace
 
-RankTolerant::RankTolerant(const System& system, const FilledInertia& inertia)
+RankTolerant::RankTolerant(const System& system, const RegularizedInertia& inertia)
     : system_(system),
       inertia_(inertia),
       solver_(inertia.system()),
@@ -28,10 +28,10 @@ void RankTolerant::factorize(const Evaluation& at) {
 
 bool RankTolerant::factorize(const Evaluation& at, double tolerance) {
   const System& system = solver_.system();
-  const LoopCore core(system, at, tolerance);
+  const ClosedLoops loops(system, at, tolerance);
   std::vector<int> rows;
-  for (const int place : dependent_rows(core.scaled_D(at), tolerance))
-    rows.push_back(core.rows()[static_cast<std::size_t>(place)]);
+  for (const int place : dependent_rows(loops.scaled_D(at), tolerance))
+    rows.push_back(loops.rows()[static_cast<std::size_t>(place)]);
   left_out_ = DroppedRows(system, rows);
   at_ = at;
   left_out_.take_out(at_);
@@ -56,7 +56,7 @@ void RankTolerant::solve(const ConstVector& a, const ConstVector& b, MutableVect
   const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx, MutableVector dlambda) {
     solver_.solve(r_1, r_2, dx, dlambda);
   };
-  const auto cause = inertia_.filled() ? Refinement::Cause::inertia : Refinement::Cause::singular_pose;
+  const auto cause = inertia_.regularized() ? Refinement::Cause::inertia : Refinement::Cause::singular_pose;
   if (refinement_.refine(at_, a, b_, v_dot, lambda, nearby, cause)) return;
   if (corrects(a, b)) return;
   throw NotConvergedError("singular_pose",

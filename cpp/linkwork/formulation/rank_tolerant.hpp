@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "linkwork/constraints/dropped_rows.hpp"
-#include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/mass_weighted_least_squares.hpp"
 #include "linkwork/constraints/refinement.hpp"
 #include "linkwork/formulation/formulation.hpp"
 
@@ -15,7 +15,7 @@ namespace linkwork {
 /// condition of D and not that of D M^-1 D^T, its square.
 class RankTolerant final : public Formulation {
  public:
-  RankTolerant(const System& system, const FilledInertia& inertia);
+  RankTolerant(const System& system, const RegularizedInertia& inertia);
 
   void analyze(const System&, const Evaluation&, const ConstraintRows&) override {}
   /// SingularSystemError: there is no factorization whatever is left out.
@@ -28,8 +28,8 @@ class RankTolerant final : public Formulation {
   bool corrects(const ConstVector& a, const ConstVector& b) const;
 
   const System& system_;
-  const FilledInertia& inertia_;
-  MetricSolver solver_;
+  const RegularizedInertia& inertia_;
+  MassWeightedLeastSquares solver_;
   Evaluation at_;  ///< without the rows left out
   DroppedRows left_out_;
   Refinement refinement_;

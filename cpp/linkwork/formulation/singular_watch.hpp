@@ -31,12 +31,12 @@ PoseExamination examine_pose(const System& system, const TimedPose& pose, const 
 std::vector<int> choose_redundant_rows(const System& system, const TimedPose& pose, const std::vector<int>& present);
 
 /// A pose of the motion in which equations depend on each other.
-struct SingularPassage {
-  double t = 0.0;               ///< [s]
-  double pivot = 0.0;           ///< the smallest there, relative to the usual one
-  std::vector<int> joints;      ///< see PoseExamination
-  bool rows_changed = false;    ///< no singular pose: other redundant rows are left out from here on
-  std::int64_t taken_over = 0;  ///< evaluations before that the usual factorization was not trusted with
+struct SingularityCrossing {
+  double t = 0.0;                         ///< [s]
+  double pivot = 0.0;                     ///< the smallest there, relative to the usual one
+  std::vector<int> joints;                ///< see PoseExamination
+  bool rows_changed = false;              ///< no singular pose: other redundant rows are left out from here on
+  std::int64_t fallback_evaluations = 0;  ///< evaluations before that the usual factorization was not trusted with
 };
 
 /// Watches the smallest pivot of each factorization. A small one alone is no sign: in a chain of n links it is ~ 1/n^3.
@@ -89,10 +89,12 @@ class SingularWatch {
   void change_rows(double t, double pivot, std::vector<int> joints);
   /// Lists a pose that the motion passed.
   void cross(double t, double pivot, std::vector<int> joints);
-  void take_over() { (lists_ && !passages_.empty() ? passages_.back().taken_over : taken_over_) += 1; }
+  void count_fallback() {
+    (lists_ && !crossings_.empty() ? crossings_.back().fallback_evaluations : fallback_evaluations_) += 1;
+  }
 
-  const std::vector<SingularPassage>& passages() const { return passages_; }  ///< the first ones
-  std::int64_t singular_poses() const { return singular_poses_; }             ///< of all passages
+  const std::vector<SingularityCrossing>& crossings() const { return crossings_; }  ///< the first ones
+  std::int64_t singular_poses() const { return singular_poses_; }                   ///< of all crossings
   std::int64_t row_changes() const { return row_changes_; }
 
  private:
@@ -103,8 +105,8 @@ class SingularWatch {
   bool open_ = false, lists_ = true;
   std::array<Sample, 32> samples_;
   std::size_t next_sample_ = 0;
-  std::int64_t taken_over_ = 0;  ///< since the last passage
-  std::vector<SingularPassage> passages_;
+  std::int64_t fallback_evaluations_ = 0;  ///< since the last crossing
+  std::vector<SingularityCrossing> crossings_;
   std::int64_t singular_poses_ = 0, row_changes_ = 0;
 };
 

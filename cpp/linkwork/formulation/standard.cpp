@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "linkwork/constraints/refinement.hpp"
-#include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/direct_formulation.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -11,48 +11,34 @@ namespace {
 ///   [M  D^T] {  v_dot }   {a}
 ///   [D   0 ] {-lambda } = {b}                                                      (12.3)
 ///   (D M^-1 D^T) lambda = b - D M^-1 a,   v_dot = M^-1 (a + D^T lambda)            (12.5), (12.6)
-/// Where bodies have very small inertias the matrix is that of FilledInertia, and Refinement goes on from there.
-class Standard final : public Formulation {
+/// Where bodies have very small inertias the matrix is that of RegularizedInertia, and Refinement goes on from there.
+class Standard final : public DirectFormulation {
  public:
-  explicit Standard(std::unique_ptr<SaddleSolver> saddle) : saddle_(std::move(saddle)) {}
+  using DirectFormulation::DirectFormulation;
 
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override {
     system_ = &system;
     inertia_ = rows.inertia;
     saddle_->drop(rows.dropped);
     saddle_->analyze(inertia_->system(), typical);
-    compliance_.setZero(system.row_count());
+    compliance_.setZero(system.row_count());  // (12.3) has no E
     for (const int row : rows.dropped) compliance_[row] = 1.0;
     require_accuracy(accuracy_);
   }
   void require_accuracy(double relative) override {
     accuracy_ = relative;
-    refined_ = inertia_->filled() || inertia_->shows(accuracy_);
+    refined_ = inertia_->regularized() || inertia_->shows(accuracy_);
     if (refined_) refinement_ = Refinement(*system_, inertia_->lengths());
   }
-  void factorize(const Evaluation& at) override {
-    saddle_->factorize(at, compliance_);
-    at_ = &at;
-  }
-  void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
-    saddle_->solve(a, b, v_dot, lambda);
-    if (refined_) refine(a, b, v_dot, lambda);
-  }
-  void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector v_dot,
-                           MutableVector lambda) override {
-    saddle_->factorize_and_solve(at, compliance_, a, b, v_dot, lambda);
-    at_ = &at;
-    if (refined_) refine(a, b, v_dot, lambda);
-  }
-  SaddleSolver& saddle() const override { return *saddle_; }
 
  private:
-  void refine(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+  void refine(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
+    if (!refined_) return;
     const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
                                MutableVector dlambda) { saddle_->solve(r_1, r_2, dx, dlambda); };
-    const auto cause = inertia_->filled() ? Refinement::Cause::inertia : Refinement::Cause::roundoff;
+    const auto cause = inertia_->regularized() ? Refinement::Cause::inertia : Refinement::Cause::roundoff;
     const bool converged = refinement_.refine(*at_, a, b, v_dot, lambda, nearby, cause);
-    if (!converged && inertia_->filled()) throw_free_motion();
+    if (!converged && inertia_->regularized()) throw_free_motion();
   }
 
   [[noreturn]] void throw_free_motion() const {
@@ -66,10 +52,7 @@ class Standard final : public Formulation {
   }
 
   const System* system_ = nullptr;
-  const Evaluation* at_ = nullptr;
-  const FilledInertia* inertia_ = nullptr;
-  std::unique_ptr<SaddleSolver> saddle_;
-  VectorXd compliance_;  ///< 0, and 1 for dropped rows
+  const RegularizedInertia* inertia_ = nullptr;
   double accuracy_ = INFINITY;
   bool refined_ = false;
   Refinement refinement_;
@@ -82,7 +65,7 @@ FormulationInfo standard_formulation() {
           .documentation = "Lagrange multipliers, Flores (2015) eq. (12.3) or (12.5)-(12.6)",
           .forms = {"schur", "kkt"},
           .needs_full_rank = true,
-          .fills_inertia = true,
+          .regularizes_inertia = true,
           .make = [](std::unique_ptr<SaddleSolver> saddle, const Options&) -> std::unique_ptr<Formulation> {
             return std::make_unique<Standard>(std::move(saddle));
           }};

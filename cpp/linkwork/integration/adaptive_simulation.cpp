@@ -70,11 +70,11 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
   t_ = last_stop_ = schedule.t_start;
   stepper_.start(dynamics.y_size());
   dynamics.require_accuracy(schedule.tolerances.relative);
-  work_.resize(dynamics.y_size());
+  workspace_.resize(dynamics.y_size());
   rates_.resize(dynamics.y_size());
 }
 
-void AdaptiveSimulation::work() {
+void AdaptiveSimulation::take_step() {
   if (!begun_) return begin();
   if (!accepted_) return attempt();
   if (output_inside()) return record_inside();
@@ -82,18 +82,18 @@ void AdaptiveSimulation::work() {
 }
 
 void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
-  dated(t, NAN, [&] { dynamics_.evaluate(t, y); });
+  with_time(t, NAN, [&] { dynamics_.evaluate(t, y); });
 }
 
 void AdaptiveSimulation::begin() {
   begun_ = true;
   evaluate(clock(), y_);
   settle_history();
-  dated(t_, NAN, [&] { keep_to_budget(clock()); });
+  with_time(t_, NAN, [&] { monitor_violation(clock()); });
   finished_ = t_ >= schedule_.t_end;
   record_if_due();
   if (finished_) return;
-  dated(t_, NAN, [&] {
+  with_time(t_, NAN, [&] {
     watch_.start(t_, y_);
     step_ = initial_step();
   });
@@ -108,14 +108,14 @@ double AdaptiveSimulation::initial_step() {
   const double first = speed > 0.0 ? std::min(0.01 * measure_.of_state(y_) / speed, most) : most;
   evaluated_ = false;
   try {
-    work_ = y_ + first * rates_;
-    dynamics_.evaluate(breaks_.before(t_ + first), work_);
-    dynamics_.rates(work_);
+    workspace_ = y_ + first * rates_;
+    dynamics_.evaluate(breaks_.before(t_ + first), workspace_);
+    dynamics_.rates(workspace_);
   } catch (const Error&) {
     return 0.01 * first;
   }
-  work_ -= rates_;
-  const double steepest = std::max(speed, measure_.of_change(y_, y_, work_).value / first);
+  workspace_ -= rates_;
+  const double steepest = std::max(speed, measure_.of_change(y_, y_, workspace_).value / first);
   if (!std::isfinite(steepest)) return 0.01 * first;
   const double second = steepest > 0.0 ? std::pow(0.01 / steepest, 1.0 / (stepper_.pair().method.order + 1)) : most;
   return std::min({100.0 * first, second, most});
@@ -165,7 +165,7 @@ bool AdaptiveSimulation::end_at_switch(double h) {
   if (!found) return false;
   away_from_.reset();
   evaluated_ = false;
-  dynamics_.release_correction();
+  dynamics_.end_zero_order_hold();
   evaluate(t_, y_);
   const double part = found->theta * h;
   if (part <= least_step * std::max(t_, schedule_.t_end)) {  // at the start: the step is tried again
@@ -205,7 +205,7 @@ bool AdaptiveSimulation::leap() {
   leapt_ = false;
   const double h = std::min(step_, schedule_.largest_step);
   const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
-  dated(t_, h, [&] {
+  with_time(t_, h, [&] {
     if (!crossing_.due(t_, std::min(h, remaining), y_, true)) return;
     const bool goes_on = end == schedule_.t_end && dynamics_.system().model().autonomous();
     leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, goes_on ? INFINITY : remaining, y_);
@@ -221,7 +221,7 @@ bool AdaptiveSimulation::leap() {
   stop_.reset();
   switch_.reset();
   away_from_.reset();
-  dated(t_, h_, [&] {
+  with_time(t_, h_, [&] {
     if (!watch_.empty()) look_for_events();
     crossing_.look_into_leap(t_new_);
     stop_at_singular_pose();
@@ -291,7 +291,7 @@ void AdaptiveSimulation::accept(double h, double error) {
   if (!dynamics_.watch().open()) usual_step_ = h;
   else if (usual_step_ > 0.0) step_ = std::max(step_, usual_step_);
   stop_.reset();
-  if (!watch_.empty()) dated(t_, h, [&] { look_for_events(); });
+  if (!watch_.empty()) with_time(t_, h, [&] { look_for_events(); });
 }
 
 void AdaptiveSimulation::look_for_events() {
@@ -300,13 +300,13 @@ void AdaptiveSimulation::look_for_events() {
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
   for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_)) {
-    interpolant().interpolate(system, found.theta, work_);
+    interpolant().interpolate(system, found.theta, workspace_);
     const double t = t_ + found.theta * h_;
-    of_step_.push_back({found.event, t, work_.head(size), work_.head(size)});
+    of_step_.push_back({found.event, t, workspace_.head(size), workspace_.head(size)});
     if (!watch_.event(found.event).stops()) continue;
     stop_ = found;
     t_new_ = t;
-    y_new_ = work_;
+    y_new_ = workspace_;
     evaluated_ = false;
     away_from_.reset();
   }
@@ -344,7 +344,7 @@ void AdaptiveSimulation::reject(double h, const BodyMaximum& error) {
   evaluated_ = false;
   statistics_.rejected += 1;
   step_ = controller_.after_rejected(h, error.value);
-  if (step_ < least_step * schedule_.t_end) dated(t_, step_, [&] { throw_step_size(error); });
+  if (step_ < least_step * schedule_.t_end) with_time(t_, step_, [&] { throw_step_size(error); });
 }
 
 void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
@@ -368,8 +368,8 @@ void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
 bool AdaptiveSimulation::violates(double h) const {
   const Evaluation& at = dynamics_.evaluation();
   if (at.Phi.size() == 0 || yields_ || near_singular_pose()) return false;
-  work_rows_ = at.Phi.cwiseAbs() - Phi_.cwiseAbs() - h * Phi_dot_.cwiseAbs();
-  return !(work_rows_.maxCoeff() <= huge * measure_.of_length(y_));
+  workspace_rows_ = at.Phi.cwiseAbs() - Phi_.cwiseAbs() - h * Phi_dot_.cwiseAbs();
+  return !(workspace_rows_.maxCoeff() <= huge * measure_.of_length(y_));
 }
 
 bool AdaptiveSimulation::output_inside() const {
@@ -380,12 +380,12 @@ void AdaptiveSimulation::record_inside() {
   const double t = schedule_.times[next_time_++];
   if (evaluated_ && !away_from_) away_from_ = dynamics_.place();
   dynamics_.begin_looking();
-  dated(t, NAN, [&] {
+  with_time(t, NAN, [&] {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
-    interpolant().interpolate(dynamics_.system(), (t - t_) / h_, work_);
-    dynamics_.evaluate(std::max(t, breaks_.after(t_)), work_);
-    if (leapt_) record_in_leap(t, work_);
-    else recorder_.record(t, work_);
+    interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
+    dynamics_.evaluate(std::max(t, breaks_.after(t_)), workspace_);
+    if (leapt_) record_in_leap(t, workspace_);
+    else recorder_.record(t, workspace_);
   });
   dynamics_.end_looking();
 }
@@ -397,25 +397,25 @@ void AdaptiveSimulation::record_in_leap(double t, const VectorXd& y) {
 }
 
 void AdaptiveSimulation::finish_step() {
-  dynamics_.release_correction();
-  dated(t_, h_, [&] { list_singular_poses(); });
+  dynamics_.end_zero_order_hold();
+  with_time(t_, h_, [&] { list_singular_poses(); });
   const double t_before = std::exchange(t_, t_new_);
   y_before_.swap(y_);
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
   const bool at_break = t_ < schedule_.t_end && breaks_.at(t_);
-  if (at_break) dated(t_, h_, [&] { cross_break(); });
-  if (away_from_ && !projects() && !at_break) dated(t_, NAN, [&] { dynamics_.return_to(*away_from_); });
+  if (at_break) with_time(t_, h_, [&] { cross_break(); });
+  if (away_from_ && !projects() && !at_break) with_time(t_, NAN, [&] { dynamics_.return_to(*away_from_); });
   away_from_.reset();
   if (projects()) {
-    dated(t_, h_, [&] { projection().stabilize(clock(), y_); });
+    with_time(t_, h_, [&] { projection().stabilize(clock(), y_); });
     evaluated_ = false;
   }
   sample(t_before, at_break);
   if (!evaluated_) evaluate(clock(), y_);
   settle_history();
-  dated(t_, h_, [&] { keep_to_budget(clock()); });
+  with_time(t_, h_, [&] { monitor_violation(clock()); });
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
   if (finished_) sampling_.before(dynamics_, y_);
@@ -424,7 +424,7 @@ void AdaptiveSimulation::finish_step() {
   of_step_.clear();
   record_if_due();
   if (finished_ || !(stop_ || at_break)) return;
-  dated(t_, NAN, [&] {
+  with_time(t_, NAN, [&] {
     if (stop_) {
       check_accumulation();
       watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
@@ -476,7 +476,7 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
 void AdaptiveSimulation::finish_event() {
   const Event& event = watch_.event(stop_->event);
   finished_ = finished_ || event.terminal;
-  if (event.change) dated(t_, NAN, [&] { finished_ = apply(event) || finished_; });
+  if (event.change) with_time(t_, NAN, [&] { finished_ = apply(event) || finished_; });
 }
 
 void AdaptiveSimulation::check_accumulation() {
@@ -500,7 +500,7 @@ void AdaptiveSimulation::record_if_due() {
   bool due = schedule_.record_every > 0 && (finished_ || stop_ || steps_done_ % schedule_.record_every == 0);
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
   if (!due && !last) return;
-  dated(t_, NAN, [&] {
+  with_time(t_, NAN, [&] {
     if (leapt_ && !stop_ && crossing_.last().is_cut()) record_in_leap(t_, y_);
     else if (finished_) recorder_.record(t_, y_);
     else recorder_.record_in_step(t_, y_);

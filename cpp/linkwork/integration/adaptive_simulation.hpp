@@ -50,12 +50,13 @@ class AdaptiveSimulation final : public Run {
                      std::vector<Event> events = {});
 
   double t() const override { return t_; }
+  bool records_inside() const override { return !schedule_.times.empty(); }
   const StepStatistics& step_statistics() const { return statistics_; }
   /// The events of the steps finished since the last call.
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
 
  private:
-  void work() override;
+  void take_step() override;
   void forget() override {
     crossing_.restart();
     controller_.restart();
@@ -126,8 +127,8 @@ class AdaptiveSimulation final : public Run {
   std::optional<Dynamics::Place> away_from_;  ///< or was, and only looked elsewhere since
   std::size_t next_time_ = 0;
   std::string last_failure_;  ///< of a stage of the last trial
-  VectorXd work_, rates_;
-  mutable VectorXd work_rows_;
+  VectorXd workspace_, rates_;
+  mutable VectorXd workspace_rows_;
 };
 
 }  // namespace linkwork

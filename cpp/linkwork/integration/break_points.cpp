@@ -36,7 +36,7 @@ BreakPoints::BreakPoints(const Model& model, const std::vector<double>& given) {
 void BreakPoints::add_watched(const Model& model) {
   std::vector<char> drives(model.signals().size(), 0);
   for (const Parameter& parameter : model.joint_parameters())
-    if (parameter.signal >= 0) drives[static_cast<std::size_t>(parameter.signal)] = 1;
+    if (parameter.signal >= 0) drives[parameter.signal] = 1;
   for (std::size_t s = 0; s < drives.size(); ++s)
     if (model.signals()[s]->of_time()) model.signals()[s]->add_watched(drives[s] != 0, watched_);
 }

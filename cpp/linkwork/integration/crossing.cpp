@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -57,11 +57,11 @@ Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynami
   const System& system = dynamics.system();
   dynamics.list_evaluations(false);
   if (!dynamics.watches()) return;
-  const LoopCore core(system, dynamics.evaluation(), rank_tolerance);
+  const ClosedLoops loops(system, dynamics.evaluation(), rank_tolerance);
   in_loops_.resize(static_cast<std::size_t>(system.body_count()));
   for (int body = 0; body < system.body_count(); ++body)
-    in_loops_[static_cast<std::size_t>(body)] = core.component_of_body(body) >= 0;
-  prepared_ = core.row_count() > 0;
+    in_loops_[static_cast<std::size_t>(body)] = loops.component_of_body(body) >= 0;
+  prepared_ = loops.row_count() > 0;
   double arm = 0.0;
   for (const Element& joint : system.model().joints()) {
     if (joint.i != ground) arm = std::max(arm, joint.at.s_i.norm());

@@ -42,34 +42,39 @@ PairStepper::PairStepper(const EmbeddedPair& pair)
 
 void PairStepper::start(int y_size) {
   k_.resize(y_size, pair_.interpolant.rows());
-  for (VectorXd* state : {&y_, &y_new_, &work_}) state->resize(y_size);
+  for (VectorXd* state : {&y_, &y_new_, &workspace_}) state->resize(y_size);
   weights_.resize(pair_.interpolant.rows());
 }
 
 // p is made a unit vector before the last stage: the first of the next step is then at the same state, and only its
 // correction differs. That changes k_s by O(h^order), along p alone.
-BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step,
-                               const VectorXd& y) {
+bool PairStepper::take(Dynamics& dynamics, const StepSpan& step, const VectorXd& y) {
   const double h = step.h;
   step_ = step;
   h_ = h;
   y_ = y;
   prepared_ = false;
-  evaluate_stages(pair_.method, dynamics, step, y, k_, work_);
+  evaluate_stages(pair_.method, dynamics, step, y, k_, workspace_);
   y_new_ = y;
   add_combination(h, pair_.method.b, k_, y_new_);
-  if (!y_new_.allFinite()) return {std::numeric_limits<double>::infinity(), -1};
+  if (!y_new_.allFinite()) return false;
   dynamics.system().normalize(y_new_.head(dynamics.system().q_size()));
   dynamics.evaluate(step.at(1.0), y_new_);
   dynamics.rates(k_.col(stages_));
+  return true;
+}
+
+BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step,
+                               const VectorXd& y) {
+  if (!take(dynamics, step, y)) return {std::numeric_limits<double>::infinity(), -1};
   return estimate(measure, y);
 }
 
 BodyMaximum PairStepper::estimate(const ErrorMeasure& measure, const VectorXd& y) {
   const auto measured = [&](const VectorXd& weights) {
-    work_.setZero();
-    add_combination(h_, weights, k_, work_);
-    return measure.of_change(y, y_new_, work_);
+    workspace_.setZero();
+    add_combination(h_, weights, k_, workspace_);
+    return measure.of_change(y, y_new_, workspace_);
   };
   BodyMaximum error = measured(pair_.error);
   if (pair_.second_error.size() > 0 && error.value > 0.0)
@@ -81,9 +86,9 @@ bool PairStepper::prepare_interpolation(Dynamics& dynamics) {
   if (prepared_) return false;
   prepared_ = true;
   for (Eigen::Index i = 0; i < pair_.extra_c.size(); ++i) {
-    work_ = y_;
-    add_combination(h_, extra_A_.row(i).head(stages_ + 1 + i).transpose(), k_, work_);
-    dynamics.evaluate(step_.at(pair_.extra_c[i]), work_);
+    workspace_ = y_;
+    add_combination(h_, extra_A_.row(i).head(stages_ + 1 + i).transpose(), k_, workspace_);
+    dynamics.evaluate(step_.at(pair_.extra_c[i]), workspace_);
     dynamics.rates(k_.col(stages_ + 1 + i));
   }
   return pair_.extra_c.size() > 0;

@@ -160,18 +160,17 @@ class HalfExplicit final : public Integrator {
     s[0] = start;
     Eigen::Index k = 0;
     for (; k < most_vectors && std::abs(s[k]) > exact * size; ++k) {
-      dynamics.solve(none_, basis[static_cast<std::size_t>(k)], dx_, dlambda_);
+      dynamics.solve(none_, basis[k], dx_, dlambda_);
       dynamics.system().multiply_D(*at_, dx_, residual_);
       dynamics.leave_out_redundant(residual_);
       for (Eigen::Index i = 0; i <= k; ++i) {
-        H(i, k) = residual_.dot(basis[static_cast<std::size_t>(i)]);
-        residual_ -= H(i, k) * basis[static_cast<std::size_t>(i)];
+        H(i, k) = residual_.dot(basis[i]);
+        residual_ -= H(i, k) * basis[i];
       }
       H(k + 1, k) = residual_.norm();
       if (!std::isfinite(H(k + 1, k))) return false;
       basis.push_back(H(k + 1, k) > 0.0 ? VectorXd(residual_ / H(k + 1, k)) : residual_);
-      for (Eigen::Index i = 0; i < k; ++i)
-        H.col(k).applyOnTheLeft(i, i + 1, rotations[static_cast<std::size_t>(i)].adjoint());
+      for (Eigen::Index i = 0; i < k; ++i) H.col(k).applyOnTheLeft(i, i + 1, rotations[i].adjoint());
       rotations.emplace_back();
       rotations.back().makeGivens(H(k, k), H(k + 1, k));
       H.col(k).applyOnTheLeft(k, k + 1, rotations.back().adjoint());
@@ -179,7 +178,7 @@ class HalfExplicit final : public Integrator {
     }
     const VectorXd weights = H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(s.head(k));
     residual_.setZero();
-    for (Eigen::Index i = 0; i < k; ++i) residual_ += weights[i] * basis[static_cast<std::size_t>(i)];
+    for (Eigen::Index i = 0; i < k; ++i) residual_ += weights[i] * basis[i];
     const VectorXd y = residual_;
     dynamics.solve(none_, y, dx_, dlambda_);
     x_ += dx_;

@@ -21,7 +21,7 @@ constexpr double exact = 1e-14;  // of the place in a step
 TurnGuard::TurnGuard(const Dynamics& dynamics) : dynamics_(dynamics) {
   const System& system = dynamics.system();
   for (int k = 0; k < system.history_size(); ++k)
-    if (system.history_owners()[static_cast<std::size_t>(k)].kind == HistoryKind::angle) angles_.push_back(k);
+    if (system.history_owners()[k].kind == HistoryKind::angle) angles_.push_back(k);
   rates_.setZero(system.history_size());
 }
 
@@ -49,7 +49,7 @@ void TurnGuard::refuse(double h, double angle) const {
   char shorter[32];
   std::snprintf(shorter, sizeof shorter, "%.1g", 0.5 * limit / angle * h);
   const System& system = dynamics_.system();
-  const HistoryOwner& owner = system.history_owners()[static_cast<std::size_t>(fastest_)];
+  const HistoryOwner& owner = system.history_owners()[fastest_];
   ErrorDetails details;
   if (owner.joint) details.joints = {system.model().joint_name(owner.element)};
   else details.forces = {system.model().force_names().name(owner.element)};
@@ -81,7 +81,7 @@ std::optional<SwitchWatch::Switch> SwitchWatch::first(const PairStepper& stepper
     std::optional<Switch> found;
     for (int k = 0; k < values.size(); ++k) {
       const bool positive = values[k] > 0.0;
-      if (std::abs(values[k]) <= least_ || positive == (dynamics_.sides()[static_cast<std::size_t>(k)] != 0)) continue;
+      if (std::abs(values[k]) <= least_ || positive == (dynamics_.sides()[k] != 0)) continue;
       const auto at = [&](double theta) { return value(stepper, k, t, h, theta); };
       const double before = at(from);
       const bool there = before == 0.0 || (before > 0.0) == positive;

@@ -26,7 +26,7 @@ class Integrator {
   virtual int order() const = 0;
   /// OptionError: a choice of the run that this method cannot honor.
   virtual void check_run(const Dynamics&) const {}
-  /// Forgets earlier steps and sizes its memory.
+  /// Forgets earlier steps and sizes its storage.
   virtual void start(int y_size) = 0;
   /// Advances y from t to t + h. On entry `dynamics` is evaluated at (t, y): that evaluation is the first stage.
   virtual void step(Dynamics& dynamics, double t, double h, VectorXd& y) = 0;

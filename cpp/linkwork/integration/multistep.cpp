@@ -23,9 +23,9 @@ void check(const MultistepCoefficients& method) {
 
 /// Adams-Bashforth, or Adams-Bashforth-Moulton in the mode PECE, at a fixed step.
 ///
-/// Sampled stabilization stays out of the memory: f is that of the mechanism itself, and each step adds the correction
-/// once (Dynamics::add_correction). The violation then has a nilpotent map, which a held u inside f would not give
-/// here.
+/// Sampled stabilization stays out of the stored rates: f is that of the mechanism itself, and each step adds the
+/// correction once (Dynamics::add_correction). The violation then has a nilpotent map, which a held u inside f would
+/// not give here.
 class Multistep final : public Integrator {
  public:
   explicit Multistep(const MultistepCoefficients& method)
@@ -36,7 +36,7 @@ class Multistep final : public Integrator {
   const std::string& name() const override { return method_.name; }
   int order() const override { return method_.order; }
   void start(int y_size) override {
-    f_.assign(static_cast<std::size_t>(method_.predictor.size()), VectorXd::Zero(y_size));
+    f_.assign(method_.predictor.size(), VectorXd::Zero(y_size));
     predicted_rates_.resize(y_size);
     correction_.resize(y_size);
     filled_ = 0;
@@ -47,7 +47,7 @@ class Multistep final : public Integrator {
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     if (filled_ > 0 && std::abs(h - last_step_) > same_step * h) filled_ = 0;  // another step: begin anew
     last_step_ = h;
-    remember(dynamics);
+    store(dynamics);
     if (filled_ < f_.size()) return starter_->step(dynamics, t, h, y);
     correction_.setZero();
     dynamics.add_correction(h, correction_);
@@ -56,7 +56,7 @@ class Multistep final : public Integrator {
   }
 
  private:
-  void remember(Dynamics& dynamics) {
+  void store(Dynamics& dynamics) {
     VectorXd oldest = std::move(f_.back());
     f_.pop_back();
     dynamics.rates(oldest);
@@ -67,8 +67,7 @@ class Multistep final : public Integrator {
   /// h sum_k coefficients[first + k] f_{n-k}
   VectorXd combine(const VectorXd& coefficients, Eigen::Index first, double h) const {
     VectorXd sum = VectorXd::Zero(predicted_rates_.size());
-    for (Eigen::Index k = first; k < coefficients.size(); ++k)
-      sum += (h * coefficients[k]) * f_[static_cast<std::size_t>(k - first)];
+    for (Eigen::Index k = first; k < coefficients.size(); ++k) sum += (h * coefficients[k]) * f_[k - first];
     return sum;
   }
 

@@ -33,7 +33,7 @@ double RelativeViolation::largest(double t, const VectorXd& y, const VectorXd& h
   squared_.setZero(system_.row_count());
   for (const ConstraintBlock& block : system_.blocks())
     for (int k = 0; k < block.rows; ++k) {
-      const Eigen::Map<const Eigen::Matrix<double, 6, 1>> D(&at_.D[static_cast<std::size_t>(block.offset + 6 * k)]);
+      const Eigen::Map<const Eigen::Matrix<double, 6, 1>> D(&at_.D[block.offset + 6 * k]);
       squared_[block.row + k] += D.head<3>().squaredNorm() + D.tail<3>().squaredNorm() / (length_ * length_);
     }
   double largest = 0.0;

@@ -20,7 +20,7 @@ constexpr double unbearable = 1e-3, unbearable_speed = 1e-2, certain = 1e-7;
   const Model& model = dynamics.system().model();
   char values[64];
   std::snprintf(values, sizeof values, "%.2g, limit %.2g", excess.largest,
-                dynamics.options().violation_limit[static_cast<std::size_t>(excess.level)]);
+                dynamics.options().violation_limit[excess.level]);
   ErrorDetails details;
   details.time = excess.t;
   details.joints = {model.joint_name(model.joint_of_row(excess.row))};
@@ -37,7 +37,7 @@ Frames Run::advance(std::int64_t max_frames, double max_seconds) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   while (!finished_ && static_cast<std::int64_t>(recorder_.count()) < max_frames) {
-    work();
+    take_step();
     stop_at_singular_pose();
     if (std::chrono::duration<double>(Clock::now() - start).count() > max_seconds) break;
   }
@@ -46,15 +46,15 @@ Frames Run::advance(std::int64_t max_frames, double max_seconds) {
 
 void Run::stop_at_singular_pose() const {
   if (!stops_ || dynamics_.watch().singular_poses() == singular_poses_) return;
-  const SingularPassage& passage = dynamics_.watch().passages().back();
+  const SingularityCrossing& crossing = dynamics_.watch().crossings().back();
   ErrorDetails details;
-  details.time = passage.t;
+  details.time = crossing.t;
   std::string names;
-  for (const int joint : passage.joints) {
+  for (const int joint : crossing.joints) {
     details.joints.push_back(dynamics_.system().model().joint_name(joint));
     if (details.joints.size() <= listed) names += (names.empty() ? "'" : ", '") + details.joints.back() + "'";
   }
-  if (passage.joints.size() > listed) names += " and " + std::to_string(passage.joints.size() - listed) + " more";
+  if (crossing.joints.size() > listed) names += " and " + std::to_string(crossing.joints.size() - listed) + " more";
   throw SingularSystemError("singular_pose",
                             "singular pose: the equations of " + names +
                                 " depend on each other for a moment, where the motion may go on in several ways; "
@@ -137,12 +137,13 @@ void Run::note_contradiction(double t, std::vector<int> joints, bool certainly) 
                        details);
 }
 
-void Run::keep_to_budget(double t) {
+void Run::monitor_violation(double t) {
   watch_redundant_rows(t);
-  const std::int64_t before = budget_.count();
-  const bool drifted = budget_.exceeded(t);
+  const std::int64_t before = violation_monitor_.count();
+  const bool drifted = violation_monitor_.exceeded(t);
   const std::string& policy = dynamics_.options().on_violation;
-  if (policy == "stop" && budget_.count() > before) throw_violation(dynamics_, budget_.excesses().back());
+  if (policy == "stop" && violation_monitor_.count() > before)
+    throw_violation(dynamics_, violation_monitor_.excesses().back());
   if (policy != "project" || !drifted) return;
   projection().positions(t, y_);
   projection().velocities(t, y_);

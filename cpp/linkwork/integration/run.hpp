@@ -6,10 +6,10 @@
 
 #include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/formulation/projection.hpp"
-#include "linkwork/integration/drift_budget.hpp"
 #include "linkwork/integration/history_watch.hpp"
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/integration/step_sampling.hpp"
+#include "linkwork/integration/violation_monitor.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -33,7 +33,7 @@ class Run {
         turns_(dynamics),
         stops_(dynamics.options().on_singular == "stop"),
         singular_poses_(dynamics.watch().singular_poses()),
-        budget_(dynamics),
+        violation_monitor_(dynamics),
         redundancy_(dynamics.system(), y_.head(dynamics.system().q_size())) {}
   virtual ~Run() = default;
   Run(const Run&) = delete;
@@ -56,12 +56,13 @@ class Run {
   virtual std::int64_t steps_total() const { return 0; }  ///< 0: nobody knows
   std::int64_t steps_done() const { return steps_done_; }
   const VectorXd& y() const { return y_; }
-  const DriftBudget& budget() const { return budget_; }
+  const ViolationMonitor& violation_monitor() const { return violation_monitor_; }
   const StepSampling& sampling() const { return sampling_; }
+  virtual bool records_inside() const { return false; }  ///< of steps, by an interpolant
   /// See StepSampling; for steps that do not end at breaks.
   void expect_breaks(std::vector<double> times) { sampling_.expect_breaks(std::move(times)); }
   const Contradiction& contradiction() const { return contradiction_; }
-  std::int64_t projections() const { return projections_; }  ///< that the budget asked for
+  std::int64_t projections() const { return projections_; }  ///< that the violation monitor asked for
 
  protected:
   Projection& projection() {
@@ -88,13 +89,13 @@ class Run {
   /// goes back to the constraints where it is beyond; with "stop" that is a ViolationError. Redundant rows are judged
   /// here, too: where they have become independent they count from here on, and y_ goes to the nearest state that
   /// satisfies them; where they contradict the others that is a ViolationError.
-  void keep_to_budget(double t);
+  void monitor_violation(double t);
 
-  /// The state has changed: methods with memory forget it.
+  /// The state has changed: multistep methods forget it.
   virtual void forget() {}
 
   /// A step, or a part of one.
-  virtual void work() = 0;
+  virtual void take_step() = 0;
 
   Dynamics& dynamics_;
   Recorder recorder_;
@@ -111,7 +112,7 @@ class Run {
   void note_contradiction(double t, std::vector<int> joints, bool certainly);
   bool stops_;                   ///< at singular poses
   std::int64_t singular_poses_;  ///< before this run
-  DriftBudget budget_;
+  ViolationMonitor violation_monitor_;
   RedundancyWatch redundancy_;
   Contradiction contradiction_;
   std::int64_t projections_ = 0;
@@ -121,7 +122,7 @@ class Run {
 /// Calls `action`; an error that leaves it says when [s], which a stage may know better, and in a step of which size
 /// (NaN: none).
 template <class Action>
-void dated(double t, double step, Action action) {
+void with_time(double t, double step, Action action) {
   try {
     action();
   } catch (Error& error) {

@@ -26,7 +26,7 @@ void add_combination(double h, const ConstVector& weights, const MatrixXd& k, Ve
 
 void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage) {
-  dynamics.hold_correction(deadbeat_gains(tableau.b.dot(tableau.c), step.h));
+  dynamics.begin_zero_order_hold(deadbeat_gains(tableau.b.dot(tableau.c), step.h));
   evaluate_free_stages(tableau, dynamics, step, y, k, stage);
 }
 
@@ -60,7 +60,7 @@ class RungeKutta final : public Integrator {
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     evaluate_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
     add_combination(h, tableau_.b, k_, y);
-    dynamics.release_correction();
+    dynamics.end_zero_order_hold();
   }
 
  private:

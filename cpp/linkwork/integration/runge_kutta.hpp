@@ -8,7 +8,7 @@ namespace linkwork {
 void check(const ButcherTableau& tableau);
 
 /// Fills the first columns of k with k_i = f(t + c_i h, y + h sum_j a_ij k_j) for the stages of a method, with the
-/// sampled correction for the step. On entry `dynamics` is evaluated at (t, y). `stage` is work space.
+/// sampled correction for the step. On entry `dynamics` is evaluated at (t, y). `stage` is workspace.
 void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage);
 

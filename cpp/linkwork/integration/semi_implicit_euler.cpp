@@ -11,9 +11,9 @@ class SemiImplicitEuler final : public Integrator {
 
   void step(Dynamics& dynamics, double, double h, VectorXd& y) override {
     const int nq = dynamics.system().q_size(), nv = dynamics.system().v_size();
-    dynamics.hold_correction(deadbeat_gains(1.0, h));
+    dynamics.begin_zero_order_hold(deadbeat_gains(1.0, h));
     dynamics.rates(rates_);
-    dynamics.release_correction();
+    dynamics.end_zero_order_hold();
     y.tail(nv + 1) += h * rates_.tail(nv + 1);
     dynamics.system().position_rates(y.head(nq), y.segment(nq, nv), rates_.head(nq));
     y.head(nq) += h * rates_.head(nq);

@@ -65,12 +65,12 @@ bool Simulation::recording_due() const {
   return steps_done_ == steps_total_ || steps_done_ % schedule_.record_every == 0;
 }
 
-void Simulation::work() {
+void Simulation::take_step() {
   const double h = begin_step();
   if (h == 0.0) return;
   try {
     divergence_.blame(kept_y_, t(), h,
-                      [&] { dated(t(), h, [&] { integrator_->step(dynamics_, time_of(steps_done_), h, y_); }); });
+                      [&] { with_time(t(), h, [&] { integrator_->step(dynamics_, time_of(steps_done_), h, y_); }); });
     finish_step();
   } catch (const NotFiniteError& error) {
     if (error.code() != Divergence::code) trace_step(h);
@@ -82,7 +82,7 @@ void Simulation::work() {
 void Simulation::trace_step(double h) {
   dynamics_.trace();
   y_ = kept_y_;
-  dated(t(), h, [&] {
+  with_time(t(), h, [&] {
     dynamics_.evaluate(time_of(steps_done_), y_);
     integrator_->step(dynamics_, time_of(steps_done_), h, y_);
   });
@@ -90,12 +90,12 @@ void Simulation::trace_step(double h) {
 
 double Simulation::begin_step() {
   while (!finished_) {
-    divergence_.blame(y_, t(), schedule_.step, [&] { dated(t(), NAN, [&] { evaluate_and_record(); }); });
+    divergence_.blame(y_, t(), schedule_.step, [&] { with_time(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
     if (finished_) finish();
     if (finished_) break;
-    if (!leaping_) dated(t(), next_step(), [&] { begin_leap(); });
+    if (!leaping_) with_time(t(), next_step(), [&] { begin_leap(); });
     if (!leaping_) {
       sampling_.before(dynamics_, y_);
       return next_step();
@@ -140,7 +140,7 @@ void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(time_of(steps_done_), y_);
   accept_state();
-  if (!leaping_) keep_to_budget(t());
+  if (!leaping_) monitor_violation(t());
   evaluated_ = true;
   if (!integrator_) add_work();
   leapt_ = false;
@@ -167,12 +167,12 @@ void Simulation::record() {
 void Simulation::finish_step() {
   const System& system = dynamics_.system();
   const double t_new = time_of(steps_done_ + 1);
-  if (!y_.allFinite()) dated(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
+  if (!y_.allFinite()) with_time(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
   divergence_.check(y_, t_new, next_step());
   system.normalize(y_.head(system.q_size()));
-  if (projects()) dated(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
+  if (projects()) with_time(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
   sampling_.after(t(), next_step(), kept_y_, y_);
-  dated(t_new, next_step(), [&] { crossing_.look_back(t(), next_step(), kept_y_); });
+  with_time(t_new, next_step(), [&] { crossing_.look_back(t(), next_step(), kept_y_); });
   steps_done_ += 1;
   evaluated_ = false;
 }
@@ -184,7 +184,7 @@ void Simulation::add_work() {
   if (steps_done_ > 0 && !leapt_) y_.tail<1>()[0] += 0.5 * h * (last_power_ + power);
   last_power_ = power;
   last_t_ = t();
-  dynamics_.hold_correction(deadbeat_gains(0.5, next_step()));
+  dynamics_.begin_zero_order_hold(deadbeat_gains(0.5, next_step()));
 }
 
 void Simulation::accept(const ConstVector& q_and_v) {
@@ -192,7 +192,7 @@ void Simulation::accept(const ConstVector& q_and_v) {
   if (q_and_v.size() != size)
     throw OptionError("integrator", "the integrator returned " + std::to_string(q_and_v.size()) + " numbers, not " +
                                         std::to_string(size));
-  dynamics_.release_correction();
+  dynamics_.end_zero_order_hold();
   y_.head(size) = q_and_v;
   finish_step();
   stop_at_singular_pose();

@@ -35,7 +35,7 @@ class Simulation final : public Run {
   void accept(const ConstVector& q_and_v);
 
  private:
-  void work() override;
+  void take_step() override;
   void forget() override;
   double time_of(std::int64_t step) const;
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }

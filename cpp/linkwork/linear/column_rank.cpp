@@ -27,12 +27,7 @@ double largest_column(const ColumnMatrix& A) {
 class Reduction {
  public:
   Reduction(const ColumnMatrix& A, double tolerance)
-      : A_(A),
-        tolerance_(tolerance),
-        by_rows_(A),
-        row_left_(static_cast<std::size_t>(A.rows()), 1),
-        column_left_(static_cast<std::size_t>(A.cols()), 1),
-        count_(static_cast<std::size_t>(A.cols())) {
+      : A_(A), tolerance_(tolerance), by_rows_(A), row_left_(A.rows(), 1), column_left_(A.cols(), 1), count_(A.cols()) {
     for (int column = 0; column < A.cols(); ++column) {
       count(column) = A.outerIndexPtr()[column + 1] - A.outerIndexPtr()[column];
       if (count(column) <= 1) next_.push_back(column);
@@ -59,11 +54,10 @@ class Reduction {
     out.reserve(A_.nonZeros());
     int place = 0;
     for (int row = 0; row < A_.rows(); ++row) {
-      if (!row_left_[static_cast<std::size_t>(row)]) continue;
+      if (!row_left_[row]) continue;
       out.startVec(place);
       for (RowMatrix::InnerIterator it(by_rows_, row); it; ++it)
-        if (const int column = number[static_cast<std::size_t>(it.col())]; column >= 0)
-          out.insertBack(place, column) = it.value();
+        if (const int column = number[it.col()]; column >= 0) out.insertBack(place, column) = it.value();
       ++place;
     }
     out.finalize();
@@ -71,18 +65,17 @@ class Reduction {
   }
 
  private:
-  int& count(int column) { return count_[static_cast<std::size_t>(column)]; }
+  int& count(int column) { return count_[column]; }
 
   void eliminate(int column) {
-    column_left_[static_cast<std::size_t>(column)] = 0;
+    column_left_[column] = 0;
     for (ColumnMatrix::InnerIterator it(A_, column); it; ++it) {
-      auto& row_left = row_left_[static_cast<std::size_t>(it.row())];
+      auto& row_left = row_left_[it.row()];
       if (!row_left) continue;
       if (!(std::abs(it.value()) > tolerance_)) break;
       row_left = 0;
       for (RowMatrix::InnerIterator other(by_rows_, it.row()); other; ++other)
-        if (const int c = static_cast<int>(other.col()); column_left_[static_cast<std::size_t>(c)] && --count(c) == 1)
-          next_.push_back(c);
+        if (const int c = static_cast<int>(other.col()); column_left_[c] && --count(c) == 1) next_.push_back(c);
       return;
     }
     dead_.push_back(column);
@@ -96,7 +89,7 @@ class Reduction {
   std::vector<int> next_, dead_;
 };
 
-/// Rows with more entries than this are dense: their square would be work.
+/// Rows with more entries than this are dense: their square would be costly.
 int dense_row(Eigen::Index columns) {
   return static_cast<int>(std::clamp(4.0 * std::sqrt(static_cast<double>(columns)), 100.0, 400.0));
 }
@@ -142,8 +135,7 @@ std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, doub
   const double largest = qr.maxPivot();
   qr.setThreshold(largest > 0.0 ? tolerance / largest : 1.0);
   std::vector<int> dead;
-  for (Eigen::Index k = qr.rank(); k < rest.cols(); ++k)
-    dead.push_back(candidates[static_cast<std::size_t>(qr.colsPermutation().indices()[k])]);
+  for (Eigen::Index k = qr.rank(); k < rest.cols(); ++k) dead.push_back(candidates[qr.colsPermutation().indices()[k]]);
   return dead;
 }
 
@@ -151,8 +143,7 @@ std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, doub
 std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<int>& groups) {
   std::vector<int> out(columns.size(), 0);
   for (std::size_t k = 1; k < columns.size(); ++k) {
-    const bool same = !groups.empty() &&
-                      groups[static_cast<std::size_t>(columns[k])] == groups[static_cast<std::size_t>(columns[k - 1])];
+    const bool same = !groups.empty() && groups[columns[k]] == groups[columns[k - 1]];
     out[k] = out[k - 1] + (same ? 0 : 1);
   }
   return out;
@@ -167,8 +158,7 @@ std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<do
   std::vector<int> dead = reduction.dead(), columns;
   RowMatrix rest = reduction.rest(columns);
   if (!columns.empty())
-    for (const int k : dead_columns(rest, groups_of(columns, groups), least))
-      dead.push_back(columns[static_cast<std::size_t>(k)]);
+    for (const int k : dead_columns(rest, groups_of(columns, groups), least)) dead.push_back(columns[k]);
   std::sort(dead.begin(), dead.end());
   return dead;
 }

@@ -1,23 +1,21 @@
-#include "linkwork/linear/saddle_solver.hpp"
+#include "linkwork/linear/assembled_solver.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork::detail {
 namespace {
 
-constexpr double singular_pivot = 1e-14;  // a breakdown; permanent redundancy is found by the rank service
-
 /// [M D^T; D 0], scaled on both sides by W = diag(M_ii^-1/2, (D M^-1 D^T)_ii^-1/2) so that its pivots measure the
 /// geometry and not the units.
-class KktSolver final : public SaddleSolver {
+class KktSolver final : public AssembledSolver {
  public:
-  explicit KktSolver(std::unique_ptr<LinearSolver> solver) : solver_(std::move(solver)) {}
+  using AssembledSolver::AssembledSolver;
 
   void analyze(const System& system, const Evaluation& typical) override {
     system_ = &system;
-    build_pattern();
+    build_matrix();
     build_scaling(typical);
     solver_->analyze(matrix_->matrix());
-    work_.resize(matrix_->matrix().size, 1);
+    right_hand_side_.resize(matrix_->matrix().size, 1);
   }
 
   void factorize(const Evaluation& at, const VectorXd&) override {
@@ -28,23 +26,20 @@ class KktSolver final : public SaddleSolver {
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
-    work_.col(0) << a, b;
-    work_.col(0).array() *= scale_.array();
-    solver_->solve(work_);
-    work_.col(0).array() *= scale_.array();
-    x = work_.col(0).head(system_->v_size());
-    lambda = -work_.col(0).tail(system_->row_count());
+    right_hand_side_.col(0) << a, b;
+    right_hand_side_.col(0).array() *= scale_.array();
+    solver_->solve(right_hand_side_);
+    right_hand_side_.col(0).array() *= scale_.array();
+    x = right_hand_side_.col(0).head(system_->v_size());
+    lambda = -right_hand_side_.col(0).tail(system_->row_count());
   }
 
-  std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
-  std::optional<double> flops() const override { return solver_->flops(); }
-  std::optional<std::int64_t> factor_bytes() const override { return solver_->factor_bytes(); }
-  std::optional<std::int64_t> matrix_nonzeros() const override { return triangle_nonzeros(matrix_->matrix()); }
-
  private:
-  void build_pattern() {
+  static constexpr double singular_pivot = 1e-14;  // a breakdown; permanent redundancy is found by the rank service
+
+  void build_matrix() {
     const int n = system_->body_count();
-    std::vector<int> sizes(static_cast<std::size_t>(n), 6);
+    std::vector<int> sizes(n, 6);
     const auto& rows = system_->model().joint_rows();
     for (std::size_t joint = 0; joint + 1 < rows.size(); ++joint) sizes.push_back(rows[joint + 1] - rows[joint]);
     std::vector<BlockIndex> blocks;
@@ -78,9 +73,9 @@ class KktSolver final : public SaddleSolver {
       block.bottomRightCorner<3, 3>() = J;
       block = scale.asDiagonal() * MatrixXd(block) * scale.asDiagonal();
     }
-    const VectorXd mobility = system_->row_mobility(typical);
-    for (Eigen::Index row = 0; row < mobility.size(); ++row)
-      if (mobility[row] > 0.0) scale_[6 * n + row] = 1.0 / std::sqrt(mobility[row]);
+    const VectorXd delassus = system_->delassus_diagonal(typical);
+    for (Eigen::Index row = 0; row < delassus.size(); ++row)
+      if (delassus[row] > 0.0) scale_[6 * n + row] = 1.0 / std::sqrt(delassus[row]);
   }
 
   void assemble(const Evaluation& at) {
@@ -95,18 +90,14 @@ class KktSolver final : public SaddleSolver {
     }
   }
 
-  const System* system_ = nullptr;
-  std::unique_ptr<LinearSolver> solver_;
-  std::unique_ptr<BlockMatrix> matrix_;
   std::vector<int> upper_, lower_;  ///< places of each block of D
   VectorXd scale_;
-  MatrixXd work_;
 };
 
 }  // namespace
 
 std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver, Storage) {
-  return std::make_unique<KktSolver>(std::move(solver));
+  return std::make_unique<KktSolver>(std::move(solver), Storage::full);
 }
 
 }  // namespace linkwork::detail

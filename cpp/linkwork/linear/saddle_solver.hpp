@@ -71,11 +71,6 @@ bool can_solve(const std::string& form, const LinearSolverInfo& solver);
 
 namespace detail {
 
-using ConstBlock = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>>;
-inline ConstBlock block_of(const Evaluation& at, const ConstraintBlock& block) {
-  return ConstBlock(at.D.data() + block.offset, block.rows, 6);
-}
-
 /// The error for a vanishing pivot; `row` is the constraint row, or -1 where the factorization does not tell.
 [[noreturn]] void throw_singular(const System& system, const char* form, const Pivot& pivot, int row);
 

@@ -11,9 +11,7 @@ namespace linkwork {
 std::int64_t triangle_nonzeros(const SparseMatrix& A) {
   std::int64_t count = 0;
   for (int column = 0; column < A.size; ++column)
-    for (int k = A.column_begin[static_cast<std::size_t>(column)];
-         k < A.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
-      count += A.row[static_cast<std::size_t>(k)] <= column ? 1 : 0;
+    for (int k = A.column_begin[column]; k < A.column_begin[column + 1]; ++k) count += A.row[k] <= column ? 1 : 0;
   return count;
 }
 
@@ -36,7 +34,7 @@ BlockMatrix::BlockMatrix(const std::vector<int>& sizes, std::vector<BlockIndex> 
 void BlockMatrix::build_columns(const std::vector<BlockIndex>& blocks) {
   const std::size_t columns = first_.size() - 1;
   block_column_begin_.assign(columns + 1, 0);
-  for (const BlockIndex& block : blocks) block_column_begin_[static_cast<std::size_t>(block.column) + 1] += 1;
+  for (const BlockIndex& block : blocks) block_column_begin_[block.column + 1] += 1;
   std::partial_sum(block_column_begin_.begin(), block_column_begin_.end(), block_column_begin_.begin());
 
   std::size_t nonzeros = 0;
@@ -46,9 +44,7 @@ void BlockMatrix::build_columns(const std::vector<BlockIndex>& blocks) {
     const auto end = static_cast<std::size_t>(block_column_begin_[column + 1]);
     std::vector<int> rows;
     for (std::size_t b = begin; b < end; ++b)
-      for (int r = first_[static_cast<std::size_t>(blocks[b].row)];
-           r < first_[static_cast<std::size_t>(blocks[b].row) + 1]; ++r)
-        rows.push_back(r);
+      for (int r = first_[blocks[b].row]; r < first_[blocks[b].row + 1]; ++r) rows.push_back(r);
     const int stride = static_cast<int>(rows.size()), width = first_[column + 1] - first_[column];
     int above = 0;
     for (std::size_t b = begin; b < end; ++b) {
@@ -81,7 +77,7 @@ int BlockMatrix::find(int row, int column) const {
 }
 
 BlockMatrix::Block BlockMatrix::block(int place) {
-  const Place& at = places_[static_cast<std::size_t>(place)];
+  const Place& at = places_[place];
   return Block(matrix_.value.data() + at.offset, at.rows, at.columns, Eigen::OuterStride<>(at.stride));
 }
 

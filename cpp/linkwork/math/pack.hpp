@@ -45,7 +45,8 @@ template <int count>
 LINKWORK_INLINE void gather(const double* const* from, Pack* out) {
   Native numbers[count];
   gather<count>(from, numbers);
-  LINKWORK_UNROLL for (int k = 0; k < count; ++k) out[k].v = numbers[k];
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
+    out[k].v = numbers[k];
 }
 
 /// The way back of gather.
@@ -55,7 +56,8 @@ LINKWORK_INLINE void scatter(const Pack* in, double* const* to) {
   LINKWORK_UNROLL for (int c = 0; c < count; c += width) {
     const int first = c + step > count ? count - step : c;
     Native square[width];
-    LINKWORK_UNROLL for (int k = 0; k < width; ++k) square[k] = k < step ? in[first + k].v : Native{};
+    LINKWORK_UNROLL for (int k = 0; k < width; ++k)
+      square[k] = k < step ? in[first + k].v : Native{};
     transpose(square);
     LINKWORK_UNROLL for (int l = 0; l < width; ++l) {
       if constexpr (count < width) store_some<step>(to[l] + first, square[l]);

@@ -211,19 +211,20 @@ LINKWORK_INLINE void copy(double* to, const double* from, int count) {
 
 /// Transposes a square of eight vectors.
 LINKWORK_INLINE void transpose(Vector* v) {
-  LINKWORK_UNROLL for (int p = 0; p < Vector::parts; ++p) LINKWORK_UNROLL for (int q = 0; q <= p; ++q) {
-    Native a[width], b[width];
-    LINKWORK_UNROLL for (int k = 0; k < width; ++k) {
-      a[k] = v[p * width + k].part[q];
-      b[k] = v[q * width + k].part[p];
+  LINKWORK_UNROLL for (int p = 0; p < Vector::parts; ++p) LINKWORK_UNROLL
+    for (int q = 0; q <= p; ++q) {
+      Native a[width], b[width];
+      LINKWORK_UNROLL for (int k = 0; k < width; ++k) {
+        a[k] = v[p * width + k].part[q];
+        b[k] = v[q * width + k].part[p];
+      }
+      transpose(a);
+      transpose(b);
+      LINKWORK_UNROLL for (int k = 0; k < width; ++k) {
+        v[p * width + k].part[q] = b[k];
+        v[q * width + k].part[p] = a[k];
+      }
     }
-    transpose(a);
-    transpose(b);
-    LINKWORK_UNROLL for (int k = 0; k < width; ++k) {
-      v[p * width + k].part[q] = b[k];
-      v[q * width + k].part[p] = a[k];
-    }
-  }
 }
 
 /// Reads `count` numbers at each of `width` places: number k of all places into out[k].
@@ -238,7 +239,8 @@ LINKWORK_INLINE void gather(const double* const* from, Native* out) {
       else square[l] = load_native(from[l] + first);
     }
     transpose(square);
-    LINKWORK_UNROLL for (int k = 0; k < step; ++k) out[first + k] = square[k];
+    LINKWORK_UNROLL for (int k = 0; k < step; ++k)
+      out[first + k] = square[k];
   }
 }
 

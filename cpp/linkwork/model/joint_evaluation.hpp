@@ -29,8 +29,8 @@ LINKWORK_INLINE Attachment<Pack> load_attachment(const double* from) {
   Attachment<Pack> at;
   Pack* to[4] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
   constexpr int count[4] = {3, 3, 9, 9};
-  LINKWORK_UNROLL for (int part = 0; part < 4; ++part) for (int k = 0; k < count[part]; ++k, from += width) to[part][k]
-      .v = load_native(from);
+  LINKWORK_UNROLL for (int part = 0; part < 4; ++part)
+    for (int k = 0; k < count[part]; ++k, from += width) to[part][k].v = load_native(from);
   return at;
 }
 
@@ -52,8 +52,10 @@ LINKWORK_INLINE void multiply(const Pack* D_i, const Pack* D_j, const Pack* v_i,
                               Pack* Phi_dot) {
   LINKWORK_UNROLL for (int r = 0; r < rows; ++r) {
     Pack sum = Phi_t[r];
-    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) sum += D_i[6 * r + c] * v_i[c];
-    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) sum += D_j[6 * r + c] * v_j[c];
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
+      sum += D_i[6 * r + c] * v_i[c];
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
+      sum += D_j[6 * r + c] * v_j[c];
     Phi_dot[r] = sum;
   }
 }

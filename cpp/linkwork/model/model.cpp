@@ -11,7 +11,7 @@
 namespace linkwork {
 namespace {
 
-const KindInfo& force_info(int kind) { return force_kinds()[static_cast<std::size_t>(kind)].info; }
+const KindInfo& force_info(int kind) { return force_kinds()[kind].info; }
 
 constexpr double tolerance = 1e-9;       // relative, of inertia and of joint frames
 constexpr double unit_tolerance = 1e-6;  // of |p| - 1
@@ -174,7 +174,7 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
       refuse_element("unknown_signal",
                      parameter.name + ": function of time " + std::to_string(signal) + " does not exist");
     const auto [code, why] = signal < 0 ? fault_of_number(info, parameter, parameters[p].constant, parameters)
-                                        : fault_of_function(parameter, *signals_[static_cast<std::size_t>(signal)]);
+                                        : fault_of_function(parameter, *signals_[signal]);
     if (!why.empty()) refuse_element(code, parameter.name + why);
   }
 }
@@ -288,7 +288,7 @@ void Model::add_joint_force(const std::string& name, int joint, const std::strin
   if (joint < 0 || joint >= static_cast<int>(joints_->size()))
     throw ModelError("unknown_joint", "joint force '" + name + "': joint index " + std::to_string(joint) +
                                           " does not exist; there are " + std::to_string(joints_->size()));
-  const Element& element = joints()[static_cast<std::size_t>(joint)];
+  const Element& element = joints()[joint];
   const FreeCoordinate* found = find_coordinate(joint_info(element.kind), coordinate);
   if (!found)
     throw ModelError("coordinate", "joint force '" + name + "': joint '" + joint_name(joint) + "' has no coordinate '" +
@@ -308,9 +308,9 @@ int Model::joint_of_row(int row) const {
 
 std::string Model::describe_row(int row) const {
   const int joint = joint_of_row(row);
-  const KindInfo& info = joint_info(joints()[static_cast<std::size_t>(joint)].kind);
-  const int equation = row - joint_rows()[static_cast<std::size_t>(joint)];
-  return info.name + " '" + joint_name(joint) + "', " + info.equations[static_cast<std::size_t>(equation)].name;
+  const KindInfo& info = joint_info(joints()[joint].kind);
+  const int equation = row - joint_rows()[joint];
+  return info.name + " '" + joint_name(joint) + "', " + info.equations[equation].name;
 }
 
 VectorXd Model::initial_q() const {
@@ -338,7 +338,7 @@ Model Model::with_initial_state(const ConstVector& q, const ConstVector& v, std:
   out.initial_history_ = std::move(history);
   std::vector<Body>& list = out.bodies_.own();
   for (Eigen::Index b = 0; b < count; ++b) {
-    Body& body = list[static_cast<std::size_t>(b)];
+    Body& body = list[b];
     body.position = q.segment<3>(position_size * b);
     body.orientation = q.segment<4>(position_size * b + 3);
     body.velocity = v.segment<3>(velocity_size * b);

@@ -66,14 +66,14 @@ std::string NameTable::name(int index) const {
 
 int NameTable::find(const std::string& name) const {
   if (const auto found = index_.find(name); found != index_.end()) {
-    const Group& group = groups_[static_cast<std::size_t>(found->second)];
+    const Group& group = groups_[found->second];
     return group.single ? group.first : -1;
   }
   const std::size_t bracket = name.rfind('[');
   if (bracket == std::string::npos || name.back() != ']') return -1;
   const auto found = index_.find(name.substr(0, bracket));
   if (found == index_.end()) return -1;
-  const Group& group = groups_[static_cast<std::size_t>(found->second)];
+  const Group& group = groups_[found->second];
   const int number = group.single ? -1 : number_in(name, group.prefix);
   return number >= 0 && number < group.count ? group.first + number : -1;
 }

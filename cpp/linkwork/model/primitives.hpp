@@ -147,8 +147,9 @@ void combine(const Real (&factors)[N], const Equation<Real> (&equations)[N], Row
 }
 
 // Phi = atan2(s, c) in (-pi, pi], of two quantities that are no angle's sine and cosine but in proportion to them:
-// exact in every pose, whatever c^2 + s^2 is. Phi_dot = (c s_dot - s c_dot) / (c^2 + s^2) gamma = (c gamma_s - s
-// gamma_c) / (c^2 + s^2) + 2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2)
+// exact in every pose, whatever c^2 + s^2 is.
+// Phi_dot = (c s_dot - s c_dot) / (c^2 + s^2)
+// gamma = (c gamma_s - s gamma_c) / (c^2 + s^2) + 2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2)
 template <class Real>
 LINKWORK_PRIMITIVE void angle_of(const BodyState<Real>& i, const BodyState<Real>& j, const Equation<Real>& s,
                                  const Equation<Real>& c, Rows<Real, 1> out) {

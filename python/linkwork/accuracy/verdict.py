@@ -6,21 +6,17 @@ balance of energy jumps, and those that contain break points, at which parts end
 eight parts. Each difference is the local error of that step, by Richardson's extrapolation, in four lengths
 of every body: its position, rotation, velocity, angular velocity. Methods with memory and integrators of
 the user's own are compared with another one-step method, penalties and loose iterations with equations that
-are solved exactly. Functions of time of the user's own are looked at between steps, too (running.pulses).
-Errors are relative: of poses to L, half of the box in which centers of mass move or the
-longest arm, or to the path where that is shorter; of velocities to V, the largest speed.
+are solved exactly. Functions of time of the user's own are looked at between steps, too (running.pulses); and
+where frames come from the interpolant of long steps, what that gives.
 
-Over the run local errors add up. An error of a velocity is also one of positions later: it grows with time,
-as far as V t / L = GROWTH; beyond, motions of a mechanism turn rather than part. An error of a pose is a
-delay, which in an impact is one of the velocity. What does grow on is the error of the energy, as that of the
-speed along the path. The estimate is meant to be large rather than small: of 3600 runs of 300 random
-mechanisms by all integrators, see `tests/benchmarks/verdicts.py`, 90 % had one of 2 to 150 times the true
-error, 10 times in the median. It is much too large where errors die out, as in friction that sticks, with
-steps that are long for it, and where drivers leave nothing to go wrong.
+Over the run local errors add up, and grow: see `linkwork/integration/accumulated_error.hpp`. The estimate is
+meant to be large rather than small: of 3000 runs of 150 random mechanisms by all integrators, see
+`tests/benchmarks/verdicts.py`, 90 % had one of 2.4 to 140 times the true error, 11 times in the median. It is
+much too large where errors die out, as in friction that sticks, with steps that are long for it, and where
+drivers leave nothing to go wrong.
 
 The steps are taken again when the run is over, and change nothing in it. Of runs of 10 000 steps by rk4 that
-took 1.5 to 1.6 % of the time for a four-bar, Bricard's mechanism and a chain; about half a millisecond is its
-least, which is 4 to 5 % for one body, and 10 % by Euler's method.
+takes 1 % of the time or less, of one body by Euler's method 2 to 3 %.
 """
 
 from __future__ import annotations
@@ -32,7 +28,6 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
 
@@ -44,17 +39,8 @@ GOOD, WRONG = 1e-2, 1e-1
 #: What a better step or tolerance is to give.
 AIM = 1e-4
 
-#: Characteristic times L / V in which an error of a velocity moves positions.
-GROWTH = 5.0
-
-#: A step whose accelerations change so many times as much as in the mean of its part is out of the ordinary.
-STEEP = 10.0
-
 #: On the estimate: too large is better than too small.
 SAFETY = 2.0
-
-#: Below, relative to L or to L / duration, nothing moves: what is left is rounding.
-STILL = 1e-6
 
 #: By how much more than constraints are violated poses may be off, along motions that they hold weakly.
 VIOLATED = 10.0
@@ -126,30 +112,35 @@ class Energies:
     """The balance of energy over the frames of a run."""
 
     def __init__(self) -> None:
-        self._frames: list[tuple[Floats, Floats, Floats]] = []
-        self._reached = 0.0, math.inf, -math.inf, 0.0
+        self._first: float | None = None
+        self._made = self._kinetic = self._work = 0.0
+        self._least, self._largest = math.inf, -math.inf
 
     def reach(self, kinetic: float, least: float, largest: float, work: float) -> None:
         """What energies came to between frames, too: see `_core.Run.energies`."""
-        self._reached = kinetic, least, largest, work
+        self._kinetic, self._work = max(self._kinetic, kinetic), max(self._work, work)
+        self._least, self._largest = min(self._least, least), max(self._largest, largest)
 
     def add(self, frames: Mapping[str, Floats]) -> None:
-        if len(frames["t"]):
-            self._frames.append((frames["kinetic"], frames["potential"], frames["work"]))
+        if not len(frames["t"]):
+            return
+        kinetic, potential, work = (frames[name] for name in ("kinetic", "potential", "work"))
+        balance = kinetic + potential - work
+        if self._first is None:
+            self._first = float(balance[0])
+        self._made = max(self._made, float(balance.max()) - self._first, self._first - float(balance.min()))
+        self.reach(
+            float(kinetic.max()), float(potential.min()), float(potential.max()), float(np.abs(work).max())
+        )
 
     def error(self) -> tuple[float, float]:
         """Made or lost, relative to what there was and to all that was exchanged: the first counts."""
-        if not self._frames:
+        if self._first is None:
             return 0.0, math.inf
-        kinetic, potential, work = (np.concatenate(one) for one in zip(*self._frames, strict=True))
-        balance = kinetic + potential - work
-        error = float(np.abs(balance - balance[0]).max())
-        moving, least, most, done = self._reached
-        least, most = min(least, float(potential.min())), max(most, float(potential.max()))
-        moving, done = max(moving, float(kinetic.max())), max(done, float(np.abs(work).max()))
-        largest, scale = max(moving, abs(least), abs(most), done), max(moving, most - least, done)
-        replaced = done / scale if scale > 0 else 0.0
-        made = max(error - ROUNDING * largest, 0.0)
+        largest = max(self._kinetic, abs(self._least), abs(self._largest), self._work)
+        scale = max(self._kinetic, self._largest - self._least, self._work)
+        replaced = self._work / scale if scale > 0 else 0.0
+        made = max(self._made - ROUNDING * largest, 0.0)
         return (made / max(scale, 1e-9 * largest) if made > 0 else 0.0), replaced
 
 
@@ -180,44 +171,27 @@ def estimate(
     before: float = 0.0,
 ) -> Verdict:
     """From what `_core.Run.judge` found."""
-    ok = found["failed"] == 0
-    if not ok.any():
-        why = "no step could be taken again" if len(ok) else "no step was one of the method's own"
-        return without_steps(why, energies, statistics, float(found["end_violation"]), before)
-    parts = _Parts(found, ok)
-    duration = float(found["part_seconds"].sum())
-    L = max(float(found["diagonal"]) / 2, float(found["length"]))
-    speeds = np.maximum(found["speed"], L * found["spin"])
-    V = max(float(speeds[ok].max()), STILL * L / duration)
-    size = max(min(L, parts.path(speeds)), STILL * L)
-    poses = np.maximum(found["position"], L * found["rotation"]) / size
-    velocities = np.maximum(found["velocity"], L * found["omega"]) / V
-
-    local = np.maximum(poses, velocities)
-    accelerations = np.maximum(found["acceleration"], L * found["spin_rate"])
-    of_poses, of_velocities, of_both = parts.sums(np.array([poses, velocities, local]))
-    accumulated = float(found["resolved"]) * parts.accumulated(
-        of_poses, of_velocities, V / size, accelerations * (size / V**2)
-    )
-    violation = float(max(found["violation"][ok].max(), found["end_violation"]))
+    steps = tuple(itertools.starmap(StepEstimate, found["steps"]))
+    if not steps:
+        why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
+        return without_steps(why, energies, statistics, found["violation"], before)
     energy, replaced = energies.error()
-    turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * V / L
-    state = before + max(SAFETY * accumulated, energy * turns if turns > 1 else 0.0, VIOLATED * violation)
-    reactions = _reactions(found, L, ok)
-    known = ok & np.isfinite(reactions) & (local > 0)
-    ratio = float(reactions[known].sum() / local[known].sum()) if known.any() else math.nan
+    violation, duration = found["violation"], found["seconds"]
+    turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
+    state = before + max(SAFETY * found["state"], energy * turns if turns > 1 else 0.0, VIOLATED * violation)
+    ratio, failed = found["reactions_by_state"], found["failed"]
     error = max(state, energy)
     return Verdict(
         level=_level(error),
         sentence=_sentence(error, violation, state, method),
         error=error,
         state=state,
-        local_error=float(of_both.sum()) / duration,
+        local_error=found["local_error"],
         reactions=state * ratio if math.isfinite(ratio) else None,
         energy=energy,
         violation=violation,
-        steps=_steps(found, local, reactions, ok),
-        left_out="" if ok.all() else f"{int((~ok).sum())} of {len(ok)} steps could not be taken again",
+        steps=steps,
+        left_out=f"{failed} of {failed + len(steps)} steps could not be taken again" if failed else "",
         before=before,
         **_counts(statistics),
     )
@@ -261,84 +235,6 @@ def say(verdict: Verdict, name: str | None) -> str:
 
 
 # --- how it works ------------------------------------------------------------------------------------------
-
-
-class _Parts:
-    """The parts of a run with the steps that are known of them: one, or two, the second the steepest.
-
-    Between the two values go with the change of accelerations, of which the mean is known; the sum over a
-    part is at least what they say.
-    """
-
-    def __init__(self, found: Mapping[str, Any], ok: NDArray[np.bool_]) -> None:
-        known = np.flatnonzero(ok)
-        part_of = found["part"][known].astype(int)  # ascending
-        last = np.append(np.flatnonzero(part_of[1:] != part_of[:-1]), len(known) - 1)
-        first = np.append(0, last[:-1] + 1)
-        parts = part_of[first]
-        self._first, self._last = known[first], known[last]
-        self.steps, self.seconds, self.start = (
-            found[f"part_{name}"][parts] for name in ("steps", "seconds", "t")
-        )
-        mean = found["part_change"][parts] / self.steps - found["change"][self._first]
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = mean / (found["change"][self._last] - found["change"][self._first])
-        self._share = np.fmax(np.clip(share, 0.0, 1.0), 1 / self.steps)
-        alone = first == last  # far steeper than its part: it does not stand for all of it
-        with np.errstate(divide="ignore", invalid="ignore"):
-            typical = STEEP * found["part_change"][parts] / self.steps / found["change"][self._first]
-        self._weight = np.where(alone, np.fmax(np.fmin(typical, 1.0), 1 / self.steps), 1.0)
-        self._missed = float(found["part_steps"].sum() / self.steps.sum())  # parts of which no step is known
-
-    def accumulated(self, poses: Floats, velocities: Floats, rate: float, shake: Floats) -> float:
-        """Over the run, of the sums of parts: the larger of poses and velocities at any time.
-
-        rate   [1/s] at which an error of a velocity moves poses
-        shake  for each step: by how much larger an error of a pose is as one of the velocity there. In an
-               impact a body that is late by dt is off by the acceleration times dt
-        """
-        order = np.argsort(self.start, kind="stable")
-        time = (self.start + self.seconds / 2)[order]
-        velocities = velocities[order]
-        of_poses, of_velocities = poses[order].cumsum(), velocities.cumsum()
-        of_moments = (velocities * time).cumsum()
-        moved = np.minimum(rate * (time * of_velocities - of_moments), GROWTH * of_velocities)
-        end = float((self.start + self.seconds).max())
-        at_end = min(rate * (end * of_velocities[-1] - of_moments[-1]), GROWTH * of_velocities[-1])
-        shaken = (of_poses + moved) * np.maximum(shake[self._first], shake[self._last])[order]
-        return float(max(of_poses[-1] + of_velocities[-1] + at_end, shaken.max()))
-
-    def sums(self, values: Floats) -> Floats:
-        """Over the steps of each part; of values (..., steps)."""
-        sums: Floats = self._means(values) * (self.steps * self._missed)
-        return sums
-
-    def path(self, speeds: Floats) -> float:
-        """Over the time of all parts."""
-        return float(self._means(speeds) @ self.seconds) * self._missed
-
-    def _means(self, values: Floats) -> Floats:
-        first, last = values[..., self._first], values[..., self._last]
-        means: Floats = np.maximum(first + self._share * (last - first), first + (last - first) / self.steps)
-        return means * self._weight
-
-
-def _reactions(found: Mapping[str, Any], L: float, ok: NDArray[np.bool_]) -> Floats:
-    """Relative to the largest; NaN where they were not looked at."""
-    looked = ok & np.isfinite(found["force"])
-    largest = np.maximum(found["largest_force"], found["largest_torque"] / L)
-    scale = float(largest[looked].max()) if looked.any() else 0.0
-    values: Floats = np.maximum(found["force"], found["torque"] / L)
-    return values / scale if scale > 0 else np.full(len(ok), np.nan)
-
-
-def _steps(
-    found: Mapping[str, Any], local: Floats, reactions: Floats, ok: NDArray[np.bool_]
-) -> tuple[StepEstimate, ...]:
-    known = np.where(np.isfinite(reactions), reactions, None)  # type: ignore[call-overload]
-    by_time = np.flatnonzero(ok)[np.argsort(found["t"][ok], kind="stable")]
-    numbers = (found["t"], found["h"], local, known)
-    return tuple(map(StepEstimate, *(it[by_time].tolist() for it in numbers)))
 
 
 def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:

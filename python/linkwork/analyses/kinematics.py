@@ -162,7 +162,7 @@ class _Follower:
     at: _Moment = field(init=False)
     unit: float = 1.0  # of singular values
     beside: bool = False  # a singular pose, which is left on both of its sides
-    passages: list[dict[str, Any]] = field(default_factory=list)
+    crossings: list[dict[str, Any]] = field(default_factory=list)
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
     )
@@ -381,9 +381,9 @@ def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
     rows = found.constraints.weakest_rows(count)
     names = eq.joints(rows)
     pivot = found.constraints.smallest(count)
-    follower.passages.append(
-        {"t": found.t, "joints": names[:16], "pivot": pivot, "taken_over": int(found is second),
-         "rows_changed": False}
+    follower.crossings.append(
+        {"t": found.t, "joints": names[:16], "pivot": pivot, "rows_changed": False,
+         "fallback_evaluations": int(found is second)}
     )  # fmt: skip
     if on_singular == "pass":
         return
@@ -438,8 +438,8 @@ class _Frames:
         given = {"times": f"{t[0]:g} to {t[-1]:g} s, {len(t)}"}
         facts = manifest(self.model, given, {"analysis": "kinematics", "integrator": "kinematics"})
         header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)
-        passages = follower.passages
-        statistics = {**follower.counts, "singular_poses": len(passages), "passages": passages,
+        crossings = follower.crossings
+        statistics = {**follower.counts, "singular_poses": len(crossings), "singularity_crossings": crossings,
                       "seconds": time.perf_counter() - began, "failed": failed}  # fmt: skip
         return Result(fields, header, statistics)
 

@@ -58,6 +58,10 @@ class System:
 
     A step may turn an angle by less than half a turn.
 
+    A System works for one caller at a time: a second thread, or a function of yours that calls the System
+    which is just calling it, gets a BusyError at once. Different Systems, also of one model, are free of each
+    other.
+
     ModelError, OptionError; SingularSystemError where a massless motion is held by nothing.
     """
 

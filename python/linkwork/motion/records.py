@@ -77,12 +77,17 @@ class Excess(NamedTuple):
 
 
 class SingularPose(NamedTuple):
-    """A passage through, or near, a pose in which equations of loops depend on each other for a moment."""
+    """A crossing of, or near, a pose in which equations of loops depend on each other for a moment."""
 
     t: float  #: nearest to it [s]
     joints: tuple[str, ...]  #: whose equations they are (the first 16)
     pivot: float  #: smallest pivot of the factorizations there, relative to the usual one; 0: singular
-    taken_over: int  #: evaluations there by a rank-revealing factorization
+    fallback_evaluations: int  #: there, by a rank-revealing factorization
+
+    @property
+    def taken_over(self) -> NoReturn:
+        """AttributeError: the former name of `fallback_evaluations`."""
+        raise AttributeError("'taken_over' is called 'fallback_evaluations' now: ask for that")
 
 
 @dataclass(frozen=True)

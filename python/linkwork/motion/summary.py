@@ -123,7 +123,7 @@ def _singular(result: Result) -> str:
 def _row_changes(result: Result) -> str:
     """Where other equations became redundant in the course of the motion, or contradicted the others."""
     count, found = int(result.statistics.get("row_changes", 0)), result.statistics.get("contradiction")
-    changes = [it for it in result.statistics.get("passages", ()) if it["rows_changed"]]
+    changes = [it for it in result.statistics.get("singularity_crossings", ()) if it["rows_changed"]]
     words = []
     if count and changes:
         names = ", ".join(f"'{name}'" for name in changes[0]["joints"][:LISTED])

@@ -101,7 +101,7 @@ def read(path: str | os.PathLike[str]) -> StoredRun:
         run = str(file.attrs["run"])
         header = _read_header(file)
         count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], path.stat().st_size))
-        statistics = json.loads(file.attrs.get("statistics", "{}"))
+        statistics = _read_statistics(file)
         events = _read_events(file)
         finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
     shapes = header.frame_shapes().items()
@@ -128,6 +128,17 @@ def _read_header(file: h5py.File) -> Header:
     manifest = json.loads(file.attrs["manifest"])
     manifest |= {part: renamed(manifest[part]) for part in ("options", "options_given") if part in manifest}
     return Header(manifest=manifest, shapes=read_shapes(model), curves=curves, **values)
+
+
+def _read_statistics(file: h5py.File) -> dict[str, Any]:
+    """By the names of today."""
+    found: dict[str, Any] = json.loads(file.attrs.get("statistics", "{}"))
+    if "passages" in found:
+        found["singularity_crossings"] = [
+            {{"taken_over": "fallback_evaluations"}.get(name, name): value for name, value in one.items()}
+            for one in found.pop("passages")
+        ]
+    return found
 
 
 def _read_events(file: h5py.File) -> list[Occurrence]:

@@ -237,8 +237,8 @@ class Result:
         Not known of an unfinished run in a file.
         """
         return tuple(
-            SingularPose(it["t"], tuple(it["joints"]), it["pivot"], it["taken_over"])
-            for it in self.statistics.get("passages", ())
+            SingularPose(it["t"], tuple(it["joints"]), it["pivot"], it["fallback_evaluations"])
+            for it in self.statistics.get("singularity_crossings", ())
             if not it["rows_changed"]
         )
 

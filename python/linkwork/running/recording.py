@@ -160,7 +160,7 @@ def _warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
     """How many there have been; LinkworkWarning: more than `warned`."""
     count: int = statistics["singular_poses"]
     if count > warned:
-        last = [it for it in statistics["passages"] if not it["rows_changed"]][-1]
+        last = [it for it in statistics["singularity_crossings"] if not it["rows_changed"]][-1]
         names = ", ".join(f"'{name}'" for name in last["joints"])
         warn(
             f"singular pose at t = {last['t']:.6g} s: the equations of {names} depend on each other for a "

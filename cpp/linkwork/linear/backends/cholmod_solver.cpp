@@ -45,7 +45,7 @@ class Cholmod final : public LinearSolver {
 
   void solve(Eigen::Ref<MatrixXd> x) override {
     cholmod_dense B = dense_view(x);
-    cholmod_solve2(CHOLMOD_A, factor_, &B, nullptr, &solution_, nullptr, &work_y_, &work_e_, &common_);
+    cholmod_solve2(CHOLMOD_A, factor_, &B, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_, &common_);
     x = Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(
         static_cast<const double*>(solution_->x), x.rows(), x.cols(),
         Eigen::OuterStride<>(static_cast<Eigen::Index>(solution_->d)));
@@ -78,10 +78,10 @@ class Cholmod final : public LinearSolver {
   /// d_k / A_kk for the k-th eliminated row.
   void lower(Pivot& smallest, const SparseMatrix& A, std::size_t column, double d) const {
     const int row = original(column);
-    const int last = A.column_begin[static_cast<std::size_t>(row) + 1];
-    const int first = A.column_begin[static_cast<std::size_t>(row)];
+    const int last = A.column_begin[row + 1];
+    const int first = A.column_begin[row];
     const auto at = std::lower_bound(A.row.begin() + first, A.row.begin() + last, row);
-    keep_smallest(smallest, d / std::abs(A.value[static_cast<std::size_t>(at - A.row.begin())]), row);
+    keep_smallest(smallest, d / std::abs(A.value[at - A.row.begin()]), row);
   }
 
   Pivot simplicial_pivot(const SparseMatrix& A) const {
@@ -114,13 +114,13 @@ class Cholmod final : public LinearSolver {
   void release() {
     cholmod_free_factor(&factor_, &common_);
     cholmod_free_dense(&solution_, &common_);
-    cholmod_free_dense(&work_y_, &common_);
-    cholmod_free_dense(&work_e_, &common_);
+    cholmod_free_dense(&workspace_y_, &common_);
+    cholmod_free_dense(&workspace_e_, &common_);
   }
 
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
-  cholmod_dense *solution_ = nullptr, *work_y_ = nullptr, *work_e_ = nullptr;
+  cholmod_dense *solution_ = nullptr, *workspace_y_ = nullptr, *workspace_e_ = nullptr;
 };
 
 template <CholmodMode mode>

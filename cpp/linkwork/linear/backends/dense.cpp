@@ -9,9 +9,7 @@ namespace {
 void copy_to_dense(const SparseMatrix& A, MatrixXd& dense) {
   dense.setZero();
   for (int column = 0; column < A.size; ++column)
-    for (int k = A.column_begin[static_cast<std::size_t>(column)];
-         k < A.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
-      dense(A.row[static_cast<std::size_t>(k)], column) = A.value[static_cast<std::size_t>(k)];
+    for (int k = A.column_begin[column]; k < A.column_begin[column + 1]; ++k) dense(A.row[k], column) = A.value[k];
 }
 
 double cubed(Eigen::Index n) { return std::pow(static_cast<double>(n), 3); }

@@ -63,9 +63,8 @@ class Klu final : public LinearSolver {
   /// residual_ -= A x: for one step of iterative refinement, because kept pivots are not the best ones.
   void subtract_product(const ConstVector& x) {
     for (int column = 0; column < matrix_->size; ++column)
-      for (int k = matrix_->column_begin[static_cast<std::size_t>(column)];
-           k < matrix_->column_begin[static_cast<std::size_t>(column) + 1]; ++k)
-        residual_[matrix_->row[static_cast<std::size_t>(k)]] -= matrix_->value[static_cast<std::size_t>(k)] * x[column];
+      for (int k = matrix_->column_begin[column]; k < matrix_->column_begin[column + 1]; ++k)
+        residual_[matrix_->row[k]] -= matrix_->value[k] * x[column];
   }
 
   /// With the pivots of the last full factorization; false where they have become poor ones.

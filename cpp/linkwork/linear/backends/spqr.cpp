@@ -18,9 +18,8 @@ VectorXd equilibration(const SparseMatrix& A) {
   for (int round = 0; round < rounds; ++round) {
     for (int column = 0; column < A.size; ++column) {
       double& most = largest[column] = 0.0;
-      for (int k = A.column_begin[static_cast<std::size_t>(column)];
-           k < A.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
-        most = std::max(most, std::abs(A.value[static_cast<std::size_t>(k)]) * s[A.row[static_cast<std::size_t>(k)]]);
+      for (int k = A.column_begin[column]; k < A.column_begin[column + 1]; ++k)
+        most = std::max(most, std::abs(A.value[k]) * s[A.row[k]]);
       most *= s[column];
     }
     for (int k = 0; k < A.size; ++k)
@@ -58,9 +57,8 @@ class Spqr final : public LinearSolver {
     scale_ = equilibration(matrix);
     scaled_ = matrix.value;
     for (int column = 0; column < matrix.size; ++column)
-      for (int k = matrix.column_begin[static_cast<std::size_t>(column)];
-           k < matrix.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
-        scaled_[static_cast<std::size_t>(k)] *= scale_[column] * scale_[matrix.row[static_cast<std::size_t>(k)]];
+      for (int k = matrix.column_begin[column]; k < matrix.column_begin[column + 1]; ++k)
+        scaled_[k] *= scale_[column] * scale_[matrix.row[k]];
     cholmod_sparse A = view(matrix);
     if (!SuiteSparseQR_numeric<double>(SPQR_DEFAULT_TOL, &A, qr_, &common_)) throw std::bad_alloc();
     return {qr_->rank < matrix.size ? 0.0 : 1.0, -1};

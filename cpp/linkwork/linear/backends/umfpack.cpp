@@ -22,8 +22,8 @@ class Umfpack final : public LinearSolver {
     release();
     check(umfpack_di_symbolic(pattern.size, pattern.size, pattern.column_begin.data(), pattern.row.data(), nullptr,
                               &symbolic_, control_, info_));
-    index_work_.resize(static_cast<std::size_t>(pattern.size));
-    work_.resize(5 * static_cast<std::size_t>(pattern.size));
+    index_workspace_.resize(pattern.size);
+    workspace_.resize(5 * static_cast<std::size_t>(pattern.size));
     solution_.resize(pattern.size);
   }
 
@@ -40,8 +40,8 @@ class Umfpack final : public LinearSolver {
   void solve(Eigen::Ref<MatrixXd> x) override {
     for (Eigen::Index column = 0; column < x.cols(); ++column) {
       check(umfpack_di_wsolve(UMFPACK_A, matrix_->column_begin.data(), matrix_->row.data(), matrix_->value.data(),
-                              solution_.data(), x.col(column).data(), numeric_, control_, info_, index_work_.data(),
-                              work_.data()));
+                              solution_.data(), x.col(column).data(), numeric_, control_, info_,
+                              index_workspace_.data(), workspace_.data()));
       x.col(column) = solution_;
     }
   }
@@ -67,8 +67,8 @@ class Umfpack final : public LinearSolver {
   double control_[UMFPACK_CONTROL]{}, info_[UMFPACK_INFO]{};
   void *symbolic_ = nullptr, *numeric_ = nullptr;
   const SparseMatrix* matrix_ = nullptr;  // for the step of iterative refinement; outlives the factorization
-  std::vector<int> index_work_;
-  std::vector<double> work_;
+  std::vector<int> index_workspace_;
+  std::vector<double> workspace_;
   VectorXd solution_;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "linkwork/linear/block/schedule.hpp"
+#include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/aligned.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -11,7 +11,7 @@ namespace linkwork::block {
 namespace {
 
 constexpr double singular_pivot = 1e-15;
-constexpr double small_pivot = 1e-8;  // beyond it a joint waits for a hub, if there is one
+constexpr double small_pivot = 1e-8;  // beyond it the pivot of a joint is delayed to a hub, if there is one
 constexpr double far_apart = 1e6, refined_enough = 1e-13;
 constexpr int most_refinements = 5;
 constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
@@ -25,9 +25,9 @@ class BlockSolver final : public SaddleSolver {
     system_ = &system;
     refuse_massless();
     e_.resize(0);
-    postponed_.clear();
-    postponements_ = 0;
-    make_schedule();
+    delayed_.clear();
+    delays_ = 0;
+    factorize_symbolically();
     no_a_.resize(0);
     refined_ = masses_far_apart(system);
     if (!refined_) return;
@@ -56,14 +56,14 @@ class BlockSolver final : public SaddleSolver {
     if (refined_) refine(a, b, x, lambda);
   }
 
-  std::int64_t factor_nonzeros() const override { return schedule_->nonzeros; }
-  std::optional<double> flops() const override { return schedule_->flops; }
+  std::int64_t factor_nonzeros() const override { return symbolic_->nonzeros; }
+  std::optional<double> flops() const override { return symbolic_->flops; }
   std::optional<std::int64_t> factor_bytes() const override {
     const auto bytes = [](const auto&... vectors) { return (... + (vectors.size() * sizeof(vectors[0]))); };
-    const Schedule& s = *schedule_;
-    return static_cast<std::int64_t>(bytes(factors_, accumulators_, panels_, updates_, scratch_, pivots_, mass_factors_,
-                                           s.steps, s.fronts, s.segments, s.bodies, s.vectors, s.runs, s.rows, s.mixed,
-                                           s.hubs, s.couplings, s.unknowns));
+    const SymbolicFactorization& s = *symbolic_;
+    return static_cast<std::int64_t>(bytes(factors_, articulated_inertias_, panels_, contributions_, scratch_, pivots_,
+                                           mass_factors_, s.steps, s.fronts, s.relative_indices, s.bodies, s.vectors,
+                                           s.runs, s.rows, s.mixed, s.hubs, s.couplings, s.unknowns));
   }
 
  private:
@@ -112,42 +112,43 @@ class BlockSolver final : public SaddleSolver {
                       details);
   }
 
-  void make_schedule() {
-    schedule_ = std::make_unique<Schedule>(*system_, dropped_, postponed_);
-    factors_.assign(static_cast<std::size_t>(schedule_->factor_size) + slack, 0.0);
-    accumulators_.assign(static_cast<std::size_t>(schedule_->accumulator_count * accumulator_size) + slack, 0.0);
-    panels_.assign(static_cast<std::size_t>(schedule_->panel_size) + slack, 0.0);
-    updates_.assign(static_cast<std::size_t>(schedule_->update_size) + slack, 0.0);
-    scratch_.assign(static_cast<std::size_t>(scratch_columns * schedule_->highest_front), 0.0);
-    pivots_.assign(static_cast<std::size_t>(schedule_->widest_front) + slack, 0.0);
+  void factorize_symbolically() {
+    symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, delayed_);
+    factors_.assign(symbolic_->factor_size + slack, 0.0);
+    articulated_inertias_.assign(
+        static_cast<std::size_t>(symbolic_->articulated_inertia_count * articulated_inertia_size) + slack, 0.0);
+    panels_.assign(symbolic_->panel_size + slack, 0.0);
+    contributions_.assign(symbolic_->contribution_size + slack, 0.0);
+    scratch_.assign(scratch_columns * symbolic_->highest_front, 0.0);
+    pivots_.assign(symbolic_->widest_front + slack, 0.0);
     factorize_masses();
   }
 
   void factorize_masses() {
-    mass_factors_.resize(static_cast<std::size_t>(schedule_->mass_factor_count));
-    for (const CoreBody& body : schedule_->bodies) {
+    mass_factors_.resize(symbolic_->mass_factor_count);
+    for (const CoreBody& body : symbolic_->bodies) {
       if (body.mass_factor < 0) continue;
       const auto J = system_->inertia(body.body);
       const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
       const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
       const double m = 1.0 / system_->mass(body.body);
-      mass_factors_[static_cast<std::size_t>(body.mass_factor)] = {
+      mass_factors_[body.mass_factor] = {
           L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}, L43 == 0.0 && L53 == 0.0 && L54 == 0.0};
     }
   }
 
-  /// With hubs in the schedule: a joint that depends on others while the hubs after it are held is eliminated after
+  /// With hubs: a joint that depends on others while the hubs after it are held is eliminated after
   /// the next of them. Holding a hub can make six rows dependent, not more. False: nothing to be done.
-  bool postpone(int row) {
-    if (row < 0 || postponements_ == 6 * schedule_->hubs.size()) return false;
-    const int hub = schedule_->next_hub(row);
+  bool delay_pivot(int row) {
+    if (row < 0 || delays_ == 6 * symbolic_->hubs.size()) return false;
+    const int hub = symbolic_->next_hub(row);
     if (hub < 0) return false;
-    postponements_ += 1;
+    delays_ += 1;
     const int joint = system_->model().joint_of_row(row);
-    const auto found = std::find_if(postponed_.begin(), postponed_.end(), [&](auto& it) { return it.joint == joint; });
-    if (found == postponed_.end()) postponed_.push_back({joint, hub});
+    const auto found = std::find_if(delayed_.begin(), delayed_.end(), [&](auto& it) { return it.joint == joint; });
+    if (found == delayed_.end()) delayed_.push_back({joint, hub});
     else found->hub = hub;
-    make_schedule();
+    factorize_symbolically();
     return true;
   }
 
@@ -157,38 +158,43 @@ class BlockSolver final : public SaddleSolver {
       compliant_ = compliant();
     }
     at_ = &at;
-    data_ = {schedule_->steps.data(),
-             static_cast<std::ptrdiff_t>(schedule_->steps.size()),
-             schedule_->fronts.data(),
-             static_cast<std::ptrdiff_t>(schedule_->fronts.size()),
-             schedule_->segments.data(),
-             schedule_->bodies.data(),
-             schedule_->vectors.data(),
-             schedule_->runs.data(),
-             schedule_->rows.data(),
-             schedule_->mixed.data(),
-             schedule_->hubs.data(),
-             schedule_->couplings.data(),
-             schedule_->unknowns.data(),
-             system_->mass_blocks().data(),
-             mass_factors_.data(),
-             at.D.data(),
-             e_.data(),
-             compliant_,
-             factors_.data(),
-             accumulators_.data(),
-             panels_.data(),
-             updates_.data(),
-             scratch_.data(),
-             pivots_.data(),
-             factors_.size() + panels_.size() > cached,
-             schedule_->hubs.empty() ? singular_pivot : small_pivot};
+    collect_data(at);
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};
-    if (smallest.ratio < data_.breakdown && std::isfinite(smallest.ratio) && postpone(smallest.row))
+    if (smallest.ratio < data_.breakdown && std::isfinite(smallest.ratio) && delay_pivot(smallest.row))
       return factorize(at, e, a, b);
     if (!(smallest_pivot_.ratio > singular_pivot))
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
+  }
+
+  void collect_data(const Evaluation& at) {
+    const SymbolicFactorization& s = *symbolic_;
+    data_ = {.steps = s.steps.data(),
+             .step_count = std::ssize(s.steps),
+             .fronts = s.fronts.data(),
+             .front_count = std::ssize(s.fronts),
+             .relative_indices = s.relative_indices.data(),
+             .bodies = s.bodies.data(),
+             .vectors = s.vectors.data(),
+             .runs = s.runs.data(),
+             .rows = s.rows.data(),
+             .mixed = s.mixed.data(),
+             .hubs = s.hubs.data(),
+             .couplings = s.couplings.data(),
+             .unknowns = s.unknowns.data(),
+             .mass = system_->mass_blocks().data(),
+             .mass_factors = mass_factors_.data(),
+             .D = at.D.data(),
+             .e = e_.data(),
+             .compliant = compliant_,
+             .factors = factors_.data(),
+             .articulated_inertias = articulated_inertias_.data(),
+             .panels = panels_.data(),
+             .contributions = contributions_.data(),
+             .scratch = scratch_.data(),
+             .pivots = pivots_.data(),
+             .large = factors_.size() + panels_.size() > cached,
+             .breakdown = s.hubs.empty() ? singular_pivot : small_pivot};
   }
 
   /// Whether rows that are not dropped have a compliance.
@@ -200,10 +206,10 @@ class BlockSolver final : public SaddleSolver {
   const System* system_ = nullptr;
   const Evaluation* at_ = nullptr;
   const Kernels* kernels_;
-  std::unique_ptr<Schedule> schedule_;
-  std::vector<Schedule::Postponed> postponed_;
-  std::size_t postponements_ = 0;
-  AlignedDoubles factors_, accumulators_, panels_, updates_, scratch_, pivots_;
+  std::unique_ptr<SymbolicFactorization> symbolic_;
+  std::vector<SymbolicFactorization::DelayedPivot> delayed_;
+  std::size_t delays_ = 0;
+  AlignedDoubles factors_, articulated_inertias_, panels_, contributions_, scratch_, pivots_;
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
   bool refined_ = false, compliant_ = false;

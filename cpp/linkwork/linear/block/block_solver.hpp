@@ -7,7 +7,7 @@
 
 namespace linkwork::block {
 
-/// Factorizes [M D^T; D -E] by dense blocks on a static schedule; see Schedule. M must be regular.
+/// Factorizes [M D^T; D -E] by dense blocks in a static order; see SymbolicFactorization. M must be regular.
 std::unique_ptr<SaddleSolver> make_block_solver(const InstructionSet& instructions = best_instruction_set());
 
 }  // namespace linkwork::block

@@ -82,10 +82,10 @@ LINKWORK_INLINE void note(SmallestPivot& smallest, double pivot, double diagonal
   smallest = {ratio == ratio ? ratio : not_a_number, row};
 }
 
-/// x of a body as (-x, 1), in the accumulator that the way back no longer needs.
+/// x of a body as (-x, 1), in the articulated inertia that the way back no longer needs.
 LINKWORK_INLINE void leave_for_children(Vector x, int slot, const Data& data) {
   constexpr double minus_x[lanes] = {-1, -1, -1, -1, -1, -1, 0, 0};
-  store(data.accumulators + slot * accumulator_size, x * load(minus_x) + unit(right_hand_side));
+  store(data.articulated_inertias + slot * articulated_inertia_size, x * load(minus_x) + unit(right_hand_side));
 }
 
 /// Lines of 64 bytes, to be read, or written too. A large model does not fit into the caches, and its order is not the

@@ -1,276 +1,19 @@
 #pragma once
 
-#include "linkwork/linear/block/common_kernels.hpp"
+#include "linkwork/linear/block/body_kernels.hpp"
+#include "linkwork/linear/block/hub_kernels.hpp"
 
-/// The core: closed loops. Bodies add their part of D M^-1 D^T and of -D M^-1 a to the front of their first joint;
-/// joints are eliminated in supernodes, 8 columns at a time.
-///
-/// A hub, a body with many joints, is eliminated among the joints, for it would couple all of them: then the matrix is
-/// [S D; D^T -M] with S of the other bodies, quasi-definite, and pivots of hubs are negative.
+/// The core: closed loops. Joints are eliminated in supernodes, 8 columns at a time.
 namespace linkwork::block {
 namespace {
-
-constexpr int fronts_ahead = 3;                         // that are prefetched
-constexpr std::ptrdiff_t most_prefetched = 64 * lanes;  // of a front; more would drive out what is needed now
-// What the registers hold beside a factor: accumulators.
-constexpr int columns_at_once = width == 8 ? 8 : width == 4 ? 4 : 2, vectors_at_once = width == 8 ? 2 : 1;
-
-LINKWORK_INLINE void prefetch_front(const Front& front, const Data& data) {
-  for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-    for (int r = 0; r < data.bodies[body].rows; ++r)
-      __builtin_prefetch(data.D + data.rows[data.bodies[body].first_row + r].D);
-  const std::ptrdiff_t size = (front.width + 2) * static_cast<std::ptrdiff_t>(front.stride());
-  prefetch<true>(data.panels + front.panel, size < most_prefetched ? size : most_prefetched);
-}
-
-LINKWORK_INLINE double* right_hand_side_of(const Front& front, const Data& data) {
-  return data.panels + front.panel + front.width * static_cast<std::ptrdiff_t>(front.stride());
-}
-LINKWORK_INLINE double* diagonal_of(const Front& front, const Data& data) {
-  return right_hand_side_of(front, data) + front.stride();
-}
-
-/// The column at a position, such that its entry at position p is [p]: of the panel, or of the update.
-LINKWORK_INLINE double* column_of(const Front& front, const Data& data, int position) {
-  if (position < front.top) return data.panels + front.panel + position * static_cast<std::ptrdiff_t>(front.stride());
-  return data.updates + front.update + (position - front.top) * static_cast<std::ptrdiff_t>(front.kept) - front.top;
-}
-
-/// From a column at a position to the next.
-LINKWORK_INLINE std::ptrdiff_t column_stride(const Front& front, int position) {
-  return position < front.top ? front.stride() : front.kept;
-}
-
-LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - k0 < lanes ? front.width - k0 : lanes; }
-
-/// Zeros where children and bodies add: the lower triangle, from the vector on that holds the diagonal.
-void clear(const Front& front, const Data& data) {
-  for (int c = 0; c < front.size; ++c) {
-    const int position = c < front.width ? c : c - front.width + front.top;
-    double* column = column_of(front, data, position);
-    for (int p = position / lanes * lanes; p < front.stride(); p += lanes) store(column + p, splat(0.0));
-  }
-  double* right = right_hand_side_of(front, data);
-  for (int p = 0; p < 2 * front.stride(); p += lanes) store(right + p, splat(0.0));
-}
-
-/// C(:, w) = C(:, w) +- sum_k A(:, k) B(k, w) for `columns` columns, `vectors` vectors of rows at the places `at`.
-template <int sign, int depth, int columns, int vectors>
-LINKWORK_INLINE void add_product(double* C, std::ptrdiff_t C_stride, const int* at, const double* A, const double* B,
-                                 std::ptrdiff_t stride) {
-  Vector c[columns][vectors];
-  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int v = 0; v < vectors; ++v) c[w][v] =
-      load(C + w * C_stride + at[v]);
-  LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
-    Vector a[vectors];
-    LINKWORK_UNROLL for (int v = 0; v < vectors; ++v) a[v] = load(A + k * stride + v * lanes);
-    LINKWORK_UNROLL for (int w = 0; w < columns; ++w) {
-      const Vector factor = splat(B[k * stride + w]);
-      LINKWORK_UNROLL for (int v = 0; v < vectors; ++v) {
-        if constexpr (sign > 0) c[w][v] += a[v] * factor;
-        else c[w][v] -= a[v] * factor;
-      }
-    }
-  }
-  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int v = 0; v < vectors; ++v)
-      store(C + w * C_stride + at[v], c[w][v]);
-}
-
-// --- bodies ----------------------------------------------------------------------------------------------------------
-
-/// The columns of D^T of as many rows as a register holds.
-LINKWORK_INLINE void gather_D(const std::ptrdiff_t* D, const Data& data, Native* columns) {
-  const double* rows[width];
-  for (int l = 0; l < width; ++l) rows[l] = data.D + D[l];
-  gather<6>(rows, columns);
-}
-
-/// M = L D L^T of a body with branches, with D^-1 L^-1 a: unit L with 1/d on its diagonal, then the other.
-void factor_mass(const CoreBody& body, const Data& data, SmallestPivot& smallest) {
-  const double* accumulator = data.accumulators + body.slot * accumulator_size;
-  double* own = data.factors + body.own_factors;
-  Vector M[6], y = splat(0.0);
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) M[c] = load(accumulator + c * lanes);
-  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-    const Vector pivot = lane(M[k], k), inverse = inverse_of_lane(M[k], k);
-    if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, -1};
-    const Vector L = M[k] * inverse;
-    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) M[c] -= M[k] * lane(L, c);
-    y += unit(k) * lane(L, right_hand_side);
-    store(own + k * lanes, L * lanes_after(k) * lanes_before(6) + unit(k) * inverse);
-  }
-  store(own + 6 * lanes, y);
-}
-
-/// D^-1 L^-1 a of a body without branches.
-LINKWORK_INLINE Vector solve_lower(const MassFactor& factor, Vector a) {
-  a -= lane(a, 3) * load_lanes<4, 2>(&factor.L43);
-  a -= lane(a, 4) * load_lanes<5, 1>(&factor.L54);
-  return a * load_first<6>(factor.inverse);
-}
-
-/// What [M; D | a] of a body leaves, D M^-1 D^T and -D M^-1 a, is added to the front. With `right_hand_side_only`
-/// nothing but the last column.
-template <bool branches, bool right_hand_side_only>
-void add_body(const CoreBody& body, const Front& front, const Data& data, const double* a) {
-  const RowVector* vectors = data.vectors + body.first_vector;
-  const std::ptrdiff_t stride = lanes * static_cast<std::ptrdiff_t>(body.vectors);
-  double *U = data.scratch, *scaled = U + 6 * stride;  // L^-1 D^T, with and without D^-1
-  double *right = right_hand_side_of(front, data), *diagonal = diagonal_of(front, data);
-  const double* own = data.factors + body.own_factors;
-  const MassFactor* factor = branches ? nullptr : data.mass_factors + body.mass_factor;
-  const Vector y = branches ? load(own + 6 * lanes) : solve_lower(*factor, load_first<6>(a + 6 * body.body));
-  for (int v = 0; v < body.vectors; ++v) LINKWORK_UNROLL for (int first = 0; first < lanes; first += width) {
-      Native B[6], r{}, d{};
-      gather_D(vectors[v].D + first, data, B);
-      if constexpr (branches) {
-        LINKWORK_UNROLL for (int k = 0; k < 6; ++k) LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) B[c] -=
-            B[k] * splat_native(own[k * lanes + c]);
-      } else {
-        B[4] -= B[3] * splat_native(factor->L43);
-        B[5] -= B[3] * splat_native(factor->L53) + B[4] * splat_native(factor->L54);
-      }
-      LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-        r -= B[k] * lane(y, k).part[0];
-        if constexpr (right_hand_side_only) continue;
-        const Native L = B[k] * splat_native(branches ? own[k * (lanes + 1)] : factor->inverse[k]);
-        d += B[k] * L;
-        store_native(U + k * stride + v * lanes + first, B[k]);
-        store_native(scaled + k * stride + v * lanes + first, L);
-      }
-      const int position = vectors[v].position + first;
-      store_native(right + position, load_native(right + position) + r);
-      if constexpr (!right_hand_side_only) store_native(diagonal + position, load_native(diagonal + position) + d);
-    }
-}
-
-/// The columns of D M^-1 D^T, from their diagonal on.
-void add_body_columns(const CoreBody& body, const Front& front, const Data& data) {
-  const RowVector* vectors = data.vectors + body.first_vector;
-  const std::ptrdiff_t stride = lanes * static_cast<std::ptrdiff_t>(body.vectors);
-  const double *U = data.scratch, *scaled = U + 6 * stride;
-  for (const Segment* run = data.runs + body.first_run; run < data.runs + body.first_run + body.runs; ++run) {
-    const std::ptrdiff_t C_stride = column_stride(front, run->parent_begin);
-    double* C = column_of(front, data, run->parent_begin);
-    for (int c = 0; c < run->length; c += columns_at_once, C += columns_at_once * C_stride) {
-      const int begin = run->begin + c, left = run->length - c;
-      with_count<columns_at_once>(left < columns_at_once ? left : columns_at_once, [&](auto columns) {
-        int v = begin / lanes;
-        for (; v + vectors_at_once <= body.vectors; v += vectors_at_once) {
-          int at[vectors_at_once];
-          for (int k = 0; k < vectors_at_once; ++k) at[k] = vectors[v + k].position;
-          add_product<1, 6, columns, vectors_at_once>(C, C_stride, at, U + v * lanes, scaled + begin, stride);
-        }
-        if (v < body.vectors)
-          add_product<1, 6, columns, 1>(C, C_stride, &vectors[v].position, U + v * lanes, scaled + begin, stride);
-      });
-    }
-  }
-}
-
-void factor_body(const CoreBody& body, const Front& front, const Data& data, const double* a, SmallestPivot& smallest) {
-  if (body.slot >= 0) {
-    factor_mass(body, data, smallest);
-    add_body<true, false>(body, front, data, a);
-  } else {
-    add_body<false, false>(body, front, data, a);
-  }
-  add_body_columns(body, front, data);
-}
-
-void forward_body(const CoreBody& body, const Front& front, const Data& data, const double* a) {
-  if (body.slot >= 0) {
-    SmallestPivot unchanged;
-    factor_mass(body, data, unchanged);
-    add_body<true, true>(body, front, data, a);
-  } else {
-    add_body<false, true>(body, front, data, a);
-  }
-}
-
-/// x = M^-1 (a + D^T lambda).
-void backward_body(const CoreBody& body, const Data& data, const double* a, double* x, const double* lambda) {
-  const BodyRow* rows = data.rows + body.first_row;
-  Vector sum = splat(0.0), odd = splat(0.0);
-  int r = 0;
-  for (; r + 1 < body.rows; r += 2) {
-    sum += load_first<6>(data.D + rows[r].D) * splat(lambda[rows[r].row]);
-    odd += load_first<6>(data.D + rows[r + 1].D) * splat(lambda[rows[r + 1].row]);
-  }
-  if (r < body.rows) sum += load_first<6>(data.D + rows[r].D) * splat(lambda[rows[r].row]);
-  sum += odd;
-  if (body.slot >= 0) {
-    const double* own = data.factors + body.own_factors;
-    Vector L[8], solution = load(own + 6 * lanes);
-    LINKWORK_UNROLL for (int k = 0; k < 8; ++k) L[k] = k < 6 ? load(own + k * lanes) : splat(0.0);
-    LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-      const Vector known = lane(sum, k);
-      solution += unit(k) * L[k] * known;
-      sum -= L[k] * lanes_after(k) * known;
-    }
-    transpose(L);
-    LINKWORK_UNROLL for (int k = 5; k > 0; --k) solution -= (L[k] * lanes_before(k)) * lane(solution, k);
-    store_first<6>(x + 6 * body.body, solution);
-    return leave_for_children(solution, body.slot, data);
-  }
-  sum += load_first<6>(a + 6 * body.body);
-  const MassFactor& factor = data.mass_factors[body.mass_factor];
-  if (factor.diagonal) return store_first<6>(x + 6 * body.body, sum * load_first<6>(factor.inverse));
-  Vector solution = solve_lower(factor, sum);
-  solution -= unit(4) * splat(factor.L54) * lane(solution, 5);
-  solution -= unit(3) * (splat(factor.L43) * lane(solution, 4) + splat(factor.L53) * lane(solution, 5));
-  store_first<6>(x + 6 * body.body, solution);
-}
-
-// --- hubs ------------------------------------------------------------------------------------------------------------
-
-LINKWORK_INLINE Vector column_of_mass(int body, int slot, int c, const Data& data) {
-  if (slot >= 0) return load(data.accumulators + slot * accumulator_size + c * lanes);
-  return mass_column(data.mass[body], c, 0.0);
-}
-
-/// -M of hubs and their D, into the lower triangle.
-void add_hubs(const Front& front, const MixedFront& mixed, const Data& data) {
-  for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h) {
-    const Hub& hub = data.hubs[h];
-    for (int c = 0; c < 6; ++c) {
-      const Vector column = column_of_mass(hub.body, hub.slot, c, data);
-      double* to = column_of(front, data, hub.position + c) + hub.position;
-      for (int r = c; r < 6; ++r) to[r] -= column[r];
-    }
-  }
-  for (int k = mixed.first_coupling; k < mixed.first_coupling + mixed.couplings; ++k) {
-    const Coupling& coupling = data.couplings[k];
-    const double* D = data.D + coupling.D;
-    const bool hub_first = coupling.hub < coupling.joint;
-    for (int r = 0; r < coupling.rows; ++r)
-      for (int c = 0; c < 6; ++c) {
-        const int joint = coupling.joint + r, hub = coupling.hub + c;
-        column_of(front, data, hub_first ? hub : joint)[hub_first ? joint : hub] += D[6 * r + c];
-      }
-  }
-}
-
-/// -a of hubs.
-void add_hub_right_hand_sides(const Front& front, const MixedFront& mixed, const Data& data, const double* a) {
-  double* right = right_hand_side_of(front, data);
-  for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h) {
-    const Hub& hub = data.hubs[h];
-    for (int k = 0; k < 6; ++k)
-      right[hub.position + k] -= hub.slot < 0
-                                     ? a[6 * hub.body + k]
-                                     : data.accumulators[hub.slot * accumulator_size + k * lanes + right_hand_side];
-  }
-}
-
-// --- joints ----------------------------------------------------------------------------------------------------------
 
 /// Numbers of constraint rows; zero for those of hubs.
 template <int depth>
 LINKWORK_INLINE Vector given(const int* unknown, const double* numbers) {
   static constexpr double nothing = 0.0;
   Vector out = splat(0.0);
-  LINKWORK_UNROLL for (int k = 0; k < depth; ++k) out.set(k, *(unknown[k] >= 0 ? numbers + unknown[k] : &nothing));
+  LINKWORK_UNROLL for (int k = 0; k < depth; ++k)
+    out.set(k, *(unknown[k] >= 0 ? numbers + unknown[k] : &nothing));
   return out;
 }
 
@@ -296,11 +39,13 @@ void eliminate(const Front& front, const Data& data, int k0, const double* b, Sm
   double *panel = data.panels + front.panel + k0 * stride, *right = right_hand_side_of(front, data);
   const int* unknown = data.unknowns + front.unknown + k0;
   Vector T[depth], y = load(right + k0) + given<depth>(unknown, b), solved = splat(0.0), pivots = splat(0.0);
-  LINKWORK_UNROLL for (int c = 0; c < depth; ++c) T[c] = load(panel + c * stride + k0);
+  LINKWORK_UNROLL for (int c = 0; c < depth; ++c)
+    T[c] = load(panel + c * stride + k0);
   Vector diagonal = load(diagonal_of(front, data) + k0);
   if (data.compliant) {
     const Vector e = given<depth>(unknown, data.e);
-    LINKWORK_UNROLL for (int c = 0; c < depth; ++c) T[c] += unit(c) * e;
+    LINKWORK_UNROLL for (int c = 0; c < depth; ++c)
+      T[c] += unit(c) * e;
     diagonal += e;
   }
   LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
@@ -320,10 +65,12 @@ void eliminate(const Front& front, const Data& data, int k0, const double* b, Sm
   note_pivots(front, data, k0, depth, pivots, diagonal, smallest);
   for (int p = k0 + lanes; p < front.stride(); p += lanes) {
     Vector B[depth], r = load(right + p);
-    LINKWORK_UNROLL for (int c = 0; c < depth; ++c) B[c] = load(panel + c * stride + p);
+    LINKWORK_UNROLL for (int c = 0; c < depth; ++c)
+      B[c] = load(panel + c * stride + p);
     LINKWORK_UNROLL for (int k = 0; k < depth; ++k) {
       const double* L = panel + k * stride + k0;  // factors from memory: the registers are full
-      LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c) B[c] -= B[k] * splat(L[c]);
+      LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c)
+        B[c] -= B[k] * splat(L[c]);
       r -= B[k] * splat(right[k0 + k]);
       store(data.scratch + k * stride + p, B[k]);
       store(panel + k * stride + p, B[k] * splat(L[k]));
@@ -345,9 +92,11 @@ void update_columns(const Front& front, const Data& data) {
       int p = c / lanes * lanes;
       for (; p + vectors_at_once * lanes <= stride; p += vectors_at_once * lanes) {
         const int at[2] = {p, p + lanes};
-        add_product<-1, depth, columns, vectors_at_once>(C, front.kept, at, data.scratch + p, L + c, stride);
+        add_product<-1, depth, columns, vectors_at_once>(C, front.contribution_rows, at, data.scratch + p, L + c,
+                                                         stride);
       }
-      if (p < stride) add_product<-1, depth, columns, 1>(C, front.kept, &p, data.scratch + p, L + c, stride);
+      if (p < stride)
+        add_product<-1, depth, columns, 1>(C, front.contribution_rows, &p, data.scratch + p, L + c, stride);
     });
   }
 }
@@ -357,18 +106,20 @@ template <int columns, int rows>
 LINKWORK_INLINE void subtract_product(double* C, std::ptrdiff_t C_stride, const double* A, std::ptrdiff_t A_stride,
                                       const double* B, int depth) {
   Vector c[columns][rows];
-  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int r = 0; r < rows; ++r) c[w][r] =
-      load(C + w * C_stride + r * lanes);
+  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL
+    for (int r = 0; r < rows; ++r) c[w][r] = load(C + w * C_stride + r * lanes);
   for (int k = 0; k < depth; ++k) {
     Vector a[rows];
-    LINKWORK_UNROLL for (int r = 0; r < rows; ++r) a[r] = load(A + k * A_stride + r * lanes);
+    LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
+      a[r] = load(A + k * A_stride + r * lanes);
     LINKWORK_UNROLL for (int w = 0; w < columns; ++w) {
       const Vector factor = splat(B[k * lanes + w]);
-      LINKWORK_UNROLL for (int r = 0; r < rows; ++r) c[w][r] -= a[r] * factor;
+      LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
+        c[w][r] -= a[r] * factor;
     }
   }
-  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-      store(C + w * C_stride + r * lanes, c[w][r]);
+  LINKWORK_UNROLL for (int w = 0; w < columns; ++w) LINKWORK_UNROLL
+    for (int r = 0; r < rows; ++r) store(C + w * C_stride + r * lanes, c[w][r]);
 }
 
 /// The same for a wide front, whose first `depth` columns are eliminated, for up to 8 columns from position c on: many
@@ -404,23 +155,23 @@ void factor_joints(const Front& front, const Data& data, const double* b, Smalle
 
 /// Adds the kept part of a column to the same rows of the parent's.
 LINKWORK_INLINE void add_column(const Front& front, const Data& data, const double* from, double* to) {
-  const Segment* segments = data.segments + front.first_segment;
-  for (int s = 0; s < front.segments; ++s)
-    add(to + segments[s].parent_begin, from + front.top + segments[s].begin, segments[s].length);
+  const RelativeIndices* relative = data.relative_indices + front.first_relative_indices;
+  for (int s = 0; s < front.relative_indices; ++s)
+    add(to + relative[s].parent_begin, from + front.top + relative[s].begin, relative[s].length);
 }
 
-/// Adds a front's update to its parent, run by run.
+/// Extend-add: a front's contribution block to its parent, run by run.
 void extend_add(const Front& front, const Data& data) {
   const Front& parent = data.fronts[front.parent];
-  const Segment* segments = data.segments + front.first_segment;
-  for (int s = 0; s < front.segments; ++s)
-    for (int c = 0; c < segments[s].length; ++c) {
-      const double* from =
-          data.updates + front.update + (segments[s].begin + c) * static_cast<std::ptrdiff_t>(front.kept);
-      double* to = column_of(parent, data, segments[s].parent_begin + c);
-      add(to + segments[s].parent_begin + c, from + segments[s].begin + c, segments[s].length - c);
-      for (int t = s + 1; t < front.segments; ++t)
-        add(to + segments[t].parent_begin, from + segments[t].begin, segments[t].length);
+  const RelativeIndices* relative = data.relative_indices + front.first_relative_indices;
+  for (int s = 0; s < front.relative_indices; ++s)
+    for (int c = 0; c < relative[s].length; ++c) {
+      const double* from = data.contributions + front.contribution +
+                           (relative[s].begin + c) * static_cast<std::ptrdiff_t>(front.contribution_rows);
+      double* to = column_of(parent, data, relative[s].parent_begin + c);
+      add(to + relative[s].parent_begin + c, from + relative[s].begin + c, relative[s].length - c);
+      for (int t = s + 1; t < front.relative_indices; ++t)
+        add(to + relative[t].parent_begin, from + relative[t].begin, relative[t].length);
     }
   add_column(front, data, right_hand_side_of(front, data), right_hand_side_of(parent, data));
   add_column(front, data, diagonal_of(front, data), diagonal_of(parent, data));
@@ -459,7 +210,8 @@ void forward_block(const Front& front, const Data& data, int k0, const double* b
   store(right + k0, solved);
   for (int p = k0 + lanes; p < front.stride(); p += lanes) {
     Vector r = load(right + p);
-    LINKWORK_UNROLL for (int k = 0; k < depth; ++k) r -= load(panel + k * stride + p) * y_of[k];
+    LINKWORK_UNROLL for (int k = 0; k < depth; ++k)
+      r -= load(panel + k * stride + p) * y_of[k];
     store(right + p, r);
   }
 }
@@ -492,16 +244,20 @@ void backward_block(const Front& front, const Data& data, int k0) {
   double* right = right_hand_side_of(front, data);
   const double* panel = data.panels + front.panel + k0 * stride;
   Vector products[8];
-  LINKWORK_UNROLL for (int k = 0; k < 8; ++k) products[k] = splat(0.0);
+  LINKWORK_UNROLL for (int k = 0; k < 8; ++k)
+    products[k] = splat(0.0);
   for (int p = k0 + lanes; p < front.stride(); p += lanes) {
     const Vector known = load(right + p);
-    LINKWORK_UNROLL for (int k = 0; k < depth; ++k) products[k] += load(panel + k * stride + p) * known;
+    LINKWORK_UNROLL for (int k = 0; k < depth; ++k)
+      products[k] += load(panel + k * stride + p) * known;
   }
   Vector x = load(right + k0) - sums<depth>(products);
   Vector L[8];
-  LINKWORK_UNROLL for (int k = 0; k < 8; ++k) L[k] = k < depth ? load(panel + k * stride + k0) : splat(0.0);
+  LINKWORK_UNROLL for (int k = 0; k < 8; ++k)
+    L[k] = k < depth ? load(panel + k * stride + k0) : splat(0.0);
   transpose(L);
-  LINKWORK_UNROLL for (int k = depth - 1; k > 0; --k) x -= (L[k] * lanes_before(k)) * lane(x, k);
+  LINKWORK_UNROLL for (int k = depth - 1; k > 0; --k)
+    x -= (L[k] * lanes_before(k)) * lane(x, k);
   store(right + k0, x);
 }
 
@@ -515,9 +271,9 @@ void backward_joints(const Front& front, const Data& data, double* x, double* la
   double* right = right_hand_side_of(front, data);
   if (front.parent >= 0) {
     const double* known = right_hand_side_of(data.fronts[front.parent], data);
-    const Segment* segments = data.segments + front.first_segment;
-    for (int s = 0; s < front.segments; ++s)
-      copy_vectors(right + front.top + segments[s].begin, known + segments[s].parent_begin, segments[s].length);
+    const RelativeIndices* relative = data.relative_indices + front.first_relative_indices;
+    for (int s = 0; s < front.relative_indices; ++s)
+      copy_vectors(right + front.top + relative[s].begin, known + relative[s].parent_begin, relative[s].length);
   }
   for (int k0 = (front.width - 1) / lanes * lanes; k0 >= 0; k0 -= lanes)
     with_count<lanes>(depth_at(front, k0), [&](auto depth) { backward_block<depth>(front, data, k0); });

@@ -61,7 +61,7 @@ constexpr std::size_t large = 1000;  // from which on dissection is tried
 
 template <class Container>
 auto& at(Container& container, int k) {
-  return container[static_cast<std::size_t>(k)];
+  return container[k];
 }
 
 Numbers minimum_degree(const NumberLists& graph) {
@@ -138,7 +138,7 @@ class Dissection {
     Numbers queue = {from};
     at(level_, from) = 0;
     for (std::size_t next = 0; next < queue.size(); ++next)
-      for (const int neighbor : graph_[static_cast<std::size_t>(queue[next])])
+      for (const int neighbor : graph_[queue[next]])
         if (at(part_, neighbor) == part.name && at(level_, neighbor) == none) {
           at(level_, neighbor) = at(level_, queue[next]) + 1;
           queue.push_back(neighbor);
@@ -153,7 +153,7 @@ class Dissection {
     Numbers list;
     for (const int node : part.nodes) {
       list.clear();
-      for (const int neighbor : graph_[static_cast<std::size_t>(node)])
+      for (const int neighbor : graph_[node])
         if (at(part_, neighbor) == part.name) list.push_back(at(number, neighbor));
       std::sort(list.begin(), list.end());
       own.add(list);
@@ -176,7 +176,7 @@ Numbers elimination_tree(const NumberLists& graph, const Numbers& order) {
   Numbers place(order.size()), parent(order.size(), none), ancestor(order.size(), none);
   for (int k = 0; k < n; ++k) at(place, at(order, k)) = k;
   for (int k = 0; k < n; ++k)
-    for (const int neighbor : graph[static_cast<std::size_t>(at(order, k))])
+    for (const int neighbor : graph[at(order, k)])
       for (int p = at(place, neighbor), next; p < k && p != none; p = next) {
         next = at(ancestor, p);
         at(ancestor, p) = k;
@@ -222,7 +222,7 @@ double operations(const NumberLists& graph, const Numbers& order) {
   for (int k = 0; k < n; ++k) at(place, at(order, k)) = k;
   for (int k = 0; k < n; ++k) {  // row k of the factor: the ways from its neighbors up to k
     at(mark, k) = k;
-    for (const int neighbor : graph[static_cast<std::size_t>(at(order, k))])
+    for (const int neighbor : graph[at(order, k)])
       for (int p = at(place, neighbor); p < k && at(mark, p) != k; p = at(parent, p)) {
         at(mark, p) = k;
         at(count, p) += 1.0;

@@ -16,16 +16,15 @@ constexpr int none = -1;
 NumberLists adjacency_of(const NumberLists& cliques, std::size_t n, const std::vector<int>& name) {
   std::vector<std::size_t> next(n + 1, 0);  // of each node: where its list ends so far
   for (std::size_t k = 0; k < cliques.size(); ++k)
-    for (const int node : cliques[k])
-      next[static_cast<std::size_t>(name[static_cast<std::size_t>(node)]) + 1] += cliques[k].size();
+    for (const int node : cliques[k]) next[(name[node]) + 1] += cliques[k].size();
   std::partial_sum(next.begin(), next.end(), next.begin());
   std::vector<int> neighbors(next.back());
   const std::vector<std::size_t> begin = next;
   for (std::size_t k = 0; k < cliques.size(); ++k)
     for (const int first : cliques[k])
       for (const int second : cliques[k]) {
-        const int a = name[static_cast<std::size_t>(first)], b = name[static_cast<std::size_t>(second)];
-        if (a != b) neighbors[next[static_cast<std::size_t>(a)]++] = b;
+        const int a = name[first], b = name[second];
+        if (a != b) neighbors[next[a]++] = b;
       }
   NumberLists out;
   out.reserve(n, neighbors.size());
@@ -42,23 +41,22 @@ NumberLists column_structures(const NumberLists& graph, const std::vector<int>& 
   const std::size_t n = order.size();
   std::vector<int> place(n), mark(n, none), column;
   std::vector<int> child(n, none), sibling(n, none);  // of the elimination tree: the last child, and the one before
-  for (std::size_t k = 0; k < n; ++k) place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  for (std::size_t k = 0; k < n; ++k) place[order[k]] = static_cast<int>(k);
   NumberLists below;
   below.reserve(n, graph.numbers().size());
   for (std::size_t k = 0; k < n; ++k) {
     column.clear();
     const auto add = [&](int p) {
-      if (p <= static_cast<int>(k) || mark[static_cast<std::size_t>(p)] == static_cast<int>(k)) return;
-      mark[static_cast<std::size_t>(p)] = static_cast<int>(k);
+      if (p <= static_cast<int>(k) || mark[p] == static_cast<int>(k)) return;
+      mark[p] = static_cast<int>(k);
       column.push_back(p);
     };
-    for (const int neighbor : graph[static_cast<std::size_t>(order[k])]) add(place[static_cast<std::size_t>(neighbor)]);
-    for (int c = child[k]; c != none; c = sibling[static_cast<std::size_t>(c)])
-      for (const int p : below[static_cast<std::size_t>(c)]) add(p);
+    for (const int neighbor : graph[order[k]]) add(place[neighbor]);
+    for (int c = child[k]; c != none; c = sibling[c])
+      for (const int p : below[c]) add(p);
     std::sort(column.begin(), column.end());
     below.add(column);
-    if (!column.empty())
-      sibling[k] = std::exchange(child[static_cast<std::size_t>(column.front())], static_cast<int>(k));
+    if (!column.empty()) sibling[k] = std::exchange(child[column.front()], static_cast<int>(k));
   }
   return below;
 }
@@ -69,12 +67,10 @@ class Rows {
   explicit Rows(const std::vector<int>& weight_at) : weight_at_(weight_at), before_(weight_at.size() + 1, 0.0) {
     std::partial_sum(weight_at.begin(), weight_at.end(), before_.begin() + 1);
   }
-  double of(int first, int last) const {
-    return before_[static_cast<std::size_t>(last)] - before_[static_cast<std::size_t>(first)];
-  }
+  double of(int first, int last) const { return before_[last] - before_[first]; }
   double of(const std::vector<int>& places) const {
     double sum = 0.0;
-    for (const int p : places) sum += weight_at_[static_cast<std::size_t>(p)];
+    for (const int p : places) sum += weight_at_[p];
     return sum;
   }
 
@@ -121,13 +117,13 @@ std::vector<int> order_with_hubs(const JointGraph& graph) {
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (graph.hub[k] == none) continue;
-    name[k] = name[static_cast<std::size_t>(graph.hub[k])];
-    members[static_cast<std::size_t>(name[k])].push_back(static_cast<int>(k));
+    name[k] = name[graph.hub[k]];
+    members[name[k]].push_back(static_cast<int>(k));
   }
   std::vector<int> out;
   out.reserve(n);
   for (const int node : fill_reducing_order(adjacency_of(graph.cliques, members.size(), name)))
-    for (const int member : members[static_cast<std::size_t>(node)]) out.push_back(member);
+    for (const int member : members[node]) out.push_back(member);
   return out;
 }
 
@@ -141,7 +137,7 @@ std::vector<Supernode> supernodes_of(const NumberLists& below) {
     else nodes.push_back({static_cast<int>(k), static_cast<int>(k) + 1, none, {}});
   }
   for (Supernode& node : nodes) {
-    const auto column = below[static_cast<std::size_t>(node.last) - 1];
+    const auto column = below[node.last - 1];
     node.below.assign(column.begin(), column.end());
   }
   return nodes;
@@ -158,15 +154,14 @@ Elimination order_joint_graph(const JointGraph& graph) {
   Elimination out;
   out.order = hubs ? order_with_hubs(graph) : fill_reducing_order(adjacency);
   std::vector<int> weight_at(n);
-  for (std::size_t k = 0; k < n; ++k) weight_at[k] = graph.weight[static_cast<std::size_t>(out.order[k])];
+  for (std::size_t k = 0; k < n; ++k) weight_at[k] = graph.weight[out.order[k]];
   const Rows rows(weight_at);
   out.supernodes = amalgamate(supernodes_of(column_structures(adjacency, out.order)), rows);
   out.supernode_of.resize(n);
   for (std::size_t s = 0; s < out.supernodes.size(); ++s)
-    for (int k = out.supernodes[s].first; k < out.supernodes[s].last; ++k)
-      out.supernode_of[static_cast<std::size_t>(k)] = static_cast<int>(s);
+    for (int k = out.supernodes[s].first; k < out.supernodes[s].last; ++k) out.supernode_of[k] = static_cast<int>(s);
   for (Supernode& node : out.supernodes) {
-    if (!node.below.empty()) node.parent = out.supernode_of[static_cast<std::size_t>(node.below.front())];
+    if (!node.below.empty()) node.parent = out.supernode_of[node.below.front()];
     out.cost += cost(rows.of(node.first, node.last), rows.of(node.below));
   }
   return out;

@@ -17,9 +17,9 @@ struct TreeStep {
   int body;
   int parent;          ///< the joint's other body, or -1 for the ground (or where there is no joint)
   int row, rows;       ///< of the joint; rows = 0 for a body without joints
-  int slot;            ///< accumulator of the body, or -1 while it has only its own mass
-  int parent_slot;     ///< accumulator of the parent
-  bool parent_begins;  ///< the parent's accumulator is filled with its own mass here
+  int slot;            ///< of the body's articulated inertia, or -1 while it has only its own mass
+  int parent_slot;     ///< of the parent's articulated inertia
+  bool parent_begins;  ///< the parent's articulated inertia begins with its own mass here
   std::ptrdiff_t D_body, D_parent;
   std::ptrdiff_t storage;  ///< place of the factors
 };
@@ -30,28 +30,28 @@ constexpr std::ptrdiff_t step_storage(int rows) { return (6 + rows) * lanes; }
 constexpr std::ptrdiff_t own_factor_size = 7 * lanes;
 /// Of a body, L^-1 D^T with and without D^-1; of a front, 8.
 constexpr int scratch_columns = 12;
-/// Doubles of an accumulator: 6 columns of [M; a].
-constexpr std::ptrdiff_t accumulator_size = 6 * lanes;
+/// Doubles of an articulated inertia with its force: 6 columns of [M; a].
+constexpr std::ptrdiff_t articulated_inertia_size = 6 * lanes;
 
 /// A dense front of the core, of joints and hubs: `size` unknowns of which the first `width` are eliminated and the
 /// others kept.
 ///
 /// Rows have positions: those eliminated from 0 on, those kept from `top` on, both parts filled up to vectors. The
 /// panel holds the eliminated columns, the right-hand side, and diag(D M^-1 D^T + E), each over all positions; the
-/// update holds the kept columns over the kept positions, and is added to the parent.
+/// contribution block holds the kept columns over the kept positions, and is added to the parent.
 struct Front {
   int width, size;
-  int top, kept;           ///< positions of the two parts
-  int parent;              ///< front that takes the update, or -1
-  int first_body, bodies;  ///< that are eliminated into this front
-  int mixed;               ///< place in `mixed` of a front that has to do with hubs, or -1
-  bool childless;          ///< no other front clears it
-  bool begins_parent;      ///< the first child: the parent is cleared before its update is added
-  std::ptrdiff_t unknown;  ///< place in `unknowns`: for each row, the index in lambda, or ~ the index in x
-  std::ptrdiff_t panel, update;
-  int first_segment, segments;  ///< runs of kept rows that stand together in the parent
+  int top, contribution_rows;  ///< positions of the two parts
+  int parent;                  ///< front that takes the contribution block, or -1
+  int first_body, bodies;      ///< that are eliminated into this front
+  int mixed;                   ///< place in `mixed` of a front that has to do with hubs, or -1
+  bool childless;              ///< no other front clears it
+  bool begins_parent;          ///< the first child: the parent is cleared before its contribution block is added
+  std::ptrdiff_t unknown;      ///< place in `unknowns`: for each row, the index in lambda, or ~ the index in x
+  std::ptrdiff_t panel, contribution;
+  int first_relative_indices, relative_indices;  ///< of the contribution block in the parent
 
-  int stride() const { return top + kept; }
+  int stride() const { return top + contribution_rows; }
 };
 
 /// A body of the core that is no hub: its part of D M^-1 D^T is added to the front of its first joint, where all its
@@ -60,7 +60,7 @@ struct Front {
 /// `vectors` of the front's positions hold its rows; the rows stand in these, one after the other, in the same lanes.
 struct CoreBody {
   int body;
-  int slot;         ///< accumulator, or -1 for a body without branches
+  int slot;         ///< of its articulated inertia, or -1 for a body without branches
   int mass_factor;  ///< of a body without branches, else -1
   int first_vector, vectors;
   int first_run, runs;         ///< of its rows, in `runs`: where they stand in the vectors, and in the front
@@ -81,16 +81,16 @@ struct BodyRow {
   int row;
 };
 
-/// Kept rows `begin` .. `begin + length` of a front have positions `parent_begin` .. in its parent, all eliminated
-/// there or all kept.
-struct Segment {
+/// A run of relative indices: kept rows `begin` .. `begin + length` of a front have positions `parent_begin` .. in its
+/// parent, all eliminated there or all kept.
+struct RelativeIndices {
   int begin, parent_begin, length;
 };
 
 /// A body that is eliminated among joints instead of before them: its rows are -M x + D^T lambda = -a.
 struct Hub {
   int body;
-  int slot;      ///< accumulator, or -1
+  int slot;      ///< of its articulated inertia, or -1
   int position;  ///< of its first row in the front
 };
 
@@ -118,10 +118,10 @@ struct Data {
   std::ptrdiff_t step_count;
   const Front* fronts;
   std::ptrdiff_t front_count;
-  const Segment* segments;
+  const RelativeIndices* relative_indices;
   const CoreBody* bodies;
   const RowVector* vectors;
-  const Segment* runs;
+  const RelativeIndices* runs;
   const BodyRow* rows;
   const MixedFront* mixed;
   const Hub* hubs;
@@ -133,9 +133,9 @@ struct Data {
   const double* e;  ///< compliance of each row
   bool compliant;   ///< e is not zero in all rows that are not dropped
   double* factors;
-  double* accumulators;
+  double* articulated_inertias;
   double* panels;
-  double* updates;
+  double* contributions;
   double* scratch;   ///< `scratch_columns` of the highest front
   double* pivots;    ///< of the widest front
   bool large;        ///< more than a core's own cache holds: worth to be prefetched

@@ -23,19 +23,11 @@ LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
   __builtin_prefetch(&data.mass[step.body]);
 }
 
+/// M_b = L D L^T with W = D_b L^-T on its way, and G = W D^-1; the right-hand sides ride along. L and G are left with
+/// unit L and scaled columns.
 template <int rows>
-LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                 SmallestPivot& smallest) {
-  constexpr int n = rows > 0 ? rows : 1;  // arrays of length zero are not C++
-  const Vector in_right_hand_side = unit(right_hand_side);
-  Vector M[6], W[6];
-  load_columns<rows>(data.D + step.D_body, W);
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-    if (step.slot >= 0) M[c] = load(data.accumulators + step.slot * accumulator_size + c * lanes);
-    else M[c] = mass_column(data.mass[step.body], c, a[6 * step.body + c]);
-    W[c] += M[c] * in_right_hand_side;
-  }
-  Vector L[6], G[6];
+LINKWORK_INLINE void factor_body_of(const TreeStep& step, Vector* M, Vector* W, Vector* L, Vector* G,
+                                    SmallestPivot& smallest) {
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
     const Vector pivot = lane(M[k], k), inverse = inverse_of_lane(M[k], k);
     L[k] = M[k] * inverse;
@@ -48,46 +40,76 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
     }
     if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, rows > 0 ? step.row : -1};
   }
+}
+
+/// S = K D' K^T with V = K^-1 D_p and T = D'^-1 V; S is left with K.
+template <int rows>
+LINKWORK_INLINE void factor_joint_of(const TreeStep& step, const Data& data, Vector* S, Vector* V, Vector* T,
+                                     SmallestPivot& smallest) {
+  double diagonal[rows];
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+    diagonal[k] = S[k][k];
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
+    const Vector pivot = lane(S[k], k), inverse = inverse_of_lane(S[k], k);
+    note(smallest, pivot[0], diagonal[k], step.row + k, data);
+    const Vector K = S[k] * inverse;
+    T[k] = V[k] * inverse;
+    LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) {
+      if (c == k + 1) S[c] -= (S[k] * lane(S[k], c)) * inverse;
+      else S[c] -= S[k] * lane(K, c);
+      V[c] -= V[k] * lane(K, c);
+    }
+    S[k] = K;
+  }
+}
+
+/// M_p += V^T T, which begins with the parent's own mass.
+template <int rows>
+LINKWORK_INLINE void add_to_parent(const TreeStep& step, const Data& data, const double* a, const Vector* V,
+                                   const Vector* T) {
+  double* articulated = data.articulated_inertias + step.parent_slot * articulated_inertia_size;
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+    Vector sum;
+    if (step.parent_begins) sum = mass_column(data.mass[step.parent], c, a[6 * step.parent + c]);
+    else sum = load(articulated + c * lanes);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+      sum += V[k] * lane(T[k], c);
+    store(articulated + c * lanes, sum);
+  }
+}
+
+template <int rows>
+LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
+                                 SmallestPivot& smallest) {
+  Vector M[6], W[6], L[6], G[6];
+  load_columns<rows>(data.D + step.D_body, W);
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+    if (step.slot >= 0) M[c] = load(data.articulated_inertias + step.slot * articulated_inertia_size + c * lanes);
+    else M[c] = mass_column(data.mass[step.body], c, a[6 * step.body + c]);
+    W[c] += M[c] * unit(right_hand_side);
+  }
+  factor_body_of<rows>(step, M, W, L, G, smallest);
   double* factors = data.factors + step.storage;
-  Vector S[n], V[n], T[n];
   if constexpr (rows > 0) {
+    Vector S[rows], V[rows], T[rows];
     LINKWORK_UNROLL for (int c = 0; c < rows; ++c) {
       S[c] = unit(c) * splat(data.e[step.row + c]);
-      LINKWORK_UNROLL for (int k = 0; k < 6; ++k) S[c] += W[k] * lane(G[k], c);
+      LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+        S[c] += W[k] * lane(G[k], c);
       V[c] = unit(right_hand_side) * (splat(b[step.row + c]) - S[c]);
       if (step.parent >= 0) V[c] += load_first<6>(data.D + step.D_parent + 6 * c);
     }
-    double diagonal[n];
-    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) diagonal[k] = S[k][k];
-    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
-      const Vector pivot = lane(S[k], k), inverse = inverse_of_lane(S[k], k);
-      note(smallest, pivot[0], diagonal[k], step.row + k, data);
-      const Vector K = S[k] * inverse;
-      T[k] = V[k] * inverse;
-      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) {
-        if (c == k + 1) S[c] -= (S[k] * lane(S[k], c)) * inverse;
-        else S[c] -= S[k] * lane(K, c);
-        V[c] -= V[k] * lane(K, c);
-      }
-      S[k] = K;
-    }
-    if (step.parent >= 0) {
-      double* accumulator = data.accumulators + step.parent_slot * accumulator_size;
-      LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-        Vector sum;
-        if (step.parent_begins) sum = mass_column(data.mass[step.parent], c, a[6 * step.parent + c]);
-        else sum = load(accumulator + c * lanes);
-        LINKWORK_UNROLL for (int k = 0; k < rows; ++k) sum += V[k] * lane(T[k], c);
-        store(accumulator + c * lanes, sum);
-      }
-    }
+    factor_joint_of<rows>(step, data, S, V, T, smallest);
+    if (step.parent >= 0) add_to_parent<rows>(step, data, a, V, T);
     LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) {
-      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) T[k] -= T[c] * lane(S[k], c);
+      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c)
+        T[k] -= T[c] * lane(S[k], c);
       store(factors + (6 + k) * lanes, T[k]);
     }
   }
   LINKWORK_UNROLL for (int k = 5; k >= 0; --k) {
-    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) G[k] -= G[c] * lane(L[k], c);
+    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c)
+      G[k] -= G[c] * lane(L[k], c);
     store(factors + k * lanes, G[k]);
   }
 }
@@ -99,13 +121,16 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
   Vector products[6], l = splat(0.0);
   if constexpr (rows > 0) {
     const Vector x_parent =
-        load(step.parent >= 0 ? data.accumulators + step.parent_slot * accumulator_size : right_hand_side_lane);
-    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) products[k] = load(factors + (6 + k) * lanes) * x_parent;
+        load(step.parent >= 0 ? data.articulated_inertias + step.parent_slot * articulated_inertia_size
+                              : right_hand_side_lane);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+      products[k] = load(factors + (6 + k) * lanes) * x_parent;
     l = sums<rows>(products);
     store_first<rows>(lambda + step.row, l);
   }
   l += one;
-  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) products[k] = load(factors + k * lanes) * l;
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+    products[k] = load(factors + k * lanes) * l;
   const Vector x_body = sums<6>(products);
   store_first<6>(x + 6 * step.body, x_body);
   if (step.slot >= 0) leave_for_children(x_body, step.slot, data);

@@ -19,24 +19,18 @@ constexpr double weak_pivot = 1e-4;       // relative to the dense rows
 constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense
 constexpr std::size_t small = 1000;       // numbers whose memory is worth keeping
 
-template <class Container>
-auto& at(Container& container, int k) {
-  return container[static_cast<std::size_t>(k)];
-}
-
 /// Groups of columns coupled by a row.
 block::JointGraph group_graph(const RowMatrix& A, const Numbers& groups) {
   block::JointGraph graph;
   const int count = groups.empty() ? 0 : groups.back() + 1;
-  graph.weight.assign(static_cast<std::size_t>(count), 0);
-  graph.hub.assign(static_cast<std::size_t>(count), -1);
-  for (const int group : groups) ++at(graph.weight, group);
+  graph.weight.assign(count, 0);
+  graph.hub.assign(count, -1);
+  for (const int group : groups) ++graph.weight[group];
   Numbers clique;
   for (int row = 0; row < A.rows(); ++row) {
     clique.clear();
     for (RowMatrix::InnerIterator it(A, row); it; ++it)
-      if (const int group = at(groups, static_cast<int>(it.col())); clique.empty() || clique.back() != group)
-        clique.push_back(group);
+      if (const int group = groups[it.col()]; clique.empty() || clique.back() != group) clique.push_back(group);
     if (clique.size() > 1 && (graph.cliques.size() == 0 || !std::ranges::equal(graph.cliques.back(), clique)))
       graph.cliques.add(clique);
   }
@@ -48,9 +42,7 @@ struct Contribution {
   Numbers columns;  ///< positions in the order of elimination
   Numbers lead;     ///< per row: place of its first entry in `columns`, ascending
   AlignedDoubles entries;
-  double& operator()(int row, int column) {
-    return entries[static_cast<std::size_t>(column) * lead.size() + static_cast<std::size_t>(row)];
-  }
+  double& operator()(int row, int column) { return entries[column * lead.size() + row]; }
 };
 
 class Elimination {
@@ -67,10 +59,9 @@ class Elimination {
     child_.assign(tree_.supernodes.size(), -1);
     sibling_.assign(tree_.supernodes.size(), -1);
     for (auto s = static_cast<int>(tree_.supernodes.size()); s-- > 0;)
-      if (const int parent = at(tree_.supernodes, s).parent; parent >= 0)
-        at(sibling_, s) = std::exchange(at(child_, parent), s);
+      if (const int parent = tree_.supernodes[s].parent; parent >= 0) sibling_[s] = std::exchange(child_[parent], s);
     contributions_.resize(tree_.supernodes.size());
-    local_.resize(static_cast<std::size_t>(A.cols()));
+    local_.resize(A.cols());
   }
 
   Numbers run() {
@@ -80,11 +71,11 @@ class Elimination {
       factor_(front_);
       contribute(contributions_[s]);
       if (dense_.rows() > 0) {
-        postpone_weak_pivots();
+        delay_weak_pivots();
         reduce_dense_rows();
       }
       for (int k = 0; k < front_.pivots; ++k)
-        if (at(row_, k) < 0) dead_.push_back(at(column_, at(columns_, k)));
+        if (row_[k] < 0) dead_.push_back(column_[columns_[k]]);
     }
     return std::move(dead_);
   }
@@ -93,15 +84,15 @@ class Elimination {
   /// Columns of a group stand together, in their order.
   void order_columns(const Numbers& groups) {
     Numbers begin(tree_.order.size() + 1, 0);
-    for (const int group : groups) ++at(begin, group + 1);
+    for (const int group : groups) ++begin[group + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     position_.resize(groups.size());
     for (const int group : tree_.order) {
       first_.push_back(static_cast<int>(column_.size()));
-      for (int column = at(begin, group); column < at(begin, group + 1); ++column) {
-        at(position_, column) = static_cast<int>(column_.size());
+      for (int column = begin[group]; column < begin[group + 1]; ++column) {
+        position_[column] = static_cast<int>(column_.size());
         column_.push_back(column);
-        supernode_.push_back(at(tree_.supernode_of, static_cast<int>(first_.size()) - 1));
+        supernode_.push_back(tree_.supernode_of[static_cast<int>(first_.size()) - 1]);
       }
     }
     first_.push_back(static_cast<int>(column_.size()));
@@ -110,29 +101,26 @@ class Elimination {
   /// By their first column, in which a row enters a front.
   void sort_rows() {
     const int none = static_cast<int>(A_.cols());
-    lead_.assign(static_cast<std::size_t>(A_.rows()), none);
+    lead_.assign(A_.rows(), none);
     for (int row = 0; row < A_.rows(); ++row)
-      for (RowMatrix::InnerIterator it(A_, row); it; ++it)
-        at(lead_, row) = std::min(at(lead_, row), at(position_, static_cast<int>(it.col())));
+      for (RowMatrix::InnerIterator it(A_, row); it; ++it) lead_[row] = std::min(lead_[row], position_[it.col()]);
     row_begin_.assign(tree_.supernodes.size() + 1, 0);
     for (const int lead : lead_)
-      if (lead < none) ++at(row_begin_, at(supernode_, lead) + 1);
+      if (lead < none) ++row_begin_[supernode_[lead] + 1];
     std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
-    rows_.resize(static_cast<std::size_t>(row_begin_.back()));
+    rows_.resize(row_begin_.back());
     next_.assign(row_begin_.begin(), row_begin_.end());
     for (int row = 0; row < A_.rows(); ++row)
-      if (at(lead_, row) < none) at(rows_, at(next_, at(supernode_, at(lead_, row)))++) = row;
+      if (lead_[row] < none) rows_[next_[supernode_[lead_[row]]]++] = row;
   }
 
-  std::span<const int> rows_of(int s) const {
-    return {rows_.data() + at(row_begin_, s), rows_.data() + at(row_begin_, s + 1)};
-  }
+  std::span<const int> rows_of(int s) const { return {rows_.data() + row_begin_[s], rows_.data() + row_begin_[s + 1]}; }
 
   void list_columns(const block::Supernode& node) {
     columns_.clear();
     const auto add = [&](int place) {
-      for (int position = at(first_, place); position < at(first_, place + 1); ++position) {
-        at(local_, position) = static_cast<int>(columns_.size());
+      for (int position = first_[place]; position < first_[place + 1]; ++position) {
+        local_[position] = static_cast<int>(columns_.size());
         columns_.push_back(position);
       }
     };
@@ -144,10 +132,10 @@ class Elimination {
 
   void assemble(int s) {
     stair_.assign(columns_.size(), 0);
-    for (const int row : rows_of(s)) ++at(stair_, at(local_, at(lead_, row)));
-    for (int child = at(child_, s); child >= 0; child = at(sibling_, child)) {
-      const Contribution& part = at(contributions_, child);
-      for (const int lead : part.lead) ++at(stair_, at(local_, at(part.columns, lead)));
+    for (const int row : rows_of(s)) ++stair_[local_[lead_[row]]];
+    for (int child = child_[s]; child >= 0; child = sibling_[child]) {
+      const Contribution& part = contributions_[child];
+      for (const int lead : part.lead) ++stair_[local_[part.columns[lead]]];
     }
     next_.resize(columns_.size());
     int rows = 0;
@@ -155,7 +143,7 @@ class Elimination {
       next_[k] = rows;
       stair_[k] = rows += stair_[k];
     }
-    entries_.assign(static_cast<std::size_t>(rows) * columns_.size(), 0.0);
+    entries_.assign(rows * columns_.size(), 0.0);
     row_.resize(columns_.size());
     workspace_.resize(workspace_size(static_cast<std::size_t>(rows), columns_.size()));
     front_.entries = entries_.data();
@@ -165,62 +153,61 @@ class Elimination {
     front_.row = row_.data();
     front_.workspace = workspace_.data();
     add_rows(rows_of(s));
-    for (int child = at(child_, s); child >= 0; child = at(sibling_, child)) {
-      add(at(contributions_, child));
-      Contribution used = std::move(at(contributions_, child));
+    for (int child = child_[s]; child >= 0; child = sibling_[child]) {
+      add(contributions_[child]);
+      Contribution used = std::move(contributions_[child]);
       if (used.entries.capacity() <= small) spare_.push_back(std::move(used));
     }
   }
 
   void add_rows(std::span<const int> rows) {
     for (const int row : rows) {
-      const int place = at(next_, at(local_, at(lead_, row)))++;
+      const int place = next_[local_[lead_[row]]]++;
       for (RowMatrix::InnerIterator it(A_, row); it; ++it)
-        front_.entries[place + front_.stride * at(local_, at(position_, static_cast<int>(it.col())))] = it.value();
+        front_.entries[place + front_.stride * local_[position_[it.col()]]] = it.value();
     }
   }
 
   void add(Contribution& part) {
     places_.clear();
-    for (const int lead : part.lead) places_.push_back(at(next_, at(local_, at(part.columns, lead)))++);
+    for (const int lead : part.lead) places_.push_back(next_[local_[part.columns[lead]]]++);
     int rows = 0;
     for (int k = 0; k < static_cast<int>(part.columns.size()); ++k) {
-      while (rows < static_cast<int>(part.lead.size()) && at(part.lead, rows) <= k) ++rows;
-      double* column = front_.entries + front_.stride * at(local_, at(part.columns, k));
-      for (int row = 0; row < rows; ++row) column[at(places_, row)] = part(row, k);
+      while (rows < static_cast<int>(part.lead.size()) && part.lead[rows] <= k) ++rows;
+      double* column = front_.entries + front_.stride * local_[part.columns[k]];
+      for (int row = 0; row < rows; ++row) column[places_[row]] = part(row, k);
     }
   }
 
-  /// Rows of R that would be taken from the dense ones many times over become dense rows, and their columns wait.
-  void postpone_weak_pivots() {
+  /// Rows of R that would be taken from the dense ones many times over become dense rows, and their columns are
+  /// delayed.
+  void delay_weak_pivots() {
     for (int j = 0; j < front_.pivots; ++j) {
-      if (at(row_, j) < 0 || dense_.rows() >= most_rows_) continue;
-      const double* R = front_.entries + at(row_, j);
+      if (row_[j] < 0 || dense_.rows() >= most_rows_) continue;
+      const double* R = front_.entries + row_[j];
       if (std::abs(R[front_.stride * j]) > weak_) continue;
       dense_.conservativeResize(dense_.rows() + 1, Eigen::NoChange);
       dense_.bottomRows(1).setZero();
-      for (int k = j; k < front_.columns; ++k)
-        dense_(dense_.rows() - 1, at(column_, at(columns_, k))) = R[front_.stride * k];
-      at(row_, j) = -1;
+      for (int k = j; k < front_.columns; ++k) dense_(dense_.rows() - 1, column_[columns_[k]]) = R[front_.stride * k];
+      row_[j] = -1;
     }
   }
 
   /// F_k -= (F_j / R_jj) R_jk for the columns k after each pivot j.
   void reduce_dense_rows() {
     for (int j = 0; j < front_.pivots; ++j) {
-      if (at(row_, j) < 0) continue;
-      const double* R = front_.entries + at(row_, j);
-      auto own = dense_.col(at(column_, at(columns_, j)));
+      if (row_[j] < 0) continue;
+      const double* R = front_.entries + row_[j];
+      auto own = dense_.col(column_[columns_[j]]);
       own /= R[front_.stride * j];
-      for (int k = j + 1; k < front_.columns; ++k)
-        dense_.col(at(column_, at(columns_, k))) -= R[front_.stride * k] * own;
+      for (int k = j + 1; k < front_.columns; ++k) dense_.col(column_[columns_[k]]) -= R[front_.stride * k] * own;
       own.setZero();
     }
   }
 
   void contribute(Contribution& out) {
     int first = 0;
-    for (int k = 0; k < front_.pivots; ++k) first = std::max(first, at(row_, k) + 1);
+    for (int k = 0; k < front_.pivots; ++k) first = std::max(first, row_[k] + 1);
     if (!spare_.empty()) {
       out = std::move(spare_.back());
       spare_.pop_back();
@@ -228,13 +215,13 @@ class Elimination {
       out.columns.clear();
     }
     for (int k = front_.pivots; k < front_.columns; ++k)
-      if (at(row_, k) >= 0) out.lead.push_back(k - front_.pivots);
+      if (row_[k] >= 0) out.lead.push_back(k - front_.pivots);
     if (out.lead.empty()) return;
     out.columns.assign(columns_.begin() + front_.pivots, columns_.end());
     out.entries.resize(out.columns.size() * out.lead.size());
     int rows = 0;
     for (int k = 0; k < static_cast<int>(out.columns.size()); ++k) {
-      while (rows < static_cast<int>(out.lead.size()) && at(out.lead, rows) <= k) ++rows;
+      while (rows < static_cast<int>(out.lead.size()) && out.lead[rows] <= k) ++rows;
       const double* column = front_.entries + front_.stride * (front_.pivots + k) + first;
       for (int row = 0; row < rows; ++row) out(row, k) = column[row];
     }

@@ -19,7 +19,7 @@ constexpr double same = 3e-6, off = 0.5;  // [rad] relative to the factors
 const FreeCoordinate* coordinate_of(const Model& model, const CoupledCoordinate& given) {
   if (given.joint < 0 || given.joint >= static_cast<int>(model.joints().size()))
     throw ModelError("unknown_joint", "coupler: joint index " + std::to_string(given.joint) + " does not exist");
-  const Element& joint = model.joints()[static_cast<std::size_t>(given.joint)];
+  const Element& joint = model.joints()[given.joint];
   const FreeCoordinate* found = find_coordinate(joint_info(joint.kind), given.name);
   if (!found)
     throw ModelError("coordinate",
@@ -59,7 +59,7 @@ Coupler::Coupler(const Model& model, const std::vector<CoupledCoordinate>& given
     if (!std::isfinite(it.factor) || it.factor == 0.0)
       throw ModelError("factor", "coupler: the factor of '" + model.joint_name(it.joint) + "' is " +
                                      std::to_string(it.factor) + " and must be finite and not zero");
-    const Element& joint = model.joints()[static_cast<std::size_t>(it.joint)];
+    const Element& joint = model.joints()[it.joint];
     const std::size_t i = place_of(joint.i, bodies_), j = place_of(joint.j, bodies_);
     terms_.push_back({i, j, joint.at, coordinate, it.factor, coordinate->angle() ? angles_++ : -1});
   }

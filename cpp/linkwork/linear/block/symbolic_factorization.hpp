@@ -11,25 +11,26 @@ namespace linkwork::block {
 /// The symbolic phase: which body and joint is eliminated when, and where every number stands.
 ///
 /// Open branches go leaf to root, each body with the joint that holds it: no fill, and no cancellation, because
-/// inertias only add up on the way. What is left are closed loops, the core: its bodies first, then its joints in a
-/// fill-reducing order of the graph "joints that share a body", gathered into supernodes (multifrontal method, Duff and
-/// Reid 1983). Bodies with many joints, hubs, are eliminated among the joints where that takes fewer operations.
-struct Schedule {
-  /// A joint that must not be eliminated before a hub, because it is dependent on the others while the hub is held.
-  struct Postponed {
+/// inertias only add up on the way. What is left are closed loops, the 2-core of the graph: its bodies first, then its
+/// joints in a fill-reducing order of the graph "joints that share a body", gathered into supernodes (multifrontal
+/// method, Duff and Reid 1983). Bodies with many joints, hubs, are eliminated among the joints where that takes fewer
+/// operations.
+struct SymbolicFactorization {
+  /// A joint that must not be eliminated before a hub, because it depends on the others while the hub is held.
+  struct DelayedPivot {
     int joint, hub;  ///< the hub is a body
   };
   /// Without the `dropped` rows of joints in loops.
-  explicit Schedule(const System& system, const std::vector<int>& dropped = {},
-                    const std::vector<Postponed>& postponed = {});
+  explicit SymbolicFactorization(const System& system, const std::vector<int>& dropped = {},
+                                 const std::vector<DelayedPivot>& delayed = {});
 
-  /// The hub to which the joint of a constraint row can be postponed: the next one to be eliminated that it affects, or
+  /// The hub to which the joint of a constraint row can be delayed: the next one to be eliminated that it affects, or
   /// -1.
   int next_hub(int row) const;
 
   std::vector<TreeStep> steps;
   std::vector<Front> fronts;
-  std::vector<Segment> segments, runs;
+  std::vector<RelativeIndices> relative_indices, runs;
   std::vector<CoreBody> bodies;
   std::vector<RowVector> vectors;
   std::vector<BodyRow> rows;
@@ -38,8 +39,8 @@ struct Schedule {
   std::vector<Coupling> couplings;
   std::vector<int> unknowns;
   std::ptrdiff_t factor_size = 0;  ///< doubles of tree factors
-  std::ptrdiff_t accumulator_count = 0;
-  std::ptrdiff_t panel_size = 0, update_size = 0;
+  std::ptrdiff_t articulated_inertia_count = 0;
+  std::ptrdiff_t panel_size = 0, contribution_size = 0;
   int highest_front = 0, widest_front = 0;  ///< stride and width
   int mass_factor_count = 0;
   double flops = 0.0;         ///< of one factorization

@@ -17,11 +17,10 @@ struct Excess {
 };
 
 /// Compares the violation at the ends of steps with the limits of the run, see Options.
-class DriftBudget {
+class ViolationMonitor {
  public:
-  explicit DriftBudget(Dynamics& dynamics);
+  explicit ViolationMonitor(Dynamics& dynamics);
 
-  bool limited() const { return limited_; }
   /// Looks at the state where `dynamics` is evaluated; true where position or velocity is beyond its limit now.
   bool exceeded(double t);
 

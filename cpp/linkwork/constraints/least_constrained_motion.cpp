@@ -1,4 +1,4 @@
-#include "linkwork/constraints/least_held_motion.hpp"
+#include "linkwork/constraints/least_constrained_motion.hpp"
 
 #include <Eigen/SVD>
 #include <cmath>
@@ -26,12 +26,12 @@ std::string text_of(Vec3<double> direction) {
 
 }  // namespace
 
-std::string describe_least_held_motion(const System& system, const Evaluation& at, int body) {
+std::string describe_least_constrained_motion(const System& system, const Evaluation& at, int body) {
   using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>>;
   const MatrixXd K = system.massless_directions(body);
   MatrixXd held = MatrixXd::Zero(K.cols(), K.cols());  // K^T D^T D K
   for (const int index : system.body_blocks(body)) {
-    const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+    const ConstraintBlock& block = system.blocks()[index];
     const MatrixXd DK = Rows(at.D.data() + block.offset, block.rows, 6) * K;
     held += DK.transpose() * DK;
   }

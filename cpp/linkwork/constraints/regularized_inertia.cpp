@@ -1,4 +1,4 @@
-#include "linkwork/constraints/filled_inertia.hpp"
+#include "linkwork/constraints/regularized_inertia.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace linkwork {
 namespace {
 
 // Relative to the inertia of the body's other motions.
-constexpr double fill = 1e-5;       // what moments are filled up by: roundoff of 1e-10, and as few refinements
+constexpr double fill = 1e-5;       // what is added to moments: roundoff of 1e-10, and as few refinements
 constexpr double small = 1e-3;      // moments whose roundoff shows in any solution
 constexpr double roundoff = 4e-13;  // tolerance times moment from which on it shows in that tolerance
 constexpr double of_interest = 0.1;
@@ -38,13 +38,13 @@ class NaturalSizes {
     take_from_neighbors(inertia_);
   }
 
-  double mass(int body) const { return mass_[static_cast<std::size_t>(body)]; }
-  double inertia(int body) const { return inertia_[static_cast<std::size_t>(body)]; }
+  double mass(int body) const { return mass_[body]; }
+  double inertia(int body) const { return inertia_[body]; }
   double length(int body) const { return std::sqrt(inertia(body) / mass(body)); }
 
  private:
   void longer(int body, double arm) {
-    double& longest = arm_[static_cast<std::size_t>(body)];
+    double& longest = arm_[body];
     longest = std::max(longest, arm);
   }
 
@@ -61,8 +61,8 @@ class NaturalSizes {
       if (sizes[k] > 0.0) continue;
       double sum = 0.0, count = 0.0;
       for (const int block : system_.body_blocks(static_cast<int>(k)))
-        for (const int other : system_.joint_blocks(system_.blocks()[static_cast<std::size_t>(block)].joint)) {
-          const double size = own[static_cast<std::size_t>(system_.blocks()[static_cast<std::size_t>(other)].body)];
+        for (const int other : system_.joint_blocks(system_.blocks()[block].joint)) {
+          const double size = own[system_.blocks()[other].body];
           sum += size;
           count += size > 0.0 ? 1.0 : 0.0;
         }
@@ -81,7 +81,7 @@ Directions felt_by_joints(const System& system, const Evaluation& typical, int b
   if (V.cols() == 0) return V;
   Mat3<double> all = Mat3<double>::Zero();
   for (const int index : system.body_blocks(body)) {
-    const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
+    const ConstraintBlock& block = system.blocks()[index];
     for (int k = 0; k < block.rows; ++k) {
       const Eigen::Map<const Vec3<double>> row(typical.D.data() + block.offset + 6 * k + 3);
       if (const double length = row.norm(); length > 0.0) all += row * row.transpose() / (length * length);
@@ -110,8 +110,8 @@ struct Shortage {
   Mat3<double> inertia = Mat3<double>::Zero();
 };
 
-/// What vanishes is filled up in any case, what is tiny where joints feel it: else nothing comes of it, and a rotation
-/// that its own inertia decides keeps it.
+/// What vanishes is regularized in any case, what is tiny where joints feel it: else nothing comes of it, and a
+/// rotation that its own inertia decides keeps it.
 Shortage shortage_of(const System& system, const Evaluation& typical, int body, double natural) {
   const Mat3<double> J = system.inertia(body);
   Shortage out;
@@ -129,7 +129,7 @@ Shortage shortage_of(const System& system, const Evaluation& typical, int body, 
 
 }  // namespace
 
-FilledInertia::FilledInertia(const System& system, const Evaluation& typical) : given_(&system) {
+RegularizedInertia::RegularizedInertia(const System& system, const Evaluation& typical) : given_(&system) {
   const NaturalSizes natural(system);
   lengths_.resize(system.body_count());
   std::vector<Body> bodies;
@@ -140,13 +140,13 @@ FilledInertia::FilledInertia(const System& system, const Evaluation& typical) : 
     smallest_ = no_mass ? 0.0 : std::min(smallest_, shortage.smallest);
     if (!no_mass && shortage.inertia.isZero(0.0)) continue;
     if (bodies.empty()) bodies = system.model().bodies();
-    Body& own = bodies[static_cast<std::size_t>(body)];
+    Body& own = bodies[body];
     own.inertia += shortage.inertia;
     if (no_mass) own.mass += fill * natural.mass(body);
   }
-  if (!bodies.empty()) filled_ = std::make_unique<System>(system.model().with_masses(bodies));
+  if (!bodies.empty()) regularized_ = std::make_unique<System>(system.model().with_masses(bodies));
 }
 
-bool FilledInertia::shows(double accuracy) const { return smallest_ < small || smallest_ * accuracy < roundoff; }
+bool RegularizedInertia::shows(double accuracy) const { return smallest_ < small || smallest_ * accuracy < roundoff; }
 
 }  // namespace linkwork

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "linkwork/constraints/filled_inertia.hpp"
 #include "linkwork/constraints/refinement.hpp"
+#include "linkwork/constraints/regularized_inertia.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 #include "support.hpp"
 
@@ -33,21 +33,21 @@ TEST_CASE("compact bodies keep their inertia, and their roundoff shows nowhere")
   Random random(141);
   for (const Model& model : {random_chain(random, 6, "revolute"), random_tree(random, 8), rods(3, 1e-2, "revolute")}) {
     const System system(model);
-    const FilledInertia inertia(system, evaluate_initially(system));
-    CHECK(!inertia.filled());
+    const RegularizedInertia inertia(system, evaluate_initially(system));
+    CHECK(!inertia.regularized());
     CHECK(&inertia.system() == &system);
     CHECK(!inertia.shows(INFINITY));
     CHECK(!inertia.shows(1e-9));
   }
 }
 
-TEST_CASE("tiny moments that joints feel are filled up, in any units alike") {
+TEST_CASE("tiny moments that joints feel are regularized, in any units alike") {
   for (const double moment : {0.0, 1e-12, 1e-7})
     for (const double length : {1e-6, 1.0, 1e6})
       for (const double mass : {1e-9, 1.0, 1e9}) {
         const System system(rods(3, moment, "revolute", length, mass));
-        const FilledInertia inertia(system, evaluate_initially(system));
-        REQUIRE(inertia.filled());
+        const RegularizedInertia inertia(system, evaluate_initially(system));
+        REQUIRE(inertia.regularized());
         CHECK(inertia.smallest_moment() <= 4.0 * moment + 1e-15);
         CHECK(inertia.system().massless_bodies().empty());
         for (int body = 0; body < 3; ++body) {
@@ -61,19 +61,19 @@ TEST_CASE("tiny moments that joints feel are filled up, in any units alike") {
 
 TEST_CASE("a moment that no joint feels is left as it is, and one that vanishes is not") {
   const System spinning(rods(2, 1e-9, "spherical"));
-  const FilledInertia own(spinning, evaluate_initially(spinning));
-  CHECK(!own.filled());
+  const RegularizedInertia own(spinning, evaluate_initially(spinning));
+  CHECK(!own.regularized());
   CHECK(own.smallest_moment() == 1.0);
   const System still(rods(2, 0.0, "spherical"));
-  CHECK(FilledInertia(still, evaluate_initially(still)).filled());
+  CHECK(RegularizedInertia(still, evaluate_initially(still)).regularized());
 }
 
-TEST_CASE("refinement leads from filled-up inertias to the solution of the equations as they are") {
+TEST_CASE("refinement leads from regularized inertias to the solution of the equations as they are") {
   for (const double moment : {0.0, 1e-12, 1e-8, 1e-5}) {
     INFO(moment);
     const System system(rods(4, moment, "revolute"));
     const Evaluation at = evaluate_initially(system);
-    const FilledInertia inertia(system, at);
+    const RegularizedInertia inertia(system, at);
     const auto saddle = make_saddle_solver("kkt", linear_solver_info("block"));
     saddle->analyze(inertia.system(), at);
     Random random(142);

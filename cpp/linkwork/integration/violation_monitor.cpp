@@ -1,4 +1,4 @@
-#include "linkwork/integration/drift_budget.hpp"
+#include "linkwork/integration/violation_monitor.hpp"
 
 #include <cmath>
 
@@ -9,7 +9,7 @@ constexpr std::size_t most_excesses = 100;
 
 }  // namespace
 
-DriftBudget::DriftBudget(Dynamics& dynamics)
+ViolationMonitor::ViolationMonitor(Dynamics& dynamics)
     : dynamics_(dynamics),
       limits_(dynamics.options().violation_limit),
       limited_(std::isfinite(limits_[0]) || std::isfinite(limits_[1]) || std::isfinite(limits_[2])) {
@@ -18,7 +18,7 @@ DriftBudget::DriftBudget(Dynamics& dynamics)
   for (VectorXd* rows : {&lambda_, &residual_}) rows->setZero(dynamics.system().row_count());
 }
 
-bool DriftBudget::exceeded(double t) {
+bool ViolationMonitor::exceeded(double t) {
   if (!limited_ || dynamics_.system().row_count() == 0) return false;
   look(0, t, dynamics_.evaluation().Phi);
   look(1, t, dynamics_.evaluation().Phi_dot);
@@ -31,7 +31,7 @@ bool DriftBudget::exceeded(double t) {
 }
 
 /// An excess goes on until the violation is below the limit again.
-void DriftBudget::look(int level, double t, const VectorXd& violation) {
+void ViolationMonitor::look(int level, double t, const VectorXd& violation) {
   const auto k = static_cast<std::size_t>(level);
   Eigen::Index row = 0;
   const double largest = violation.cwiseAbs().maxCoeff(&row);

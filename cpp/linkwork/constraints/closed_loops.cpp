@@ -1,10 +1,11 @@
-#include "linkwork/constraints/loop_core.hpp"
+#include "linkwork/constraints/closed_loops.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "linkwork/assembly/leaf_pruning.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 
 namespace linkwork {
@@ -22,9 +23,8 @@ bool vanishes(const Model& model, int row, double translation, double rotation) 
 /// True where the rows of a block are independent on its body alone.
 bool independent(const Model& model, const Evaluation& at, const VectorXd& scale, const ConstraintBlock& block,
                  double tolerance) {
-  using Block = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
   if (block.rows > 6) return false;
-  const Eigen::Map<const Block> D(at.D.data() + block.offset, block.rows, 6);
+  const BlockOfD D = block_of(at, block);
   Eigen::Matrix<double, 6, Eigen::Dynamic> rows = scale.segment<6>(6 * block.body).asDiagonal() * D.transpose();
   for (int k = 0; k < block.rows; ++k)
     rows.col(k) *= vanishes(model, block.row + k, D.row(k).head<3>().cwiseAbs().maxCoeff(),
@@ -42,104 +42,86 @@ bool joins_many(const Model& model, int joint) {
   return special && special->bodies().size() > 2;
 }
 
-/// Marks the joints that hold a body nothing else holds, again and again: the rows of such a joint are independent of
-/// all that remain, because only they touch that body.
-std::vector<char> peel_open_branches(const System& system, const VectorXd& scale, const Evaluation& at,
-                                     double tolerance) {
-  std::vector<char> removed(static_cast<std::size_t>(system.joint_count()), 0);
-  std::vector<int> joints_left(static_cast<std::size_t>(system.body_count())), leaves;
-  for (int body = 0; body < system.body_count(); ++body) {
-    const BlockRange blocks = system.body_blocks(body);
-    joints_left[static_cast<std::size_t>(body)] = static_cast<int>(blocks.end() - blocks.begin());
-    if (joints_left[static_cast<std::size_t>(body)] == 1) leaves.push_back(body);
-  }
-  while (!leaves.empty()) {
-    const int body = leaves.back();
-    leaves.pop_back();
-    for (const int index : system.body_blocks(body)) {
-      const ConstraintBlock& block = system.blocks()[static_cast<std::size_t>(index)];
-      if (removed[static_cast<std::size_t>(block.joint)] || !independent(system.model(), at, scale, block, tolerance))
-        continue;
-      removed[static_cast<std::size_t>(block.joint)] = 1;
-      for (const int other : system.joint_blocks(block.joint)) {
-        const int neighbor = system.blocks()[static_cast<std::size_t>(other)].body;
-        if (--joints_left[static_cast<std::size_t>(neighbor)] == 1 && neighbor != body) leaves.push_back(neighbor);
-      }
-    }
-  }
-  return removed;
+/// The rows of the joint of a leaf are independent of all that remain, because only they touch that body, where they
+/// are independent on it.
+std::vector<char> prune_open_branches(const System& system, const VectorXd& scale, const Evaluation& at,
+                                      double tolerance) {
+  const std::vector<char> none(system.joint_count(), 0);
+  const auto prunable = [&](const ConstraintBlock& block) {
+    return independent(system.model(), at, scale, block, tolerance);
+  };
+  return prune_leaves(system, none, prunable).joints;
 }
 
 }  // namespace
 
-LoopCore::LoopCore(const System& system, const Evaluation& at, double tolerance)
-    : system_(&system), scale_(velocity_scale(system)), removed_(peel_open_branches(system, scale_, at, tolerance)) {
+ClosedLoops::ClosedLoops(const System& system, const Evaluation& at, double tolerance)
+    : system_(&system), scale_(velocity_scale(system)), pruned_(prune_open_branches(system, scale_, at, tolerance)) {
   const auto& first = system.model().joint_rows();
   for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
-    if (!removed_[joint])
+    if (!pruned_[joint])
       for (int row = first[joint]; row < first[joint + 1]; ++row) rows_.push_back(row);
   find_components();
   find_tree();
 }
 
-/// Bodies joined by a joint of the core are in one component (union-find).
-void LoopCore::find_components() {
-  std::vector<int> parent(static_cast<std::size_t>(system_->body_count()));
+/// Bodies joined by a joint in a loop are in one component (union-find).
+void ClosedLoops::find_components() {
+  std::vector<int> parent(system_->body_count());
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int body) {
-    while (parent[static_cast<std::size_t>(body)] != body) {
-      int& up = parent[static_cast<std::size_t>(body)];
-      body = up = parent[static_cast<std::size_t>(up)];
+    while (parent[body] != body) {
+      int& up = parent[body];
+      body = up = parent[up];
     }
     return body;
   };
-  std::vector<int> body_of_joint(removed_.size(), -1);
+  std::vector<int> body_of_joint(pruned_.size(), -1);
   for (const ConstraintBlock& block : system_->blocks()) {
-    if (removed_[static_cast<std::size_t>(block.joint)]) continue;
-    int& first = body_of_joint[static_cast<std::size_t>(block.joint)];
+    if (pruned_[block.joint]) continue;
+    int& first = body_of_joint[block.joint];
     if (first < 0) first = block.body;
-    parent[static_cast<std::size_t>(root(block.body))] = root(first);
+    parent[root(block.body)] = root(first);
   }
   std::vector<int> number(parent.size(), -1);
   body_component_.assign(parent.size(), -1);
   const auto component = [&](int body) {
-    int& found = number[static_cast<std::size_t>(root(body))];
+    int& found = number[root(body)];
     if (found < 0) found = component_count_++;
-    return body_component_[static_cast<std::size_t>(body)] = found;
+    return body_component_[body] = found;
   };
   for (const ConstraintBlock& block : system_->blocks())
-    if (!removed_[static_cast<std::size_t>(block.joint)]) component(block.body);
-  for (const int row : rows_)
-    row_component_.push_back(component(body_of_joint[static_cast<std::size_t>(system_->model().joint_of_row(row))]));
+    if (!pruned_[block.joint]) component(block.body);
+  for (const int row : rows_) row_component_.push_back(component(body_of_joint[system_->model().joint_of_row(row)]));
 }
 
 /// Breadth first from the ground, then from the first body of every component without a joint to it: node 0 is the
 /// ground, node b + 1 a body.
-void LoopCore::find_tree() {
+void ClosedLoops::find_tree() {
   const Model& model = system_->model();
-  const auto nodes = static_cast<std::size_t>(system_->body_count()) + 1;
-  closing_.assign(removed_.size(), 0);
+  const int nodes = system_->body_count() + 1;
+  closing_.assign(pruned_.size(), 0);
   parent_joint_.assign(nodes, -1);
   depth_.assign(nodes, -1);
   std::vector<int> grounded, queue;
-  for (std::size_t joint = 0; joint < removed_.size(); ++joint) {
+  for (std::size_t joint = 0; joint < pruned_.size(); ++joint) {
     const Element& element = model.joints()[joint];
-    if (!removed_[joint] && (element.i == ground || element.j == ground)) grounded.push_back(static_cast<int>(joint));
+    if (!pruned_[joint] && (element.i == ground || element.j == ground)) grounded.push_back(static_cast<int>(joint));
   }
   const auto visit = [&](int joint, int from) {
     if (joins_many(model, joint)) {
-      closing_[static_cast<std::size_t>(joint)] = !removed_[static_cast<std::size_t>(joint)];
+      closing_[joint] = !pruned_[joint];
       return;
     }
-    const Element& element = model.joints()[static_cast<std::size_t>(joint)];
+    const Element& element = model.joints()[joint];
     const int to = element.i == from ? element.j : element.i;
-    const auto node = static_cast<std::size_t>(to + 1);
-    if (removed_[static_cast<std::size_t>(joint)] || parent_joint_[static_cast<std::size_t>(from + 1)] == joint) return;
+    const int node = to + 1;
+    if (pruned_[joint] || parent_joint_[from + 1] == joint) return;
     if (depth_[node] >= 0) {
-      closing_[static_cast<std::size_t>(joint)] = 1;
+      closing_[joint] = 1;
       return;
     }
-    depth_[node] = depth_[static_cast<std::size_t>(from + 1)] + 1;
+    depth_[node] = depth_[from + 1] + 1;
     parent_joint_[node] = joint;
     queue.push_back(to);
   };
@@ -147,48 +129,45 @@ void LoopCore::find_tree() {
   for (const int joint : grounded) visit(joint, ground);
   for (int first = 0; first <= system_->body_count(); ++first) {
     for (std::size_t next = 0; next < queue.size(); ++next)
-      for (const int index : system_->body_blocks(queue[next]))
-        visit(system_->blocks()[static_cast<std::size_t>(index)].joint, queue[next]);
+      for (const int index : system_->body_blocks(queue[next])) visit(system_->blocks()[index].joint, queue[next]);
     queue.clear();
-    if (first == system_->body_count() || component_of_body(first) < 0 ||
-        depth_[static_cast<std::size_t>(first) + 1] >= 0)
-      continue;
-    depth_[static_cast<std::size_t>(first) + 1] = 0;
+    if (first == system_->body_count() || component_of_body(first) < 0 || depth_[first + 1] >= 0) continue;
+    depth_[first + 1] = 0;
     queue.push_back(first);
   }
 }
 
-std::vector<int> LoopCore::loop_of(int joint, std::size_t most) const {
+std::vector<int> ClosedLoops::loop_of(int joint, std::size_t most) const {
   const Model& model = system_->model();
   if (joins_many(model, joint)) return {};
   std::vector<int> loop = {joint};
-  int ends[2] = {model.joints()[static_cast<std::size_t>(joint)].i, model.joints()[static_cast<std::size_t>(joint)].j};
+  int ends[2] = {model.joints()[joint].i, model.joints()[joint].j};
   while (ends[0] != ends[1]) {
-    const auto depth = [&](int end) { return depth_[static_cast<std::size_t>(end + 1)]; };
+    const auto depth = [&](int end) { return depth_[end + 1]; };
     int& lower = depth(ends[0]) > depth(ends[1]) ? ends[0] : ends[1];
-    const int up = parent_joint_[static_cast<std::size_t>(lower + 1)];
+    const int up = parent_joint_[lower + 1];
     if (up < 0 || loop.size() >= most) return {};
-    const Element& element = model.joints()[static_cast<std::size_t>(up)];
+    const Element& element = model.joints()[up];
     lower = element.i == lower ? element.j : element.i;
     loop.push_back(up);
   }
   return loop;
 }
 
-SparseRows LoopCore::scaled_D(const Evaluation& at, VectorXd* lengths) const {
+SparseRows ClosedLoops::scaled_D(const Evaluation& at, VectorXd* lengths) const {
   SparseRows D(row_count(), system_->v_size());
   D.reserve(std::ptrdiff_t{2} * velocity_size * row_count());
   if (lengths) lengths->setOnes(row_count());
   std::vector<std::pair<int, double>> row;
   for (int place = 0; place < row_count(); ++place) {
     D.startVec(place);
-    const int number = rows_[static_cast<std::size_t>(place)];
+    const int number = rows_[place];
     double squares = 0.0, largest[2] = {0.0, 0.0};  // of translations and rotations
     row.clear();
     for (const int index : system_->joint_blocks(system_->model().joint_of_row(number))) {
-      const ConstraintBlock& block = system_->blocks()[static_cast<std::size_t>(index)];
+      const ConstraintBlock& block = system_->blocks()[index];
       for (int c = 0; c < 6; ++c) {
-        const double value = at.D[static_cast<std::size_t>(block.offset + 6 * (number - block.row) + c)];
+        const double value = at.D[block.offset + 6 * (number - block.row) + c];
         const int velocity = 6 * block.body + c;
         largest[c / 3] = std::max(largest[c / 3], std::abs(value));
         row.emplace_back(velocity, value * scale_[velocity]);

@@ -11,11 +11,11 @@ namespace linkwork {
 ///   [D  -E ] {-lambda} = {b}
 /// Massless bodies get the mean mass and inertia of the others here, so that there is a metric. `weights`, where given,
 /// are factors of mass and inertia, one per body.
-class MetricSolver {
+class MassWeightedLeastSquares {
  public:
-  explicit MetricSolver(const System& system, const VectorXd& weights = {});
+  explicit MassWeightedLeastSquares(const System& system, const VectorXd& weights = {});
   /// The metric of geometry: instead of the masses the velocities of natural size (see velocity_scale) count alike.
-  static MetricSolver of_geometry(const System& system);
+  static MassWeightedLeastSquares of_geometry(const System& system);
 
   /// The given system, or one with the same bodies, joints and rows that has a regular mass matrix.
   const System& system() const { return *system_; }
@@ -26,7 +26,7 @@ class MetricSolver {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
  private:
-  MetricSolver(const System& system, std::unique_ptr<System> other);
+  MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other);
 
   std::unique_ptr<System> regularized_;
   const System* system_;

@@ -1,4 +1,4 @@
-#include "linkwork/constraints/metric_solver.hpp"
+#include "linkwork/constraints/mass_weighted_least_squares.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -21,8 +21,8 @@ Model with_masses(const System& system, const VectorXd& weights) {
   const auto n = static_cast<Eigen::Index>(model.bodies().size());
   VectorXd mass(n), moment(n);
   for (Eigen::Index b = 0; b < n; ++b) {
-    mass[b] = model.bodies()[static_cast<std::size_t>(b)].mass;
-    moment[b] = model.bodies()[static_cast<std::size_t>(b)].inertia.trace() / 3.0;
+    mass[b] = model.bodies()[b].mass;
+    moment[b] = model.bodies()[b].inertia.trace() / 3.0;
   }
   const double usual_mass = mean_of_positive(mass), usual_length = characteristic_lengths(system).mean();
   const double usual_moment =
@@ -35,20 +35,20 @@ Model with_masses(const System& system, const VectorXd& weights) {
       body.inertia = (moments[2] > 0.0 ? moments.mean() : usual_moment) * Mat3<double>::Identity();
   }
   for (Eigen::Index b = 0; b < weights.size(); ++b) {
-    bodies[static_cast<std::size_t>(b)].mass *= weights[b];
-    bodies[static_cast<std::size_t>(b)].inertia *= weights[b];
+    bodies[b].mass *= weights[b];
+    bodies[b].inertia *= weights[b];
   }
   return model.with_masses(bodies);
 }
 
 }  // namespace
 
-MetricSolver::MetricSolver(const System& system, const VectorXd& weights)
-    : MetricSolver(system, system.massless_bodies().empty() && weights.size() == 0
-                               ? nullptr
-                               : std::make_unique<System>(with_masses(system, weights))) {}
+MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, const VectorXd& weights)
+    : MassWeightedLeastSquares(system, system.massless_bodies().empty() && weights.size() == 0
+                                           ? nullptr
+                                           : std::make_unique<System>(with_masses(system, weights))) {}
 
-MetricSolver MetricSolver::of_geometry(const System& system) {
+MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& system) {
   const VectorXd lengths = characteristic_lengths(system);
   std::vector<Body> bodies = system.model().bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -59,7 +59,7 @@ MetricSolver MetricSolver::of_geometry(const System& system) {
   return {system, std::make_unique<System>(system.model().with_masses(bodies))};
 }
 
-MetricSolver::MetricSolver(const System& system, std::unique_ptr<System> other)
+MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other)
     : regularized_(std::move(other)),
       system_(regularized_ ? regularized_.get() : &system),
       saddle_(make_saddle_solver("kkt", linear_solver_info("block"))) {
@@ -67,7 +67,7 @@ MetricSolver::MetricSolver(const System& system, std::unique_ptr<System> other)
   saddle_->analyze(*system_, at);
 }
 
-bool MetricSolver::factorize(const Evaluation& at, const VectorXd& e) {
+bool MassWeightedLeastSquares::factorize(const Evaluation& at, const VectorXd& e) {
   try {
     saddle_->factorize(at, e);
   } catch (const SingularSystemError&) {
@@ -76,7 +76,8 @@ bool MetricSolver::factorize(const Evaluation& at, const VectorXd& e) {
   return true;
 }
 
-void MetricSolver::solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
+void MassWeightedLeastSquares::solve(const ConstVector& a, const ConstVector& b, MutableVector x,
+                                     MutableVector lambda) {
   saddle_->solve(a, b, x, lambda);
 }
 

@@ -11,18 +11,18 @@ namespace linkwork {
 /// Who eliminates bodies first, divides by their inertia j, and what is large then, 1/j, cancels in the equations of
 /// joints that hold the body against that rotation: with roundoff of some 1e-15 N/j in the accelerations, N the inertia
 /// of the body's other motions. This matters where joints feel the rotation, and where they do, they mostly decide it
-/// themselves. So small moments are filled up, M^ = M + P, P a body's own and only as large as roundoff asks for. Then
-/// M^ factorizes as well as that of compact bodies does, and Refinement leads from its solutions to those of M.
+/// themselves. So small moments are regularized, M^ = M + P, P a body's own and only as large as roundoff asks for.
+/// Then M^ factorizes as well as that of compact bodies does, and Refinement leads from its solutions to those of M.
 ///
 /// All is judged per body, in its own length and mass, so that units do not matter.
-class FilledInertia {
+class RegularizedInertia {
  public:
   /// Which rotations joints feel is seen at the evaluation `typical`.
-  FilledInertia(const System& system, const Evaluation& typical);
+  RegularizedInertia(const System& system, const Evaluation& typical);
 
-  /// With M^ for M; the given one where there is nothing to be filled up.
-  const System& system() const { return filled_ ? *filled_ : *given_; }
-  bool filled() const { return filled_ != nullptr; }
+  /// With M^ for M; the given one where there is nothing to be regularized.
+  const System& system() const { return regularized_ ? *regularized_ : *given_; }
+  bool regularized() const { return regularized_ != nullptr; }
 
   /// The smallest moment that joints feel, of any body, relative to the inertia of the body's other motions; 1 at most.
   double smallest_moment() const { return smallest_; }
@@ -34,7 +34,7 @@ class FilledInertia {
 
  private:
   const System* given_;
-  std::unique_ptr<System> filled_;
+  std::unique_ptr<System> regularized_;
   double smallest_ = 1.0;
   VectorXd lengths_;
 };

@@ -1,0 +1,122 @@
+// Sums over bodies and blocks of D: products with M, D and their like.
+#include <algorithm>
+
+#include "linkwork/assembly/system.hpp"
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+
+void System::position_rates(const ConstVector& q, const ConstVector& v, MutableVector q_dot) const {
+  for (int b = 0; b < body_count(); ++b) {
+    const auto velocity = v.segment<velocity_size>(velocity_size * b);
+    auto rates = q_dot.segment<position_size>(position_size * b);
+    rates.head<3>() = velocity.head<3>();
+    rates.tail<4>() = euler_parameter_rates<double>(q.segment<4>(position_size * b + 3), velocity.tail<3>());
+  }
+}
+
+void System::normalize(MutableVector q) const {
+  for (int b = 0; b < body_count(); ++b) q.segment<4>(position_size * b + 3).normalize();
+}
+
+void System::multiply_mass(const ConstVector& x, MutableVector y) const {
+  for (int b = 0; b < body_count(); ++b) {
+    const int k = velocity_size * b;
+    y.segment<3>(k) = mass(b) * x.segment<3>(k);
+    y.segment<3>(k + 3).noalias() = inertia(b) * x.segment<3>(k + 3);
+  }
+}
+
+void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {
+  for (int b = 0; b < body_count(); ++b) {
+    const int k = velocity_size * b;
+    y.segment<3>(k) = inverse_mass(b) * x.segment<3>(k);
+    y.segment<3>(k + 3).noalias() = inverse_inertia(b) * x.segment<3>(k + 3);
+  }
+}
+
+double System::kinetic_energy(const ConstVector& v) const {
+  double twice = 0.0;
+  for (int b = 0; b < body_count(); ++b) {
+    const auto velocity = v.segment<velocity_size>(velocity_size * b);
+    const Vec3<double> omega = velocity.tail<3>();
+    twice += mass(b) * velocity.head<3>().squaredNorm() + omega.dot(inertia(b) * omega);
+  }
+  return 0.5 * twice;
+}
+
+void System::multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const {
+  y.setZero();
+  for (const ConstraintBlock& block : blocks_)
+    y.segment(block.row, block.rows).noalias() +=
+        block_of(at, block) * x.segment<velocity_size>(velocity_size * block.body);
+}
+
+void System::add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const {
+  for (const ConstraintBlock& block : blocks_)
+    y.segment<velocity_size>(velocity_size * block.body).noalias() +=
+        block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
+}
+
+VectorXd System::delassus_diagonal(const Evaluation& at) const {
+  VectorXd delassus = VectorXd::Zero(row_count());
+  for (const ConstraintBlock& block : blocks_) {
+    const BlockOfD D = block_of(at, block);
+    for (int k = 0; k < block.rows; ++k) {
+      const Vec3<double> rotation = D.row(k).tail<3>();
+      delassus[block.row + k] += inverse_mass(block.body) * D.row(k).head<3>().squaredNorm() +
+                                 rotation.dot(inverse_inertia(block.body) * rotation);
+    }
+  }
+  return delassus;
+}
+
+// A joint's generalized force on a body is D_b^T lambda = (F, n): F inertial, n about the centre of mass in body axes.
+// About the joint's point P_j on the second body:  T = A_b n - (P_j - r_b) x F. On the first body it is the opposite;
+// that one is asked where the second is the ground, where P_j = s_j. Of a coupler: what it exerts on the second body of
+// its first coordinate, be it the ground, as the first body may have to do with other coordinates, too.
+void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
+                       Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
+  using Vec6 = Eigen::Matrix<double, velocity_size, 1>;
+  for (int joint = 0; joint < joint_count(); ++joint) {
+    const Element& element = model_.joints()[joint];
+    const bool grounded = element.j == ground;
+    const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
+    const double* D = at.D.data() + block.offset;
+    Vec6 sum = Vec6::Zero();
+    for (int row = 0; row < block.rows; ++row, D += velocity_size)
+      sum += lambda[block.row + row] * Eigen::Map<const Vec6>(D);
+    const Vec3<double> F = sum.head<3>();
+    const Mat3<double> A = rotation_matrix<double>(q.segment<4>(position_size * block.body + 3));
+    const Vec3<double> arm = grounded ? Vec3<double>(element.at.s_j - q.segment<3>(position_size * block.body))
+                                      : Vec3<double>(A * element.at.s_j);
+    const Vec3<double> T = A * sum.tail<3>() - arm.cross(F);
+    force.col(joint) = grounded ? Vec3<double>(-F) : F;
+    torque.col(joint) = grounded ? Vec3<double>(-T) : T;
+  }
+  for (const CompiledSpecialJoint& it : special_joints_)
+    if (model_.joints()[it.joint].j == ground) {
+      const std::vector<int>& bodies = it.special->bodies();
+      const auto place = std::find(bodies.begin(), bodies.end(), ground) - bodies.begin();
+      const BlockOfD D(at.D.data() + it.D + velocity_size * it.rows * place, it.rows, velocity_size);
+      const Vec6 sum = D.transpose() * lambda.segment(it.row, it.rows);
+      const Vec3<double> F = sum.head<3>();
+      force.col(it.joint) = F;
+      torque.col(it.joint) = sum.tail<3>() - model_.joints()[it.joint].at.s_j.cross(F);
+    }
+}
+
+const ConstraintBlock& System::block_of_body(int joint, int body) const {
+  const BlockRange range = joint_blocks(joint);
+  const int* found = range.begin();
+  while (blocks_[*found].body != body) ++found;
+  return blocks_[*found];
+}
+
+Mat3<double> System::joint_frame(int joint, const ConstVector& q) const {
+  const Element& element = model_.joints()[joint];
+  if (element.i == ground) return element.at.C_i;
+  return rotation_matrix<double>(q.segment<4>(position_size * element.i + 3)) * element.at.C_i;
+}
+
+}  // namespace linkwork

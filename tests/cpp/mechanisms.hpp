@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+
+#include "support.hpp"
+
+/// Small mechanisms, their joints placed in space.
+namespace support {
+
+/// With mass 1 and unit inertia, at rest.
+inline Body body_at(const Vec3<double>& position) {
+  Body body;
+  body.position = position;
+  return body;
+}
+
+/// A joint at the point P with axes along those of space.
+inline int join(Model& model, const std::string& kind, const std::string& name, int i, int j, const Vec3<double>& P) {
+  const Mat3<double> I = Mat3<double>::Identity();
+  return model.add_joint(kind, name, i, j, place(model, i, j, P, P, I, I));
+}
+
+/// Crank, coupler and rocker on hinges about z: 20 equations, of which three are redundant.
+inline Model four_bar() {
+  Model model;
+  const Vec3<double> A(0, 0, 0), B(0, 1, 0), C(2, 1.5, 0), D(2, 0, 0);
+  model.add_body("crank", body_at(0.5 * (A + B)));
+  model.add_body("coupler", body_at(0.5 * (B + C)));
+  model.add_body("rocker", body_at(0.5 * (C + D)));
+  join(model, "revolute", "A", ground, 0, A);
+  join(model, "revolute", "B", 0, 1, B);
+  join(model, "revolute", "C", 1, 2, C);
+  join(model, "revolute", "D", ground, 2, D);
+  return model;
+}
+
+/// The same with two links that hang on the coupler.
+inline Model four_bar_with_tail() {
+  Model model = four_bar();
+  for (int k = 0; k < 2; ++k) {
+    model.add_body("link" + std::to_string(k), body_at({1.0, 1.0 - k, 0.5}));
+    join(model, "spherical", "ball" + std::to_string(k), k == 0 ? 1 : 2 + k, 3 + k, {1.0, 1.5 - k, 0.5});
+  }
+  return model;
+}
+
+/// The matrix [M D^T; D -E] of an evaluation, and its solution (x, -lambda) for a right-hand side.
+inline MatrixXd dense_kkt(const MatrixXd& M, const MatrixXd& D, const VectorXd& e) {
+  MatrixXd K = MatrixXd::Zero(M.rows() + D.rows(), M.rows() + D.rows());
+  K << M, D.transpose(), D, -MatrixXd(e.asDiagonal());
+  return K;
+}
+
+}  // namespace support
