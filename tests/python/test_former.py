@@ -42,6 +42,18 @@ def test_a_model_and_a_snapshot_load(result: lw.Result) -> None:
     assert np.array_equal(pickle.loads(as_before(result.snapshot())).q, result.q[-1])
 
 
+def test_a_pickled_result_is_read_with_former_keys(result: lw.Result) -> None:
+    former = pickle.loads(pickle.dumps(result))
+    crossing = {"t": 0.05, "joints": ["pin"], "pivot": 1e-9, "taken_over": 3, "rows_changed": False}
+    former.statistics["passages"] = [crossing]
+    del former.statistics["singularity_crossings"]
+    options = former.header.manifest["options"]
+    options["system"] = options.pop("matrix_form")
+    today = pickle.loads(pickle.dumps(former))
+    assert today.singular_poses == (lw.SingularPose(0.05, ("pin",), 1e-9, 3),)
+    assert today.manifest["options"] == result.manifest["options"]
+
+
 def test_code_is_told_where_a_name_is_now() -> None:
     with pytest.warns(
         DeprecationWarning, match=r"linkwork\.result\.Snapshot is linkwork\.motion\.records\.Snapshot now"
