@@ -23,7 +23,7 @@ def result() -> lw.Result:
     return lw.simulate(lw.mechanisms.pendulum(), t_end=0.1, step=1e-2, progress=False, verify=True)
 
 
-@pytest.mark.filterwarnings("ignore:linkwork:DeprecationWarning")
+@pytest.mark.filterwarnings("ignore:linkwork.* now:DeprecationWarning")
 def test_a_result_loads_with_its_finer_run(result: lw.Result) -> None:
     text = as_before(result)
     assert b"clinkwork.header\nHeader" in text and b"linkwork.motion" not in text
@@ -33,7 +33,7 @@ def test_a_result_loads_with_its_finer_run(result: lw.Result) -> None:
     assert loaded.verdict == result.verdict
 
 
-@pytest.mark.filterwarnings("ignore:linkwork:DeprecationWarning")
+@pytest.mark.filterwarnings("ignore:linkwork.* now:DeprecationWarning")
 def test_a_model_and_a_snapshot_load(result: lw.Result) -> None:
     model = lw.mechanisms.pendulum()
     text = as_before(model)
