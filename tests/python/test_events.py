@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pydoc
 from pathlib import Path
 from typing import Any
 
@@ -267,3 +268,8 @@ def test_events_need_adaptive_steps() -> None:
 def test_an_error_of_the_users_function_reaches_the_user() -> None:
     with pytest.raises(lw.ModelError, match="no body named 'boll'"):
         run(ball(), 0.3, lw.Event(lambda t, state: state.body("boll").position[2]))
+
+
+def test_what_a_state_has_is_told_by_help() -> None:
+    assert "Poses (n, 7)" in pydoc.render_doc(lw.State)
+    assert "angular velocity" in pydoc.render_doc(lw.State).lower()

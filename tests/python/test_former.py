@@ -23,7 +23,7 @@ def result() -> lw.Result:
     return lw.simulate(lw.mechanisms.pendulum(), t_end=0.1, step=1e-2, progress=False, verify=True)
 
 
-@pytest.mark.filterwarnings("ignore:linkwork:DeprecationWarning")
+@pytest.mark.filterwarnings("ignore:linkwork.* now:DeprecationWarning")
 def test_a_result_loads_with_its_finer_run(result: lw.Result) -> None:
     text = as_before(result)
     assert b"clinkwork.header\nHeader" in text and b"linkwork.motion" not in text
@@ -33,13 +33,25 @@ def test_a_result_loads_with_its_finer_run(result: lw.Result) -> None:
     assert loaded.verdict == result.verdict
 
 
-@pytest.mark.filterwarnings("ignore:linkwork:DeprecationWarning")
+@pytest.mark.filterwarnings("ignore:linkwork.* now:DeprecationWarning")
 def test_a_model_and_a_snapshot_load(result: lw.Result) -> None:
     model = lw.mechanisms.pendulum()
     text = as_before(model)
     assert b"clinkwork.model_file.reading\nmodel_of" in text
     assert pickle.loads(text).hash() == model.hash()
     assert np.array_equal(pickle.loads(as_before(result.snapshot())).q, result.q[-1])
+
+
+def test_a_pickled_result_is_read_with_former_keys(result: lw.Result) -> None:
+    former = pickle.loads(pickle.dumps(result))
+    crossing = {"t": 0.05, "joints": ["pin"], "pivot": 1e-9, "taken_over": 3, "rows_changed": False}
+    former.statistics["passages"] = [crossing]
+    del former.statistics["singularity_crossings"]
+    options = former.header.manifest["options"]
+    options["system"] = options.pop("matrix_form")
+    today = pickle.loads(pickle.dumps(former))
+    assert today.singular_poses == (lw.SingularPose(0.05, ("pin",), 1e-9, 3),)
+    assert today.manifest["options"] == result.manifest["options"]
 
 
 def test_code_is_told_where_a_name_is_now() -> None:

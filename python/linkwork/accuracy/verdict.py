@@ -162,7 +162,6 @@ class Method:
         return f"{what}: {_off(error)}; {better} would give {AIM:.0e}".replace("e-0", "e-")
 
 
-# Long: the formulas of one estimate, one after the other.
 def estimate(
     found: Mapping[str, Any],
     energies: Energies,

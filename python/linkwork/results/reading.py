@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause
+from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import MODEL_NAMES, Header
 from linkwork.motion.records import Occurrence
-from linkwork.options import renamed
 from linkwork.results.shapes import read_shapes
 from linkwork.results.writing import FORMAT, MODEL_ARRAYS, VERSION
 
@@ -101,7 +101,7 @@ def read(path: str | os.PathLike[str]) -> StoredRun:
         run = str(file.attrs["run"])
         header = _read_header(file)
         count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], path.stat().st_size))
-        statistics = _read_statistics(file)
+        statistics = renamed_statistics(json.loads(file.attrs.get("statistics", "{}")))
         events = _read_events(file)
         finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
     shapes = header.frame_shapes().items()
@@ -125,20 +125,8 @@ def _read_header(file: h5py.File) -> Header:
     curves = {int(joint): line[()] for joint, line in model.get("curves", {}).items()}
     if "history" in file["frames"]:  # not before version 3
         values["history_count"] = file["frames"]["history"].shape[1]
-    manifest = json.loads(file.attrs["manifest"])
-    manifest |= {part: renamed(manifest[part]) for part in ("options", "options_given") if part in manifest}
+    manifest = renamed_manifest(json.loads(file.attrs["manifest"]))
     return Header(manifest=manifest, shapes=read_shapes(model), curves=curves, **values)
-
-
-def _read_statistics(file: h5py.File) -> dict[str, Any]:
-    """By the names of today."""
-    found: dict[str, Any] = json.loads(file.attrs.get("statistics", "{}"))
-    if "passages" in found:
-        found["singularity_crossings"] = [
-            {{"taken_over": "fallback_evaluations"}.get(name, name): value for name, value in one.items()}
-            for one in found.pop("passages")
-        ]
-    return found
 
 
 def _read_events(file: h5py.File) -> list[Occurrence]:

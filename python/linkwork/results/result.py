@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import uuid
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -19,6 +20,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, warn
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.modeling.handles import Body, Joint, Named
+from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import Header, record_reactions
 from linkwork.motion.records import BodyResult, Excess, Reaction, SingularPose, Snapshot, rotate
 
@@ -511,6 +513,11 @@ class Result:
         """For pickle: a result can go to another process, with its reactions."""
         self._need_reactions()
         return {**self.__dict__, "_header": self._header.detached()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """What earlier versions pickled says of itself what it says today."""
+        header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
+        self.__dict__.update(state, _header=header, statistics=renamed_statistics(state["statistics"]))
 
     # --- how it works ---
 

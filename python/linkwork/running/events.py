@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,9 +25,12 @@ class _Part:
     def __init__(self, array: str, part: slice, documentation: str) -> None:
         self._array, self._part, self.__doc__ = array, part, documentation
 
-    def __get__(self, state: object, kind: type | None = None) -> Floats:
-        part: Floats = getattr(state, self._array)[self._part]
-        return part
+    @overload
+    def __get__(self, state: None, kind: type) -> _Part: ...
+    @overload
+    def __get__(self, state: object, kind: type) -> Floats: ...
+    def __get__(self, state: object, kind: type) -> _Part | Floats:
+        return self if state is None else getattr(state, self._array)[self._part]
 
     def __set__(self, state: object, value: ArrayLike) -> None:
         getattr(state, self._array)[self._part] = value

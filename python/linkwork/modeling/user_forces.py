@@ -1,0 +1,172 @@
+"""Forces of the user's own: functions of Python, laws along a joint's coordinate, compiled functions."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import arguments, functions
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError
+from linkwork.functions import TimeFunction, as_time_function
+from linkwork.modeling.coordinates import coordinate_of
+from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Joint
+
+if TYPE_CHECKING:
+    from linkwork.modeling.builder import ModelBuilder
+
+__all__ = ["UserForceMethods"]
+
+
+class UserForceMethods:
+    """The methods of Model that add forces which the user computes."""
+
+    def user_force(
+        self,
+        function: Callable[..., ArrayLike],
+        bodies: BodyLike | BodiesLike | None = None,
+        *,
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> None:
+        """Let a Python function apply forces: one call an evaluation, for all its bodies at once.
+
+        bodies    without them all n of the model
+        function  of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
+                  and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
+                  Within a step the Euler parameters may be off unit length by little
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
+
+        All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
+        threads out: see `compiled_force`.
+
+        ModelError: not a function, no such body; at run time: a wrong shape.
+        """
+        model = cast("ModelBuilder", self)
+        name = model._named(name, "user force", len(model._user_forces))
+        if not callable(function):
+            raise ModelError(f"user force '{name}': {function!r} is not a function", code="not_callable")
+        whole = function
+        if bodies is not None:
+            single = isinstance(bodies, Body | str)
+            whole = _on_bodies(function, model.indices(bodies), single, name)
+        times = functions.check_breaks(breaks, f"user force '{name}'")
+        model._core.add_user_force(name, whole)
+        model._core.add_breaks(times)
+        model._user_forces.append((name, function, ""))
+
+    def joint_force(
+        self,
+        joint: Joint | str,
+        function: Callable[[float, float, float], float] | TimeFunction | float,
+        *,
+        coordinate: str | None = None,
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> None:
+        """Let a law of your own act along a free coordinate of a joint: a controller, a clutch, friction.
+
+        function    a Python function of t [s], the coordinate x and its rate, which returns the force [N] or
+                    torque [N m] Q that does the work Q dx: it acts on b, and back on a. Or Q as a number or a
+                    function of time, such as linkwork.functions.table(t, torques)
+        coordinate  as `Result.coordinate` names it; not needed where the joint has only one. Angles are
+                    within half a turn of zero at the initial pose and go on over full turns
+        breaks      times [s] at which it is not smooth: steps that follow tolerances end there
+
+        All its power counts as work. A Python function costs about a microsecond an evaluation, a function of
+        time much less. For compiled laws see the force elements and `compiled_force`.
+
+        ModelError: no such joint or coordinate, no law; at run time: it returned no number.
+        """
+        model = cast("ModelBuilder", self)
+        index, text = model._joint_named(joint, "joint_force")
+        name = model._named(name, "joint force", len(model._user_forces))
+        which = coordinate_of(model._core.joint_kind(index), text, coordinate)
+        law: Any = function
+        compiled: Any = function
+        if not callable(function):
+            law = _effort(function, name)
+            compiled = law.compiled()
+        times = functions.check_breaks(breaks, f"joint force '{name}'")
+        model._core.add_joint_force(name, index, which, compiled)
+        model._core.add_breaks(times)
+        model._user_forces.append((name, law, f"{index} {which}"))
+        if isinstance(law, TimeFunction):
+            model._signals.append((f"joint force '{name}'", law))
+
+    def compiled_force(
+        self, function: Any, *, data: int = 0, breaks: ArrayLike = (), name: str | None = None
+    ) -> None:
+        """Let a compiled function apply forces; it runs without Python.
+
+        function  void f(double t, int64_t n, const double *q, const double *v, double *g, void *data), which
+                  adds to g (n, 6) what it applies to all n bodies, q (n, 7), v (n, 6), as for `user_force`:
+                  an address, a function of ctypes, or a numba.cfunc of float64, int64, three pointers to
+                  float64 and one to void
+        data      the address that it gets; what is there must live as long as the model
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
+
+        ModelError: nothing that has an address.
+        """
+        model = cast("ModelBuilder", self)
+        name = model._named(name, "compiled force", len(model._user_forces))
+        data = arguments.whole(data, 0, f"compiled force '{name}': data", ModelError)
+        times = functions.check_breaks(breaks, f"compiled force '{name}'")
+        model._core.add_compiled_force(name, _address(function, name), data)
+        model._core.add_breaks(times)
+        model._user_forces.append((name, function, ""))
+
+
+def _effort(law: object, name: str) -> TimeFunction:
+    """A law that is a function of time alone. ModelError: it is none."""
+    if isinstance(law, TimeFunction):
+        return law
+    if isinstance(law, int | float | np.number):
+        return functions.constant(as_time_function(law, f"joint force '{name}'"))  # type: ignore[arg-type]
+    wanted = "not a function of (t, x, x_dot), a function of time, or a number"
+    raise ModelError(f"joint force '{name}': {law!r:.80} is {wanted}", code="not_callable")
+
+
+def _on_bodies(
+    function: Callable[..., ArrayLike], bodies: NDArray[np.int32], single: bool, name: str
+) -> Callable[..., Floats]:
+    """A force on some bodies as one on all."""
+    if not len(bodies) or len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
+        why = "must be one or more that differ, without the ground"
+        raise ModelError(f"user force '{name}': its bodies {why}", code="bodies")
+    chosen: Any = int(bodies[0]) if single else bodies
+
+    def whole(t: float, q: Floats, v: Floats) -> Floats:
+        out = np.zeros_like(v)
+        returned = function(t, q[chosen], v[chosen])
+        try:
+            force = np.asarray(returned, dtype=float)
+        except arguments.UNREADABLE as error:
+            why = f"returned {returned!r:.80} at t = {t:g} s, not an array of numbers"
+            raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error
+        if force.shape != out[chosen].shape:
+            wanted = f"returned shape {force.shape}, not {out[chosen].shape}"
+            raise ModelError(f"user force '{name}': {wanted}", code="shape")
+        out[chosen] = force
+        return out
+
+    return whole
+
+
+def _address(function: Any, name: str) -> int:
+    """Of a C function: a number, a numba.cfunc, or a function of ctypes."""
+    if isinstance(function, int):
+        return arguments.whole(function, 1, f"compiled force '{name}': address", ModelError)
+    if isinstance(getattr(function, "address", None), int):
+        return int(function.address)
+    try:
+        address = ctypes.cast(function, ctypes.c_void_p).value
+    except (TypeError, ctypes.ArgumentError):
+        address = None
+    if address and not isinstance(function, str | bytes):
+        return address
+    raise ModelError(f"compiled force '{name}': {function!r} has no address", code="no_address")
