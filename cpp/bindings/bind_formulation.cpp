@@ -348,31 +348,30 @@ py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector&
 }
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
-  dynamics.def("statistics", &statistics)
-      .def("factorization_cost", &factorization_cost,
+  dynamics.def("statistics", exclusive(&statistics))
+      .def("factorization_cost", exclusive(&factorization_cost),
            "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.")
-      .def("right_hand_side_times", &right_hand_side_times, py::arg("t"), py::arg("y"), py::arg("repeats"),
+      .def("right_hand_side_times", exclusive(&right_hand_side_times), py::arg("t"), py::arg("y"), py::arg("repeats"),
            "Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, "
            "reactions, and the whole, which may be less than their sum.")
-      .def(
-          "repeat_right_hand_side",
-          [](Dynamics& self, double t, const ConstVector& y, int repeats) {
-            const VectorXd full = with_work(self, y);
-            const py::gil_scoped_release release;
-            repeat_right_hand_side(self, t, full, repeats);
-          },
-          py::arg("t"), py::arg("y"), py::arg("repeats"),
-          "So many right-hand sides at y = (q, v), reactions included, for others to time.")
-      .def(
-          "redundancy_watch_time",
-          [](Dynamics& self, double t, const ConstVector& y, int repeats) {
-            const VectorXd full = with_work(self, y);
-            const py::gil_scoped_release release;
-            return time_redundancy_watch(self, t, full, repeats);
-          },
-          py::arg("t"), py::arg("y"), py::arg("repeats"),
-          "Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].")
-      .def("analysis_time", &time_analysis, py::call_guard<py::gil_scoped_release>(),
+      .def("repeat_right_hand_side", exclusive(+[](Dynamics& self, double t, const ConstVector& y, int repeats) {
+             const VectorXd full = with_work(self, y);
+             const py::gil_scoped_release release;
+             repeat_right_hand_side(self, t, full, repeats);
+           }),
+           py::arg("t"), py::arg("y"), py::arg("repeats"),
+           "So many right-hand sides at y = (q, v), reactions included, for others to time.")
+      .def("redundancy_watch_time", exclusive(+[](Dynamics& self, double t, const ConstVector& y, int repeats) {
+             const VectorXd full = with_work(self, y);
+             const py::gil_scoped_release release;
+             return time_redundancy_watch(self, t, full, repeats);
+           }),
+           py::arg("t"), py::arg("y"), py::arg("repeats"),
+           "Time of so many looks at the redundant rows at y = (q, v), one of which a run takes a step [s].")
+      .def("analysis_time", exclusive(+[](Dynamics& self) {
+             const py::gil_scoped_release release;
+             return time_analysis(self);
+           }),
            "Time of one symbolic analysis, by a solver like the one in use [s].");
 }
 
@@ -394,39 +393,38 @@ void bind_formulation(py::module_& module) {
       .def_property_readonly("options", &Dynamics::options)
       .def_property_readonly("initial_history", &Dynamics::initial_history,
                              "History variables of the initial state: full turns, speeds at which contacts began.")
-      .def_property("history", &Dynamics::history, &Dynamics::set_history,
+      .def_property("history", exclusive(+[](const Dynamics& d) { return VectorXd(d.history()); }),
+                    exclusive(+[](Dynamics& d, const ConstVector& history) { d.set_history(history); }),
                     "Those of the last accepted state, which evaluations take where none are given.")
-      .def(
-          "beginning_history",
-          [](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v) {
-            check_size(q, d.system().q_size(), "q");
-            check_size(v, d.system().v_size(), "v");
-            return d.system().beginning_history(t, q, v);
-          },
-          py::arg("t"), py::arg("q"), py::arg("v"), "Of a motion that begins in this state.")
-      .def(
-          "advanced_history",
-          [](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v, const History& history) {
-            check_size(q, d.system().q_size(), "q");
-            check_size(v, d.system().v_size(), "v");
-            Evaluation at = d.system().make_evaluation();
-            d.system().evaluate(t, q, v, history_or_own(d, history), at);
-            return at.history;
-          },
-          py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
-          "What the history becomes where this state is accepted.")
+      .def("beginning_history", exclusive(+[](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v) {
+             check_size(q, d.system().q_size(), "q");
+             check_size(v, d.system().v_size(), "v");
+             return d.system().beginning_history(t, q, v);
+           }),
+           py::arg("t"), py::arg("q"), py::arg("v"), "Of a motion that begins in this state.")
+      .def("advanced_history",
+           exclusive(
+               +[](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v, const History& history) {
+                 check_size(q, d.system().q_size(), "q");
+                 check_size(v, d.system().v_size(), "v");
+                 Evaluation at = d.system().make_evaluation();
+                 d.system().evaluate(t, q, v, history_or_own(d, history), at);
+                 return at.history;
+               }),
+           py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
+           "What the history becomes where this state is accepted.")
       .def(
           "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
           "y = (q, v), 13 per body.")
-      .def("evaluate", &evaluate, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
+      .def("evaluate", exclusive(&evaluate), py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
            "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.")
-      .def("residual_scales", &residual_scales, py::arg("t"), py::arg("q"), py::arg("v"),
+      .def("residual_scales", exclusive(&residual_scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
            "rate "
            "are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
-      .def("accelerations", &accelerations, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
-           "(v_dot, multipliers) of the mechanism itself, without stabilization.")
-      .def("derivative", &derivative, py::arg("t"), py::arg("y"), py::arg("history") = py::none(),
+      .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
+           py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
+      .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),
            "y_dot for y = (q, v).")
       .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"), py::arg("history") = py::none(),
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "

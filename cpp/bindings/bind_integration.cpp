@@ -1,6 +1,6 @@
 #include "bindings.hpp"
+#include "linkwork/integration/accumulated_error.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
-#include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/simulation.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -28,72 +28,54 @@ std::unique_ptr<Integrator> make_integrator(const py::object& method) {
 }
 
 /// `other`: it is not the method of the run, but one without an error beside it.
-SecondTake second_take(const py::object& method, bool other) {
+SecondTake second_take(const py::object& method, bool other, bool inside) {
   if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
-  if (py::isinstance<EmbeddedPair>(method)) return in_parts(make_runge_kutta(method.cast<EmbeddedPair>().method));
+  if (py::isinstance<EmbeddedPair>(method)) {
+    auto pair = method.cast<EmbeddedPair>();
+    SecondTake take = in_parts(make_runge_kutta(pair.method));
+    if (inside) take.pair = std::move(pair);
+    return take;
+  }
   SecondTake take = in_parts(make_integrator(method));
   if (other) take.left = 0.0;
   return take;
 }
 
-/// One array for each number of what a run and its steps say.
-py::dict to_dict(const std::vector<RunPart>& parts, const std::vector<StepError>& errors,
-                 const std::vector<int>& part_of) {
+py::dict to_dict(const AccumulatedError& found) {
+  py::list steps;
+  for (const JudgedStep& it : found.steps)
+    steps.append(py::make_tuple(it.t, it.h, it.state,
+                                std::isnan(it.reactions) ? py::object(py::none()) : py::float_(it.reactions)));
   py::dict out;
-  const auto list = [&](const char* name, const auto& of, auto number) {
-    std::vector<double> values;
-    values.reserve(of.size());
-    for (const auto& one : of) values.push_back(static_cast<double>(number(one)));
-    const auto size = static_cast<py::ssize_t>(values.size());
-    out[name] = to_numpy(std::move(values), {size});
-  };
-  list("part_t", parts, [](const RunPart& it) { return it.t; });
-  list("part_seconds", parts, [](const RunPart& it) { return it.seconds; });
-  list("part_steps", parts, [](const RunPart& it) { return it.steps; });
-  list("part_change", parts, [](const RunPart& it) { return it.sum_of_changes; });
-  list("part", part_of, [](int it) { return it; });
-  using E = StepError;
-  const std::pair<const char*, double E::*> numbers[] = {{"t", &E::t},
-                                                         {"h", &E::h},
-                                                         {"change", &E::change},
-                                                         {"position", &E::position},
-                                                         {"rotation", &E::rotation},
-                                                         {"velocity", &E::velocity},
-                                                         {"omega", &E::omega},
-                                                         {"force", &E::force},
-                                                         {"torque", &E::torque},
-                                                         {"speed", &E::speed},
-                                                         {"spin", &E::spin},
-                                                         {"acceleration", &E::acceleration},
-                                                         {"spin_rate", &E::spin_rate},
-                                                         {"largest_force", &E::largest_force},
-                                                         {"largest_torque", &E::largest_torque},
-                                                         {"violation", &E::violation}};
-  for (const auto& [name, number] : numbers) list(name, errors, [member = number](const E& it) { return it.*member; });
-  list("failed", errors, [](const E& it) { return it.failed; });
+  out["steps"] = steps;
+  out["failed"] = found.failed;
+  out["state"] = found.state;
+  out["local_error"] = found.local_error;
+  out["reactions_by_state"] = found.reactions_by_state;
+  out["violation"] = found.violation;
+  out["rate"] = found.rate;
+  out["seconds"] = found.seconds;
   return out;
 }
 
 /// Where the run is now.
-double relative_violation(const Run& run, RelativeViolation measure) {
+double relative_violation(const Run& run, RelativeViolation& measure) {
   return measure.largest(run.t(), run.y(), run.dynamics().history());
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
-  RelativeViolation violation(dynamics.system());
-  const double end_violation = relative_violation(run, violation);
-  SecondTake take = second_take(method, other);
-  RunErrors found;
+  std::optional<Busy> busy;
+  if (&dynamics != &run.dynamics()) busy.emplace(dynamics);
+  SecondTake take = second_take(method, other, run.records_inside());
+  AccumulatedError found;
   {
     const py::gil_scoped_release release;
-    found = judge_run(run.sampling(), dynamics, std::move(take));
+    RelativeViolation violation(dynamics.system());
+    const double end_violation = relative_violation(run, violation);
+    found = accumulate(judge_run(run.sampling(), dynamics, std::move(take)), violation.length());
+    found.violation = std::max(found.violation, end_violation);
   }
-  py::dict out = to_dict(found.parts, found.steps, found.part_of);
-  out["end_violation"] = end_violation;
-  out["length"] = violation.length();
-  out["diagonal"] = found.diagonal;
-  out["resolved"] = found.resolved;
-  return out;
+  return to_dict(found);
 }
 
 py::dict to_dict(Frames&& frames, const System& system) {
@@ -183,50 +165,50 @@ void bind_events(py::module_& module) {
 }
 
 void bind_runs(py::module_& module) {
-  module.def("time_sampling", &time_sampling, py::arg("dynamics"), py::arg("steps"),
+  module.def("time_sampling", exclusive(&time_sampling), py::arg("dynamics"), py::arg("steps"),
              "Time that a run of so many steps spends on following them for its verdict [s].");
   py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
-      .def("advance", &advance, py::arg("max_frames"), py::arg("max_seconds"),
+      .def("advance", exclusive(&advance), py::arg("max_frames"), py::arg("max_seconds"),
            "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
            "history.")
-      .def("take_frames", [](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); })
+      .def("take_frames", exclusive(+[](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); }))
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
-      .def_property_readonly(
-          "last_state", [](const Run& run) { return VectorXd(run.last_state().head(run.last_state().size() - 1)); },
-          "y = (q, v) at t, from which the run went on.")
-      .def_property_readonly(
-          "history", [](const Run& run) { return run.dynamics().history(); }, "Of last_state; see Dynamics.history.")
+      .def_property_readonly("last_state", exclusive(+[](const Run& run) {
+                               return VectorXd(run.last_state().head(run.last_state().size() - 1));
+                             }),
+                             "y = (q, v) at t, from which the run went on.")
+      .def_property_readonly("history", exclusive(+[](const Run& run) { return VectorXd(run.dynamics().history()); }),
+                             "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
-      .def(
-          "relative_violation",
-          [](const Run& run) { return relative_violation(run, RelativeViolation(run.dynamics().system())); },
-          "Largest violation of a position constraint now, relative to the size of the mechanism.")
+      .def("relative_violation", exclusive(+[](const Run& run) {
+             RelativeViolation measure(run.dynamics().system());
+             return relative_violation(run, measure);
+           }),
+           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
-          "energies",
-          [](const Run& run) {
+          "energies", exclusive(+[](const Run& run) {
             const EnergyRange& it = run.sampling().energies();
             return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
-          },
+          }),
           "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
       .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
-      .def("judge", &judge, py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
-           "Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: "
-           "numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its "
-           "part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, "
-           "spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation "
-           "and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. "
+      .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
+           "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
+           "relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, "
+           "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
            "`method`: that of the run, or one that is much more accurate, and `other`.")
-      .def("statistics", &run_statistics);
+      .def("statistics", &run_statistics);  // by way of those of its dynamics
 }
 
 void bind_fixed_steps(py::module_& module) {
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
                        std::int64_t record_every, double t_start, const VectorXd& start) {
+             const Busy busy(dynamics);
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<Simulation>(
                  dynamics, make_integrator(integrator),
@@ -235,14 +217,13 @@ void bind_fixed_steps(py::module_& module) {
            }),
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
-      .def(
-          "begin_step",
-          [](Simulation& simulation) {
-            const double h = simulation.begin_step();
-            return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
-          },
-          "(t, y, h) of the step that begins; h = 0 at the end.")
-      .def("accept", &Simulation::accept, py::arg("y"));
+      .def("begin_step", exclusive(+[](Simulation& simulation) {
+             const double h = simulation.begin_step();
+             return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
+           }),
+           "(t, y, h) of the step that begins; h = 0 at the end.")
+      .def("accept", exclusive(+[](Simulation& simulation, const ConstVector& y) { simulation.accept(y); }),
+           py::arg("y"));
 }
 
 // One statement a method, and what a run is made from by name.
@@ -251,6 +232,7 @@ void bind_adaptive_steps(py::module_& module) {
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
                        std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks) {
+             const Busy busy(dynamics);
              dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(dynamics, pair,
                                                          AdaptiveSchedule{.t_end = t_end,
@@ -267,15 +249,13 @@ void bind_adaptive_steps(py::module_& module) {
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
            py::keep_alive<1, 2>())
-      .def(
-          "take_occurrences",
-          [](AdaptiveSimulation& run) {
-            py::list out;
-            for (const Occurrence& it : run.take_occurrences())
-              out.append(py::make_tuple(it.event, it.t, it.before, it.after));
-            return out;
-          },
-          "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
+      .def("take_occurrences", exclusive(+[](AdaptiveSimulation& run) {
+             py::list out;
+             for (const Occurrence& it : run.take_occurrences())
+               out.append(py::make_tuple(it.event, it.t, it.before, it.after));
+             return out;
+           }),
+           "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
       .def("statistics", [](const AdaptiveSimulation& run) {
         py::dict out = run_statistics(run);
         const StepStatistics& steps = run.step_statistics();

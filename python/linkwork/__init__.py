@@ -14,109 +14,13 @@ from __future__ import annotations
 
 import logging
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from linkwork import functions, integrators, mechanisms, rotation
-    from linkwork.analyses.equilibrium import Equilibrium, equilibrium
-    from linkwork.analyses.inverse_dynamics import Drive, InverseDynamics, inverse_dynamics
-    from linkwork.analyses.kinematics import kinematics
-    from linkwork.analyses.linearization import Linearization, linearize
-    from linkwork.analyses.sensitivity import Sensitivity, sensitivity
-    from linkwork.assembly import Assembly, JointResidual, assemble
-    from linkwork.comparison import Comparison, compare
-    from linkwork.contact import contact_hysteresis
-    from linkwork.errors import (
-        AccuracyError,
-        Fault,
-        FileError,
-        LinkworkError,
-        LinkworkWarning,
-        ModelError,
-        ModelFileError,
-        NotConvergedError,
-        NotFiniteError,
-        OptionError,
-        SingularSystemError,
-        StepSizeError,
-        ViolationError,
-    )
-    from linkwork.events import Event, Occurrence, State
-    from linkwork.handles import Body, Force, Joint
-    from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
-    from linkwork.model import Model
-    from linkwork.progress import ProgressInfo
-    from linkwork.result import BodyResult, Reaction, Result, SingularPose, Snapshot
-    from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-    from linkwork.simulation import simulate
-    from linkwork.system import System
-    from linkwork.verdict import StepEstimate, Verdict
-
-__all__ = [
-    "AccuracyError",
-    "Assembly",
-    "Body",
-    "BodyResult",
-    "Box",
-    "Comparison",
-    "Cylinder",
-    "Drive",
-    "Equilibrium",
-    "Event",
-    "Fault",
-    "FileError",
-    "Force",
-    "Imported",
-    "InverseDynamics",
-    "Joint",
-    "JointResidual",
-    "Linearization",
-    "LinkworkError",
-    "LinkworkWarning",
-    "Mesh",
-    "Model",
-    "ModelError",
-    "ModelFileError",
-    "NotConvergedError",
-    "NotFiniteError",
-    "Occurrence",
-    "OptionError",
-    "ProgressInfo",
-    "Reaction",
-    "Result",
-    "Rod",
-    "Sensitivity",
-    "Shape",
-    "SingularPose",
-    "SingularSystemError",
-    "Snapshot",
-    "Sphere",
-    "State",
-    "StepEstimate",
-    "StepSizeError",
-    "System",
-    "Verdict",
-    "ViolationError",
-    "__version__",
-    "assemble",
-    "compare",
-    "contact_hysteresis",
-    "equilibrium",
-    "functions",
-    "import_mjcf",
-    "import_sdf",
-    "import_urdf",
-    "integrators",
-    "inverse_dynamics",
-    "kinematics",
-    "linearize",
-    "mechanisms",
-    "rotation",
-    "sensitivity",
-    "simulate",
-]
+from linkwork import former
 
 logging.getLogger(__name__).addHandler(logging.NullHandler())  # silent until the user wants to hear
+
+former.install()  # what was pickled by an earlier version loads
 
 _MODULES = ("functions", "integrators", "mechanisms", "rotation")
 _PLACES = {
@@ -125,24 +29,26 @@ _PLACES = {
     "linkwork.analyses.kinematics": ("kinematics",),
     "linkwork.analyses.linearization": ("Linearization", "linearize"),
     "linkwork.analyses.sensitivity": ("Sensitivity", "sensitivity"),
-    "linkwork.assembly": ("Assembly", "JointResidual", "assemble"),
+    "linkwork.equations.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
-    "linkwork.contact": ("contact_hysteresis",),
-    "linkwork.events": ("Event", "Occurrence", "State"),
-    "linkwork.handles": ("Body", "Force", "Joint"),
-    "linkwork.errors": ("AccuracyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning",
-                        "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
+    "linkwork.modeling.contact": ("contact_hysteresis",),
+    "linkwork.running.events": ("Event", "State"),
+    "linkwork.modeling.handles": ("Body", "Force", "Joint"),
+    "linkwork.errors": ("AccuracyError", "BusyError", "Fault", "FileError", "LinkworkError",
+                        "LinkworkWarning", "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
                         "SingularSystemError", "StepSizeError", "ViolationError"),
     "linkwork.importers": ("Imported", "import_mjcf", "import_sdf", "import_urdf"),
-    "linkwork.model": ("Model",),
-    "linkwork.progress": ("ProgressInfo",),
-    "linkwork.result": ("BodyResult", "Reaction", "Result", "SingularPose", "Snapshot"),
-    "linkwork.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
-    "linkwork.simulation": ("simulate",),
-    "linkwork.system": ("System",),
-    "linkwork.verdict": ("StepEstimate", "Verdict"),
+    "linkwork.modeling.model": ("Model",),
+    "linkwork.running.progress": ("ProgressInfo",),
+    "linkwork.results.result": ("Result",),
+    "linkwork.motion.records": ("BodyResult", "Occurrence", "Reaction", "SingularPose", "Snapshot"),
+    "linkwork.modeling.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
+    "linkwork.running.simulation": ("simulate",),
+    "linkwork.equations.system": ("System",),
+    "linkwork.accuracy.verdict": ("StepEstimate", "Verdict"),
 }  # fmt: skip
 _HOME = {name: module for module, names in _PLACES.items() for name in names}
+__all__ = sorted([*_HOME, *_MODULES, "__version__"])  # type checkers read __init__.pyi
 
 
 def __getattr__(name: str) -> Any:
@@ -153,10 +59,12 @@ def __getattr__(name: str) -> Any:
     elif name == "__version__":
         value = import_module("importlib.metadata").version("linkwork")
     else:
-        raise AttributeError(f"module 'linkwork' has no attribute '{name}'")
+        places = former.PLACES.get(f"linkwork.{name}", ())
+        moved = f"; its names are in linkwork.{' and linkwork.'.join(places)} now" if places else ""
+        raise AttributeError(f"module 'linkwork' has no attribute '{name}'{moved}")
     globals()[name] = value
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return __all__

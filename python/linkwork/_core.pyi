@@ -853,7 +853,7 @@ class Run:
         """
     def judge(self, dynamics: Dynamics, method: typing.Any, other: bool = False) -> dict:
         """
-        Takes the kept steps of the run again by `dynamics`, which is used up, and says what each was off by: numbers of the parts of the run (part_t, part_seconds, part_steps, part_change) and, for each step, its part, t, h, change, position, rotation, velocity, omega, force, torque, speed, spin, acceleration, spin_rate, largest_force, largest_torque, violation, failed; of the run its end_violation and by how much the worst of them are `resolved` further, of the mechanism length and diagonal. `method`: that of the run, or one that is much more accurate, and `other`.
+        Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. `method`: that of the run, or one that is much more accurate, and `other`.
         """
     def relative_violation(self) -> float:
         """

@@ -16,27 +16,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from linkwork.result import Result, Snapshot
+    from linkwork.motion.records import Snapshot
+    from linkwork.results.result import Result
 
 __all__ = [
-    "AccuracyError",
-    "Fault",
-    "FileError",
-    "LinkworkError",
-    "LinkworkWarning",
-    "ModelError",
-    "ModelFileError",
-    "NotConvergedError",
-    "NotFiniteError",
-    "OptionError",
-    "SingularSystemError",
-    "StepSizeError",
-    "ViolationError",
-    "cause",
-    "nearest",
-    "unwritable",
-    "warn",
-]
+    "AccuracyError", "BusyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
+    "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError", "SingularSystemError",
+    "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
+]  # fmt: skip
 
 
 class LinkworkError(Exception):
@@ -110,6 +97,10 @@ class StepSizeError(LinkworkError):
 
 class ViolationError(LinkworkError):
     """The constraints are violated beyond the limit of the run."""
+
+
+class BusyError(LinkworkError):
+    """A System is called while it works, from another thread or from a function that it calls itself."""
 
 
 class AccuracyError(LinkworkError):

@@ -6,14 +6,13 @@ All functions take stacks: the last one or two axes are the vector or matrix.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from linkwork.arguments import array
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
-from linkwork.given import array
 
 __all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
-
-Floats = NDArray[np.float64]
 
 #: Of the products of a rotation matrix' columns, beyond which it is none.
 ORTHONORMAL = 1e-3

@@ -16,11 +16,11 @@ from functools import cached_property
 
 import linkwork as lw
 import numpy as np
+from linkwork.arrays import Floats
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 GRAVITY = 9.81
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 from linkwork import mechanisms
-from numpy.typing import NDArray
+from linkwork.arrays import Floats
 
 T_END = 5.0
 STEPS = (4.6e-3, 5.5e-3, 6.4e-3, 7.3e-3, 8.2e-3, 9.1e-3, 10.0e-3, 10.9e-3)  # s
@@ -31,8 +31,6 @@ METHODS: dict[str, dict[str, Any]] = {
     "HEM4": {"integrator": "hem4"},
     "DP5, rtol 1e-8": {"integrator": "dopri5", "rtol": 1e-8},
 }
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

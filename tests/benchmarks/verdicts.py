@@ -34,16 +34,14 @@ from typing import Any
 
 import linkwork as lw
 import numpy as np
-from linkwork.comparison.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
 from linkwork.errors import LinkworkError, LinkworkWarning
 from linkwork.integrators import METHODS, EmbeddedPair, HalfExplicit
-from numpy.typing import NDArray
 
 sys.path.append(str(Path(__file__).parents[1] / "python"))
 
+from linkwork.arrays import Floats
 from random_mechanisms import Mechanism, make, plant
-
-Floats = NDArray[np.float64]
 
 STEPS = (0.1, 0.04, 0.01, 4e-3, 1e-3)  # s
 TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-6)

@@ -152,8 +152,8 @@ TEST_CASE("a step taken again in halves gives its error, which falls with the or
         if (step->kept()) {
           const StepError error = judge.judge(*step, true);
           CHECK(!error.failed);
-          CHECK(error.force < 1e3 * (error.velocity + error.position + 1e-12));
-          largest = std::max(largest, error.velocity);
+          CHECK(error.force < 1e3 * (error.end.velocity + error.end.position + 1e-12));
+          largest = std::max(largest, error.end.velocity);
         }
     if (last > 0.0) CHECK(std::log2(last / largest) == doctest::Approx(5.0).epsilon(0.1));
     last = largest;
@@ -168,7 +168,7 @@ double largest_error(const Model& model, double h, std::vector<double> breaks) {
   run.advance(1000000, 1e9);
   double largest = 0.0;
   for (const StepError& step : judge_run(run.sampling(), dynamics, in_parts(make_runge_kutta(rk4()))).steps)
-    largest = std::max(largest, step.velocity);
+    largest = std::max(largest, step.end.velocity);
   return largest;
 }
 

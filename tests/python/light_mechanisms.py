@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from hypothesis import assume
 from hypothesis import strategies as st
-from random_mechanisms import Equations, Floats, Mechanism, mechanisms
+from linkwork.arrays import Floats
+from random_mechanisms import Equations, Mechanism, mechanisms
 
 #: Small moments, relative to the others of the body.
 RATIOS = (0.0, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2)

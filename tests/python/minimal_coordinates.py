@@ -17,11 +17,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from linkwork.arrays import Floats
+from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

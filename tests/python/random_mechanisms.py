@@ -18,9 +18,7 @@ import numpy as np
 from hypothesis import HealthCheck, Phase, assume, settings
 from hypothesis import strategies as st
 from linkwork import _core
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
+from linkwork.arrays import Floats
 
 JOINTS = {kind.name: kind for kind in _core.joint_kinds()}
 FORCES = {kind.name: kind for kind in _core.force_kinds()}

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from linkwork.header import Floats, Header
+from linkwork.arrays import Floats
+from linkwork.motion.header import Header
 
 
 def header(

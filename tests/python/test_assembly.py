@@ -8,10 +8,8 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import mechanisms
-from numpy.typing import NDArray
+from linkwork.arrays import Floats
 from small_mechanisms import driven_pendulum, slider_crank
-
-Floats = NDArray[np.float64]
 
 
 def perturbed(model: lw.Model, size: float, seed: int, speed: float = 0.0) -> lw.Model:

@@ -9,7 +9,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import functions
-from linkwork.elements import KINDS, Role
+from linkwork.modeling.elements import KINDS, Role
 
 #: Arguments of each placement.
 PLACES: dict[str, dict[str, Any]] = {

@@ -23,12 +23,12 @@ import pandas
 import pytest
 from commands import running
 from linkwork import mechanisms
+from linkwork.accuracy.measures import Differences, Sampled, Scales
+from linkwork.arrays import Floats
 from linkwork.cli import run
 from linkwork.comparison import Comparison, text, workers
-from linkwork.comparison.measures import Differences, Sampled, Scales
 from linkwork.comparison.reference import solved_reference
 from linkwork.validation import Series
-from linkwork.validation.series import Floats
 
 STEPS = [1e-2, 5e-3, 2.5e-3]
 

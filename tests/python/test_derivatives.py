@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from linkwork.derivatives import disagreement
+from linkwork.functions.derivatives import disagreement
 from random_mechanisms import examples
 
 Function = Callable[[float], float]

@@ -9,9 +9,10 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork import _core, duration, mechanisms
+from linkwork import _core, mechanisms
+from linkwork.equations.stiffness import GROWTH
 from linkwork.integrators import METHODS
-from linkwork.stiffness import GROWTH
+from linkwork.running import duration
 from small_mechanisms import slider_crank_at
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.arrays import Floats
 from linkwork.mechanisms.double_wishbone import (
     LOWER_BALL,
     TIE_INNER,
@@ -14,10 +15,7 @@ from linkwork.mechanisms.double_wishbone import (
     UPPER_FRONT,
     WHEEL_CENTER,
 )
-from numpy.typing import NDArray
 from test_linkages import point_of
-
-Floats = NDArray[np.float64]
 
 
 def turned(point: Floats, origin: Floats, axis: Floats, target: Floats, distance: float) -> Floats:

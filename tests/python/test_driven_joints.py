@@ -15,8 +15,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from linkwork import functions
+from linkwork.arrays import Floats
 from linkwork.functions import TimeFunction, as_time_function
-from random_mechanisms import JOINTS, Floats, Mechanism, examples, make
+from random_mechanisms import JOINTS, Mechanism, examples, make
 from test_invariance import quaternion_product
 
 #: Positive between 0 and 1 s, as lengths have to be.

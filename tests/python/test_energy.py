@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from linkwork import mechanisms
+from linkwork.arrays import Floats
 from linkwork.integrators import METHODS
-from random_mechanisms import Floats, Mechanism, examples
+from random_mechanisms import Mechanism, examples
 from random_mechanisms import mechanisms as random_mechanisms
 
 harmonic = lw.functions.harmonic

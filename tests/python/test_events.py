@@ -10,10 +10,7 @@ import numpy as np
 import pytest
 from linkwork import mechanisms
 from linkwork.integrators import METHODS, EmbeddedPair
-from numpy.typing import NDArray
 from scipy.special import ellipk
-
-Floats = NDArray[np.float64]
 
 GRAVITY = 9.81
 PAIRS = [name for name, method in METHODS.items() if isinstance(method, EmbeddedPair)]

@@ -11,8 +11,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from linkwork import mechanisms as known
-from linkwork import stiffness
-from random_mechanisms import RANK, Equations, Floats, Maker, Mechanism, examples, mechanisms
+from linkwork.arrays import Floats
+from linkwork.equations import stiffness
+from random_mechanisms import RANK, Equations, Maker, Mechanism, examples, mechanisms
 from test_formulations_agree import CHOICES, options
 from test_invariance import EXACT, motion, moved
 

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from linkwork import _core
-from random_mechanisms import Equations, Floats, Mechanism, examples, make, mean_delassus_diagonal, mechanisms
+from linkwork.arrays import Floats
+from random_mechanisms import Equations, Mechanism, examples, make, mean_delassus_diagonal, mechanisms
 
 #: (matrix, linear solver): "normal" is M + D^T a D of the augmented Lagrangian.
 CHOICES = [

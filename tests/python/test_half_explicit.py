@@ -12,14 +12,12 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import mechanisms
+from linkwork.arrays import Floats
 from linkwork.integrators import METHODS, HalfExplicit
 from linkwork.mechanisms.bricard import AXES, POINTS
 from linkwork.mechanisms.rods import square_rod
 from linkwork.rotation import from_axes
-from numpy.typing import NDArray
 from small_mechanisms import driven_pendulum, slider_crank, spherical_pendulum, two_body_loop
-
-Floats = NDArray[np.float64]
 
 METHOD = [method for method in METHODS.values() if isinstance(method, HalfExplicit)]
 MECHANISMS = [spherical_pendulum, slider_crank, two_body_loop, driven_pendulum]

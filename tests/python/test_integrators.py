@@ -9,10 +9,8 @@ from fractions import Fraction
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.arrays import Floats
 from linkwork.integrators import METHODS, AdamsBashforth, AdamsBashforthMoulton, ButcherTableau, EmbeddedPair
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
 
 RUNGE_KUTTA = [method for method in METHODS.values() if isinstance(method, ButcherTableau)]
 PAIRS = [method for method in METHODS.values() if isinstance(method, EmbeddedPair)]

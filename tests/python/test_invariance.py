@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from random_mechanisms import FORCES, JOINTS, Element, Floats, Maker, Mechanism, examples, mechanisms
+from linkwork.arrays import Floats
+from random_mechanisms import FORCES, JOINTS, Element, Maker, Mechanism, examples, mechanisms
 
 #: Relative; two descriptions differ by roundoff only, which the worst random mechanisms magnify by 1e6.
 EXACT = {"standard": 1e-9, "augmented_lagrangian": 1e-9}

@@ -5,8 +5,8 @@ from __future__ import annotations
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.elements import KINDS
-from linkwork.joint_motion import Holds, gaps, violations
+from linkwork.modeling.elements import KINDS
+from linkwork.motion.violations import Holds, gaps, violations
 from linkwork.view.run import Choice, joint_violations
 
 

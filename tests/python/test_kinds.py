@@ -10,8 +10,8 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.cli import run as command
-from linkwork.elements import KINDS
-from linkwork.model_file import json_schema
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.files import json_schema
 
 PARAMETERS = [
     pytest.param(info, it, id=f"{info.name} {it.name}")

@@ -5,9 +5,8 @@ from __future__ import annotations
 import linkwork as lw
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike, NDArray
-
-Floats = NDArray[np.float64]
+from linkwork.arrays import Floats
+from numpy.typing import ArrayLike
 
 Z = (0.0, 0.0, 1.0)
 

@@ -7,12 +7,10 @@ import numpy as np
 import pytest
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.stiffness import damping, stiffness
-from linkwork.analyses.tangent import between, displaced, turned_in
-from numpy.typing import NDArray
+from linkwork.analyses.tangent import between, displaced, to_body_axes
+from linkwork.arrays import Floats
 from scipy.optimize import brentq
 from scipy.special import jn_zeros
-
-Floats = NDArray[np.float64]
 
 G = 9.81
 Z = (0.0, 0.0, 1.0)
@@ -167,7 +165,7 @@ def test_stiffness_and_damping_are_derivatives_of_the_forces() -> None:
 
     def forces(at: Floats, speed: Floats) -> Floats:
         terms = eq.terms(0.0, at, speed)
-        return T.T @ turned_in(at, terms.g + terms.D.T @ multipliers)
+        return T.T @ to_body_axes(at, terms.g + terms.D.T @ multipliers)
 
     along = (forces(displaced(q, h * x), v) - forces(displaced(q, -h * x), v)) / (2 * h)
     assert np.abs(stiffness(eq, 0.0, q, v, multipliers) @ x + along).max() < 1e-6 * np.abs(along).max()
@@ -227,11 +225,11 @@ def four_bar_angles(theta: float) -> tuple[float, float]:
     return float(np.arctan2(coupler[1], coupler[0])), float(np.arctan2(rocker[1], rocker[0]))
 
 
-def test_a_four_bar_vibrates_as_its_reduced_equation_says() -> None:
-    """m(theta) theta'' + ... = -V'(theta): V' = 0 at rest, omega^2 = V'' / m there."""
-    a, b, c, d, masses, J = 0.5, 1.4, 1.2, 1.5, (1.0, 2.0, 1.5), 0.05
-    theta = np.pi / 3
-    coupler, rocker = four_bar_angles(theta)
+def four_bar_in_plane(
+    theta: float, a: float, c: float, d: float, masses: tuple[float, ...], J: float
+) -> lw.Model:
+    """Crank of length a at angle theta, coupler, and rocker of length c; d between the pins on the ground."""
+    _, rocker = four_bar_angles(theta)
     tip = a * np.array([np.cos(theta), np.sin(theta), 0])
     meet = np.array([d, 0, 0]) + c * np.array([np.cos(rocker), np.sin(rocker), 0])
     model = lw.Model(gravity=(0, -G, 0))
@@ -248,6 +246,12 @@ def test_a_four_bar_vibrates_as_its_reduced_equation_says() -> None:
     )
     for i, k, at in pins:
         model.revolute(i, bodies[k], at=at, axis=Z)
+    return model
+
+
+def test_a_four_bar_vibrates_as_its_reduced_equation_says() -> None:
+    """m(theta) theta'' + ... = -V'(theta): V' = 0 at rest, omega^2 = V'' / m there."""
+    a, b, c, d, masses, J = 0.5, 1.4, 1.2, 1.5, (1.0, 2.0, 1.5), 0.05
 
     def centers(theta: float) -> Floats:
         """Of mass (3, 2), and the angles of the links as a third column."""
@@ -270,7 +274,7 @@ def test_a_four_bar_vibrates_as_its_reduced_equation_says() -> None:
     )
     inertia = np.dot(masses, (rates[:, :2] ** 2).sum(axis=1)) + J * (rates[:, 2] ** 2).sum()
     curvature = (slope(low - 2 * h) - 8 * slope(low - h) + 8 * slope(low + h) - slope(low + 2 * h)) / (12 * h)
-    rest = lw.equilibrium(model)
+    rest = lw.equilibrium(four_bar_in_plane(np.pi / 3, a, c, d, masses, J))
     assert rest.stability == "stable"
     assert rest.model.compiled().q0[:2] == pytest.approx(
         a / 2 * np.array([np.cos(low), np.sin(low)]), abs=1e-8

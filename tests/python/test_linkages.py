@@ -5,12 +5,10 @@ from __future__ import annotations
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.arrays import Floats
 from linkwork.mechanisms import planar, six_bars
 from linkwork.mechanisms.bennett import START, follower_angle, hinges
 from linkwork.mechanisms.strandbeest_leg import leg_points
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
 
 
 def point_of(model: lw.Model, result: lw.Result, body: str, point: Floats) -> Floats:

@@ -8,7 +8,7 @@ import h5py
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.shapes import Mesh, Rod, Sphere
+from linkwork.modeling.shapes import Mesh, Rod, Sphere
 from linkwork.view import machine_elements, meshes
 from linkwork.view.appearance import Solid, scene
 

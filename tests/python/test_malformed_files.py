@@ -414,7 +414,7 @@ def test_a_wrong_file_is_refused(
 def json_of_cases() -> Iterator[tuple[Case, str]]:
     """The cases that JSON can express, in JSON with one value a line."""
     for case in CASES:
-        from linkwork.model_file import yaml_text
+        from linkwork.modeling.files import yaml_text
 
         try:
             data = yaml_text.YamlText(replaced(case[0], case[1])).data

@@ -9,11 +9,9 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core
-from linkwork.checks import joint_residuals
+from linkwork.arrays import Floats
 from linkwork.mechanisms import MECHANISMS, Mechanism
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
+from linkwork.running.checks import joint_residuals
 
 
 def dynamics(model: lw.Model) -> _core.Dynamics:

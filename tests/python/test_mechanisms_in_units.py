@@ -8,11 +8,13 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork import _core, checks
+from linkwork import _core
 from linkwork.cli.checking import examine
-from linkwork.elements import KINDS
 from linkwork.mechanisms import MECHANISMS
-from linkwork.model_file import model_of, record_of
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.files import record_of
+from linkwork.modeling.model import model_of
+from linkwork.running import checks
 from test_invariance import Units, factor
 
 UNITS = {

@@ -10,7 +10,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core, mechanisms
-from linkwork.checks import joint_residuals
+from linkwork.running.checks import joint_residuals
 
 NAN = float("nan")
 

@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from linkwork import _core, model_file
+from linkwork import _core
 from linkwork.cli import run
 from linkwork.functions import Sum
 from linkwork.mechanisms import MECHANISMS
-from linkwork.model_file import schema
-from linkwork.model_file.writing import json_lines, record_of, yaml_lines
+from linkwork.modeling import files
+from linkwork.modeling.files import schema
+from linkwork.modeling.files.writing import json_lines, record_of, yaml_lines
 from random_mechanisms import FORCES, JOINTS, Maker, Mechanism, examples, make
 
 SUFFIXES = (".yaml", ".json")
@@ -244,10 +245,10 @@ def test_forces_of_the_users_own_are_refused_by_name(tmp_path: Path) -> None:
 def test_shapes_come_back(tmp_path: Path) -> None:
     model = crank_and_rod()
     turn = lw.rotation.about((1, 2, 3), 0.7)
-    tetrahedron = lw.shapes.Mesh(np.eye(4)[:, :3], [[0, 1, 2], [1, 2, 3]], color="red")
-    model.shape("crank", lw.shapes.Box((1, 0.1, 0.2), orientation=turn), tetrahedron)
-    model.shape(["rod", model.ground], lw.shapes.Rod((0, 0, 0), (0, 0, 1)),
-                lw.shapes.Cylinder(0.1, 0.3, axis=(1, 1, 0), position=(1, 2, 3)))  # fmt: skip
+    tetrahedron = lw.Mesh(np.eye(4)[:, :3], [[0, 1, 2], [1, 2, 3]], color="red")
+    model.shape("crank", lw.Box((1, 0.1, 0.2), orientation=turn), tetrahedron)
+    model.shape(["rod", model.ground], lw.Rod((0, 0, 0), (0, 0, 1)),
+                lw.Cylinder(0.1, 0.3, axis=(1, 1, 0), position=(1, 2, 3)))  # fmt: skip
     for suffix in SUFFIXES:
         again = round_trip(model, tmp_path / f"model{suffix}")
         assert shape_bits(again) == shape_bits(model)
@@ -335,7 +336,7 @@ def _plain(value: Any) -> Any:
 
 
 def _function(value: Any) -> Any:
-    from linkwork.model_file.writing import _function_record
+    from linkwork.modeling.files.writing import _function_record
 
     return _function_record(value, "") if isinstance(value, lw.functions.TimeFunction) else value
 
@@ -367,7 +368,7 @@ def test_elements_that_follow_each_other_are_as_if_added_one_by_one(tmp_path: Pa
 
 
 def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
-    published = model_file.json_schema()
+    published = files.json_schema()
     text = json.dumps(published)
     kinds = [kind.name for kind in (*_core.joint_kinds(), *_core.force_kinds())]
     assert all(f'"const": "{kind}"' in text for kind in kinds)
@@ -376,7 +377,7 @@ def test_the_schema_has_every_kind_and_refers_only_to_what_it_has() -> None:
 
 
 def test_saved_documents_obey_the_published_schema() -> None:
-    validator = jsonschema.Draft202012Validator(model_file.json_schema())
+    validator = jsonschema.Draft202012Validator(files.json_schema())
     for model in (
         crank_and_rod(),
         make(3, sorted(JOINTS)[:8]).model,
@@ -390,7 +391,7 @@ def test_saved_documents_obey_the_published_schema() -> None:
 
 def test_yaml_and_json_hold_the_same_document() -> None:
     document = record_of(crank_and_rod(), {"t_end": 1.0})
-    from linkwork.model_file.yaml_text import YamlText
+    from linkwork.modeling.files.yaml_text import YamlText
 
     assert (
         YamlText("".join(yaml_lines(document))).data == json.loads("".join(json_lines(document))) == document

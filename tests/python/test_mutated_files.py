@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from linkwork import importers
-from linkwork.model_file.yaml_text import YamlText
+from linkwork.modeling.files.yaml_text import YamlText
 from random_mechanisms import examples
 from robot_files import ROBOTS
 from test_import_sdf_composition import ARM, MARK, joined, sdf, with_models

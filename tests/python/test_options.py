@@ -149,7 +149,7 @@ def test_what_a_run_chose_can_be_asked_for_again() -> None:
 
 
 def test_type_checkers_know_every_option_and_every_name() -> None:
-    tree = ast.parse(Path(lw.__file__).with_name("option_types.pyi").read_text())
+    tree = ast.parse((Path(lw.__file__).parent / "options" / "types.pyi").read_text())
     (fields,) = (node for node in tree.body if isinstance(node, ast.ClassDef))
     types = {it.target.id: ast.unparse(it.annotation) for it in fields.body if isinstance(it, ast.AnnAssign)}
     assert list(types) == [option.name for option in _core.options()]

@@ -12,12 +12,12 @@ import sys
 
 import linkwork as lw
 import pytest
-from linkwork import progress
-from linkwork.progress import ProgressInfo, describe, reporting
+from linkwork.running import progress
+from linkwork.running.progress import ProgressInfo, describe, reporting
 
 TAKES_SECONDS = """
 import sys, time
-from linkwork.progress import reporting
+from linkwork.running.progress import reporting
 with reporting({progress}, t_end=10.0, steps_total=100) as report:
     for step in range(1, 101):
         report(0.1 * step, step)
@@ -28,7 +28,7 @@ print("done")
 
 COUNTS_TASKS = """
 import time
-from linkwork.progress import counting
+from linkwork.running.progress import counting
 with counting({progress}, 100) as report:
     for task in range(100):
         report(task, f"task {{task}} of 100")
@@ -131,7 +131,7 @@ def test_log_has_a_line_now_and_then_even_where_nothing_is_shown(
     monkeypatch.setattr(progress, "SILENT_SECONDS", 0.0)
     with caplog.at_level(logging.INFO, "linkwork"), reporting(False, 10.0, 100) as report:
         report(5.0, 50)
-    assert [record.name for record in caplog.records] == ["linkwork.progress"]
+    assert [record.name for record in caplog.records] == ["linkwork.running.progress"]
     assert caplog.messages[0].startswith("50 %, t = 5 of 10 s")
 
 

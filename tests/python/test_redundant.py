@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from hypothesis import given
 from linkwork import _core
+from linkwork.arrays import Floats
 from random_mechanisms import (
     JOINTS,
     ZERO,
     Equations,
-    Floats,
     Mechanism,
     examples,
     mean_delassus_diagonal,

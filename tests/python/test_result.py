@@ -11,7 +11,7 @@ import pytest
 import synthetic
 from linkwork import Result, rotation
 from linkwork.errors import FileError, LinkworkError
-from linkwork.result import rotate
+from linkwork.motion.records import rotate
 from matplotlib import image
 
 X, Y, Z = np.eye(3)

@@ -22,10 +22,11 @@ import linkwork as lw
 import numpy as np
 import pytest
 import synthetic
-from linkwork import Result, result_file
+from linkwork import Result
 from linkwork.errors import FileError
-from linkwork.header import Header
-from linkwork.result_file import ResultWriter
+from linkwork.motion.header import Header
+from linkwork.results import writing
+from linkwork.results.writing import ResultWriter
 
 FIELDS = (
     "t",
@@ -154,10 +155,10 @@ def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
 
 WRITE_UNTIL_KILLED = """
     import sys, synthetic
-    from linkwork import result_file
-    bodies, expected, result_file.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]), float(sys.argv[4])
+    from linkwork.results import writing
+    bodies, expected, writing.FLUSH_SECONDS = int(sys.argv[2]), int(sys.argv[3]), float(sys.argv[4])
     header = synthetic.header(bodies, bodies, expected_frames=expected or None)
-    with result_file.ResultWriter(sys.argv[1], header) as writer:
+    with writing.ResultWriter(sys.argv[1], header) as writer:
         print("started", flush=True)
         for first in range(0, 10**9, 5):
             writer.write(synthetic.frames(header, first, 5))
@@ -192,7 +193,7 @@ def test_file_of_a_killed_writer_holds_whole_frames(tmp_path: Path, seed: int) -
 
 BEGIN_A_LARGE_FILE = """
     import sys, synthetic
-    from linkwork.result_file import ResultWriter
+    from linkwork.results.writing import ResultWriter
     header = synthetic.header(20000, 20000)
     print("started", flush=True)
     while True:
@@ -282,11 +283,12 @@ def on_a_small_disk(program: str, folder: Path) -> list[str]:
 
 WRITE_ON_A_SMALL_DISK = """
     import subprocess, sys, synthetic
-    from linkwork import Result, errors, result_file
+    from linkwork import Result, errors
+    from linkwork.results import writing
     subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", sys.argv[1]], check=True)
     header = synthetic.header(20, 20)
     try:
-        with result_file.ResultWriter(sys.argv[1] + "/run.h5", header) as writer:
+        with writing.ResultWriter(sys.argv[1] + "/run.h5", header) as writer:
             for first in range(0, 10**9, 5):
                 writer.write(synthetic.frames(header, first, 5))
     except errors.FileError as error:
@@ -395,7 +397,7 @@ def test_file_of_another_kind_is_refused_in_one_line(tmp_path: Path, content: by
 def test_file_cut_short_in_copying_has_the_frames_before_the_cut(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, share: float
 ) -> None:
-    monkeypatch.setattr(result_file, "FLUSH_SECONDS", 0.0)  # as if every piece took a second
+    monkeypatch.setattr(writing, "FLUSH_SECONDS", 0.0)  # as if every piece took a second
     header = synthetic.header(bodies=20, joints=20, expected_frames=2000)
     path = tmp_path / "run.h5"
     with ResultWriter(path, header) as writer:

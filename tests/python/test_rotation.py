@@ -5,9 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from linkwork import rotation
-from numpy.typing import NDArray
-
-Floats = NDArray[np.float64]
+from linkwork.arrays import Floats
 
 
 def random_parameters(count: int) -> Floats:

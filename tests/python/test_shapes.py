@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from linkwork import rotation
 from linkwork.errors import FileError, ModelError
-from linkwork.shapes import Shape
+from linkwork.modeling.shapes import Shape
 from linkwork.view.appearance import Solid, default_shapes, solids
 
 TETRAHEDRON = """solid t
@@ -237,8 +237,8 @@ def test_joints_are_drawn_by_what_they_hold(kind: str, where: dict[str, object],
 
 
 def test_every_kind_of_joint_is_read_without_complaint() -> None:
-    from linkwork.elements import KINDS
-    from linkwork.joint_motion import Holds
+    from linkwork.modeling.elements import KINDS
+    from linkwork.motion.violations import Holds
 
     assert {Holds.of(kind).placed for kind in KINDS["joint"]} == {True, False}
     assert all(Holds.of(kind).turning for kind in ("revolute", "cylindrical", "screw", "planar"))

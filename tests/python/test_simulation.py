@@ -16,11 +16,9 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.progress import ProgressInfo
-from numpy.typing import NDArray
+from linkwork.arrays import Floats
+from linkwork.running.progress import ProgressInfo
 from scipy.integrate import solve_ivp
-
-Floats = NDArray[np.float64]
 
 
 def forgetful(t: float, state: lw.State) -> Any:

@@ -13,11 +13,10 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.arrays import Floats
 from minimal_coordinates import Ball, Chain, Freedom, Link, Placed, Slide, Turn, cross
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-Floats = NDArray[np.float64]
 Load = Callable[[float, list[Placed]], list[tuple[Floats, Floats]]]
 
 TIMES = np.linspace(0.0, 5.0, 41)

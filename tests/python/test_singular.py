@@ -104,20 +104,21 @@ def aligned() -> lw.Model:
     return model
 
 
+def hinged(model: lw.Model, crank: lw.Body, coupler: lw.Body, rocker: lw.Body) -> lw.Model:
+    """Bars on the x axis, joined in a loop."""
+    hinges = ((model.ground, crank, 0), (crank, coupler, 1), (coupler, rocker, 3), (rocker, model.ground, 2))
+    for a, b, x in hinges:
+        model.revolute(a, b, at=(x, 0, 0), axis=(0, 0, 1), name=f"hinge {x}")
+    return model
+
+
 def flat_four_bar() -> lw.Model:
     """All bars on one line: it can go on in two ways, and has redundant equations besides."""
     model = lw.Model(gravity=(0, -9.81, 0))
     crank, coupler, rocker = (
         body(model, name, (x, 0, 0)) for name, x in (("a", 0.5), ("b", 2.0), ("c", 2.5))
     )
-    for a, b, x in (
-        (model.ground, crank, 0),
-        (crank, coupler, 1),
-        (coupler, rocker, 3),
-        (rocker, model.ground, 2),
-    ):
-        model.revolute(a, b, at=(x, 0, 0), axis=(0, 0, 1), name=f"hinge {x}")
-    return model
+    return hinged(model, crank, coupler, rocker)
 
 
 TURNING = 3.0  # rad/s
@@ -131,14 +132,7 @@ def turning_flat_four_bar() -> lw.Model:
         model.body(name, mass=1.0, inertia=(0.1, 0.2, 0.25), position=(x, 0, 0), **motion)
         for name, x, motion in (("a", 0.5, turn), ("b", 2.0, {"velocity": (0, TURNING, 0)}), ("c", 2.5, turn))
     )
-    for a, b, x in (
-        (model.ground, crank, 0),
-        (crank, coupler, 1),
-        (coupler, rocker, 3),
-        (rocker, model.ground, 2),
-    ):
-        model.revolute(a, b, at=(x, 0, 0), axis=(0, 0, 1), name=f"hinge {x}")
-    return model
+    return hinged(model, crank, coupler, rocker)
 
 
 def test_a_singular_pose_is_told_apart_from_redundancy() -> None:

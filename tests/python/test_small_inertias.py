@@ -11,10 +11,11 @@ import pytest
 from hypothesis import given
 from light_mechanisms import Light, light_mechanisms
 from linkwork import _core
+from linkwork.arrays import Floats
 from linkwork.mechanisms.bricard import AXES, POINTS
 from linkwork.rotation import from_axes, matrix
 from minimal_coordinates import Chain, Link, Turn
-from random_mechanisms import Floats, examples
+from random_mechanisms import examples
 from test_formulations_agree import CHOICES, largest, options
 
 SOLVERS = [options(form, solver) for form, solver in CHOICES if form != "normal"]

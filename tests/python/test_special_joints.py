@@ -9,10 +9,9 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import functions
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
 INERTIA = (0.02, 0.03, 0.05)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from linkwork import mechanisms
-from linkwork.progress import ProgressInfo
+from linkwork.running.progress import ProgressInfo
 from random_mechanisms import Mechanism, examples
 from random_mechanisms import mechanisms as mechanisms_of
 

@@ -6,7 +6,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from hypothesis import given
-from linkwork import stiffness
+from linkwork.equations import stiffness
 from linkwork.integrators import METHODS
 from random_mechanisms import Mechanism, examples, mechanisms
 from test_invariance import UNITS, in_units

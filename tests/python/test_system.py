@@ -8,7 +8,8 @@ import linkwork as lw
 import numpy as np
 import pytest
 from hypothesis import given
-from random_mechanisms import Equations, Floats, Mechanism, examples, mechanisms
+from linkwork.arrays import Floats
+from random_mechanisms import Equations, Mechanism, examples, mechanisms
 from scipy.integrate import solve_ivp
 from small_mechanisms import driven_pendulum
 

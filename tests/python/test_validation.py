@@ -10,9 +10,9 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import mechanisms
+from linkwork.arrays import Floats
 from linkwork.cli import run
 from linkwork.validation import PROBLEMS, Figure, Series, validate
-from linkwork.validation.series import Floats
 
 
 @pytest.mark.parametrize("name", PROBLEMS)

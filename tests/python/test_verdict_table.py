@@ -50,6 +50,18 @@ def test_three_times_the_bands_contain_the_truth(found: list[verdicts.Found]) ->
     assert len(shares) > 40 and np.mean(shares) >= 0.95
 
 
+def test_frames_inside_of_long_steps_are_judged_as_their_interpolant_gives_them() -> None:
+    """DOP853 takes 23 steps here, with ends that are 100 times as good as what is between."""
+    model = verdicts.mechanism(40164)[1].model
+    result, said = runs(model, rtol=1e-3, integrator="dop853", times=np.linspace(0, 1, 101))
+    best = verdicts.exact(model, 1.0, result.t)
+    assert verdicts.difference(result, best).max() > 0.01 and said
+    ends, said = runs(model, rtol=1e-3, integrator="dop853", record_every=1)
+    assert ends.verdict is not None and result.verdict is not None
+    assert ends.verdict.error < 0.5 * result.verdict.error
+    assert verdicts.difference(ends, verdicts.exact(model, 1.0, ends.t)).max() < ends.verdict.error
+
+
 def runs(model: lw.Model, t_end: float = 1.0, **how: Any) -> tuple[lw.Result, list[str]]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

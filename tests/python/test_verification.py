@@ -108,6 +108,21 @@ def test_a_function_that_remembers_is_not_run_twice() -> None:
     assert not result.verified and calls[0] < 1.2 * result.statistics["evaluations"]
 
 
+def test_a_function_of_time_that_remembers_is_not_run_twice() -> None:
+    model, calls = lw.Model(), [0]
+    body = model.body("weight", mass=1.0, inertia=(0.1, 0.1, 0.1))
+
+    def gust(t: float) -> float:
+        calls[0] += 1
+        return 1.0
+
+    model.force(body, force=(gust, 0, 0), name="gust")
+    with pytest.warns(
+        lw.LinkworkWarning, match="no second run was made, as 'applied 'gust': force_x' may remember"
+    ):
+        assert not quick(model, 0.1, step=1e-2, verify=True).verified
+
+
 def test_verify_is_true_or_false() -> None:
     with pytest.raises(lw.OptionError, match="verify 'yes' is not True or False"):
         lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, verify="yes", progress=False)  # type: ignore[arg-type]

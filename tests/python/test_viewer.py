@@ -11,6 +11,7 @@ import chromium
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.motion.records import rotate
 from linkwork.view import view
 from linkwork.view.page import Page
 from PIL import Image
@@ -97,7 +98,7 @@ def test_bodies_are_seen_where_the_result_says(
         seen = picture(tab)[top:bottom, left:right]
         for color, name in enumerate(("red", "green", "blue")):
             body = three_balls.body(name)
-            ball = body.position[frame] + lw.result.rotate(body.orientation[frame], np.array([0.3, 0, 0]))
+            ball = body.position[frame] + rotate(body.orientation[frame], np.array([0.3, 0, 0]))
             expected = tab.evaluate(f"linkwork.world.projected({', '.join(map(repr, map(float, ball)))})")
             apart = center_of(seen, color) - expected
             assert np.abs(apart).max() < 3, (frame, name, apart)

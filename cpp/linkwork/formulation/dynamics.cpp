@@ -471,6 +471,13 @@ void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, Mutabl
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
 }
 
+Busy::Busy(const Dynamics& dynamics) : dynamics_(dynamics) {
+  if (dynamics.busy_.test_and_set(std::memory_order_acquire))
+    throw BusyError("busy",
+                    "this System is at work, in another thread or for a function that calls it: it works for one "
+                    "caller at a time, so make a System for each");
+}
+
 void Dynamics::look_for_nan(bool accelerations) const {
   bool finite = y_.allFinite() && at_.g.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite() &&
                 at_.gamma.allFinite() && std::isfinite(at_.power);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -169,6 +170,7 @@ class Dynamics {
   void set_interrupt(std::function<void()> interrupt) { interrupt_ = std::move(interrupt); }
 
  private:
+  friend class Busy;
   template <class Factorize>
   bool count_factorization(Factorize factorize);
   template <class Factorize>
@@ -217,6 +219,21 @@ class Dynamics {
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0
   std::function<void()> interrupt_;
   std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
+  mutable std::atomic_flag busy_;
+};
+
+/// Dynamics work for one caller at a time: while this is there, for the one that made it. Nothing here waits: whoever
+/// comes meanwhile, from another thread or from a function of the user's that the dynamics call, gets a BusyError.
+/// For those who share dynamics; a loop of evaluations makes one of these, not one for each.
+class Busy {
+ public:
+  explicit Busy(const Dynamics& dynamics);
+  ~Busy() { dynamics_.busy_.clear(std::memory_order_release); }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  const Dynamics& dynamics_;
 };
 
 /// While it is there the watch does not look at evaluations.

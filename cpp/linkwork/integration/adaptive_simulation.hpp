@@ -50,6 +50,7 @@ class AdaptiveSimulation final : public Run {
                      std::vector<Event> events = {});
 
   double t() const override { return t_; }
+  bool records_inside() const override { return !schedule_.times.empty(); }
   const StepStatistics& step_statistics() const { return statistics_; }
   /// The events of the steps finished since the last call.
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }

@@ -24,7 +24,7 @@ constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states 
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
-constexpr double least_margin = 0.02;              // the same, where nothing better is found
+constexpr double least_margin = 0.012;             // the same, where nothing better is found
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
@@ -33,9 +33,12 @@ constexpr int most_sweeps = 40, most_attempts = 12;
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
 constexpr double converged = 1e-13, roundoff = 1e-9, shrinking = 0.5;
 constexpr double tolerance = 1e-10;      // of the energy over a leap
-constexpr double resolved = 1e-9;        // of velocities inside; at the end about the square of it counts
+constexpr double resolved = 1e-10;       // of velocities inside; at the end about the square of it counts
+constexpr double end_part = 1e-2;        // of that, at most
+constexpr double precision = 1e-16;      // of solutions, relative to the square of the angle to the pose
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
+constexpr double part_of_way = 0.8;      // to a foreseen pose
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
 
 }  // namespace
@@ -47,6 +50,8 @@ bool Crossing::Quality::good() const {
 bool Crossing::Quality::fair() const { return converged && correction <= consistent && badness() <= fair_tolerance; }
 
 double Crossing::Quality::badness() const { return std::max(resolution, energy); }
+
+double Crossing::Quality::error() const { return std::max({end_part * resolution, energy, roundoff}); }
 
 Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics), poses_(dynamics) {
   const System& system = dynamics.system();
@@ -179,12 +184,13 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h) const 
   return nearest;
 }
 
-/// The length among the allowed ones with which the nodes stay farthest from the poses; of equals the shortest.
+/// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
+/// than wanted; of equals the shortest.
 double Crossing::best_length(const Search& search) const {
   const double most = search.most, least = std::min(search.least, most), grid = search.grid;
   double best = least, distance = -1.0;
   const auto consider = [&](double h) {
-    const double nearest = nearest_node(search.poses, h);
+    const double nearest = nearest_node(search.poses, h) * std::min(h / least, 1.0);
     if (nearest <= distance + 1e-3) return;
     best = h;
     distance = nearest;
@@ -196,7 +202,7 @@ double Crossing::best_length(const Search& search) const {
   } else {
     for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(std::min(factor * least, most));
   }
-  for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.05)
+  for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.025)
     consider(allowed_length(search, factor * least));
   return best;
 }
@@ -228,38 +234,56 @@ void Crossing::cut(double length) {
   state_at(length, leap_.y_new);
 }
 
+/// A part of the way to the pose that is foreseen: it tells where the pose is.
+bool Crossing::look_ahead(Search& search) {
+  if (!(search.poses.front() > 0.0)) return false;
+  leap_.h = std::min(part_of_way * search.poses.front(), search.most);
+  if (!attempt().converged) return false;
+  std::vector<double> poses = poses_in_leap(1.0);
+  if (poses.empty()) return false;
+  search.poses = std::move(poses);
+  return true;
+}
+
 /// False where no leap was found.
 bool Crossing::try_lengths(Search& search, const VectorXd& y) {
-  bool any_converged = false;
+  bool any_converged = false, ahead = false;
   double base = search.least;
   std::vector<double> tried;
-  for (int k = 0; k < most_attempts && std::isfinite(search.least); ++k) {
-    const auto known = [&](double h) { return std::find(tried.begin(), tried.end(), h) != tried.end(); };
-    leap_.h = best_length(search);
-    if (known(leap_.h)) leap_.h = allowed_length(search, other_lengths[k] * std::min(base, search.most));
-    if (known(leap_.h)) continue;
-    tried.push_back(leap_.h);
-    const Quality quality = attempt();
-    any_converged = any_converged || quality.converged;
-    if (!quality.converged) {
-      search.least = std::max(other_lengths[k] * base, least_part * search.usual);
+  for (int k = 0, failures = 0; k < most_attempts && std::isfinite(search.least); ++k) {
+    leap_.h = failures < 2 ? best_length(search)
+                           : allowed_length(search, other_lengths[failures - 2] * std::min(base, search.most));
+    if (std::find(tried.begin(), tried.end(), leap_.h) != tried.end()) {
+      failures = std::max(failures + 1, 2);
       continue;
     }
+    tried.push_back(leap_.h);
+    Quality quality = attempt();
+    any_converged = any_converged || quality.converged;
+    if (!quality.converged) {
+      failures += 1;
+      if (failures == 1 && !ahead && !(ahead = look_ahead(search))) failures += 1;
+      continue;
+    }
+    ahead = true;
+    failures = 1;
     if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
-    search.poses = leap_.poses = poses_in_leap();
+    search.poses = leap_.poses = poses_in_leap(0.5);
     if (search.poses.empty()) break;
     const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
     const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
     const bool good = quality.good() && clear, over = search.poses.front() <= leap_.h || leap_.h >= search.most;
-    if (good || (over && quality.fair() && nearest >= least_margin && quality.badness() < search.badness)) {
+    quality.roundoff = precision * std::pow(search.usual / (reach * nearest * leap_.h), 2);
+    const double error = quality.error();
+    if (good || (over && quality.fair() && nearest >= least_margin && error < search.error)) {
       search.best = leap_;
-      search.badness = quality.badness();
+      search.error = error;
     }
     if (good) break;
     if (beyond) search.least = 2.0 * last;
     else if (!quality.good()) search.least = base = std::max(0.6 * std::min(base, leap_.h), least_part * search.usual);
   }
-  if (search.badness < INFINITY) return true;
+  if (search.error < INFINITY) return true;
   const bool moves = size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0;
   if (starting_ && !any_converged && moves && in_pose_) throw_no_branch(search.t);
   return false;
@@ -397,9 +421,9 @@ void Crossing::finish(Quality& quality) {
       std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
 }
 
-/// Times from the start of a leap that converged, ascending; the last may be foreseen beyond its end. Empty: there is
-/// none.
-std::vector<double> Crossing::poses_in_leap() {
+/// Times from the start of a leap that converged, ascending; the last may be foreseen by so many lengths beyond its
+/// end. Empty: there is none.
+std::vector<double> Crossing::poses_in_leap(double beyond_it) {
   const auto root = [&](double at) {
     state_at(at, y_);
     return poses_.root_at(leap_.t + at, y_);
@@ -427,7 +451,7 @@ std::vector<double> Crossing::poses_in_leap() {
   }
   const PivotSample &before = *(samples.end() - 2), &end = samples.back();
   const double fall = (before.root - end.root) / (end.at - before.at), beyond = end.root / fall;
-  if (fall > 0.0 && beyond < 0.5 * leap_.h) found.push_back(leap_.h + beyond);
+  if (fall > 0.0 && beyond < beyond_it * leap_.h) found.push_back(leap_.h + beyond);
   return found;
 }
 

@@ -84,7 +84,9 @@ class Crossing final : public Interpolant {
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
     bool good() const;
     bool fair() const;
+    double roundoff = 0.0;  ///< in the node next to a pose, relative
     double badness() const;
+    double error() const;  ///< of what comes after it
   };
 
   /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.
@@ -94,7 +96,7 @@ class Crossing final : public Interpolant {
     std::vector<double> poses;  ///< foreseen, then found
     double least;               ///< length to begin with
     Leap best = {};
-    double badness = INFINITY;  ///< of it
+    double error = INFINITY;  ///< of it
   };
 
   bool starts_near(double t, const VectorXd& y);
@@ -119,7 +121,8 @@ class Crossing final : public Interpolant {
   double best_length(const Search& search) const;
   static double allowed_length(const Search& search, double h);
   void state_at(double time_in_leap, VectorXd& y) const;
-  std::vector<double> poses_in_leap();
+  std::vector<double> poses_in_leap(double beyond_it);
+  bool look_ahead(Search& search);
   double rate(const Eigen::Matrix<double, 6, 1>& v) const;
   double size(const ConstVector& velocities) const;
 

@@ -48,8 +48,7 @@ void PairStepper::start(int y_size) {
 
 // p is made a unit vector before the last stage: the first of the next step is then at the same state, and only its
 // correction differs. That changes k_s by O(h^order), along p alone.
-BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step,
-                               const VectorXd& y) {
+bool PairStepper::take(Dynamics& dynamics, const StepSpan& step, const VectorXd& y) {
   const double h = step.h;
   step_ = step;
   h_ = h;
@@ -58,10 +57,16 @@ BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, 
   evaluate_stages(pair_.method, dynamics, step, y, k_, workspace_);
   y_new_ = y;
   add_combination(h, pair_.method.b, k_, y_new_);
-  if (!y_new_.allFinite()) return {std::numeric_limits<double>::infinity(), -1};
+  if (!y_new_.allFinite()) return false;
   dynamics.system().normalize(y_new_.head(dynamics.system().q_size()));
   dynamics.evaluate(step.at(1.0), y_new_);
   dynamics.rates(k_.col(stages_));
+  return true;
+}
+
+BodyMaximum PairStepper::trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step,
+                               const VectorXd& y) {
+  if (!take(dynamics, step, y)) return {std::numeric_limits<double>::infinity(), -1};
   return estimate(measure, y);
 }
 

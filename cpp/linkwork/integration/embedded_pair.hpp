@@ -32,6 +32,8 @@ class PairStepper final : public Interpolant {
   /// the tolerances, infinite where the new state is not finite. Leaves `dynamics` at the new state, with the
   /// correction of this step held.
   BodyMaximum trial(Dynamics& dynamics, const ErrorMeasure& measure, const StepSpan& step, const VectorXd& y);
+  /// The same without the estimate. False where the new state is not finite.
+  bool take(Dynamics& dynamics, const StepSpan& step, const VectorXd& y);
   const VectorXd& y_new() const { return y_new_; }
 
   /// Evaluates what the interpolant still needs. True where `dynamics` is no longer at the new state.

@@ -1,47 +1,61 @@
 #include "linkwork/integration/gauss_collocation.hpp"
 
-#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
 
 namespace linkwork {
 namespace {
 
-constexpr double leading_of_legendre = 252.0;  // coefficient of x^5 in P_5(2 x - 1)
+constexpr int stages = GaussCollocation::stages;
+using Legendre = Eigen::Matrix<double, stages + 1, 1>;  // P_0 .. P_stages
+
+Legendre legendre(double x) {
+  Legendre P;
+  P[0] = 1.0;
+  P[1] = x;
+  for (int k = 1; k < stages; ++k) P[k + 1] = ((2 * k + 1) * x * P[k] - k * P[k - 1]) / (k + 1);
+  return P;
+}
+
+double derivative_of_last(double x, const Legendre& P) {
+  return stages * (x * P[stages] - P[stages - 1]) / (x * x - 1.0);
+}
+
+/// The k-th root of P_stages, ascending.
+double root(int k) {
+  double x = -std::cos(std::numbers::pi * (k + 0.75) / (stages + 0.5));
+  for (int iteration = 0; iteration < 10; ++iteration) {
+    const Legendre P = legendre(x);
+    x -= P[stages] / derivative_of_last(x, P);
+  }
+  return x;
+}
 
 }  // namespace
 
+// With the weights w of Gauss quadrature, which is exact for the products here, l_i = w_i sum_k (2k + 1) P_k(x_i) P_k.
 GaussCollocation::GaussCollocation() {
-  constexpr double roots[] = {0.932469514203152027812301554494, 0.661209386466264513661399595020,
-                              0.238619186083196908630501721681};
-  for (int k = 0; k < 3; ++k) {
-    c[k] = 0.5 - 0.5 * roots[k];
-    c[stages - 1 - k] = 0.5 + 0.5 * roots[k];
+  for (int i = 0; i < stages; ++i) {
+    const double x = root(i);
+    const Legendre P = legendre(x);
+    const double slope = derivative_of_last(x, P), weight = 1.0 / ((1.0 - x * x) * slope * slope);
+    c[i] = 0.5 + 0.5 * x;
+    for (int k = 0; k < stages; ++k) coefficients_(i, k) = weight * (2 * k + 1) * P[k];
   }
-  // sum_k powers_ik c_j^k = 1 for i = j, else 0
-  using Matrix = Eigen::Matrix<long double, stages, stages>;
-  Matrix vandermonde;
-  for (int j = 0; j < stages; ++j) {
-    long double power = 1.0L;
-    for (int k = 0; k < stages; ++k, power *= c[j]) vandermonde(j, k) = power;
-  }
-  powers_ = Matrix(vandermonde.inverse().transpose()).cast<double>();
   for (int i = 0; i < stages; ++i) A.row(i) = integrals(c[i]).transpose();
   b = integrals(1.0);
 }
 
 GaussCollocation::Weights GaussCollocation::values(double theta) const {
-  Weights out = powers_.col(stages - 1);
-  for (int k = stages - 2; k >= 0; --k) out = theta * out + powers_.col(k);
-  return out;
+  return coefficients_ * legendre(2.0 * theta - 1.0).head<stages>();
 }
 
 GaussCollocation::Weights GaussCollocation::integrals(double theta) const {
-  Weights out = powers_.col(stages - 1) / stages;
-  for (int k = stages - 2; k >= 0; --k) out = theta * out + powers_.col(k) / (k + 1);
-  return theta * out;
-}
-
-GaussCollocation::Weights GaussCollocation::last_coefficient() const {
-  return powers_.col(stages - 1) / leading_of_legendre;
+  const Legendre P = legendre(2.0 * theta - 1.0);
+  Weights of_legendre;
+  of_legendre[0] = theta;
+  for (int k = 1; k < stages; ++k) of_legendre[k] = 0.5 * (P[k + 1] - P[k - 1]) / (2 * k + 1);
+  return coefficients_ * of_legendre;
 }
 
 }  // namespace linkwork

@@ -6,11 +6,11 @@
 
 namespace linkwork {
 
-/// Gauss collocation of order 12: y' is a polynomial of degree 5 in theta = (t - t_0) / h that satisfies the equations
-/// at six nodes, y(theta) = y_0 + h sum_i (integral_0^theta l_i) k_i (E. Hairer, S. P. Norsett, G. Wanner, Solving
+/// Gauss collocation of order 16: y' is a polynomial of degree 7 in theta = (t - t_0) / h that satisfies the equations
+/// at eight nodes, y(theta) = y_0 + h sum_i (integral_0^theta l_i) k_i (E. Hairer, S. P. Norsett, G. Wanner, Solving
 /// Ordinary Differential Equations I, Springer 1993, section II.7). No node is at an end or in the middle.
 struct GaussCollocation {
-  static constexpr int stages = 6;
+  static constexpr int stages = 8;
   using Weights = Eigen::Matrix<double, stages, 1>;
 
   GaussCollocation();
@@ -21,11 +21,11 @@ struct GaussCollocation {
 
   Weights values(double theta) const;     ///< l_i(theta)
   Weights integrals(double theta) const;  ///< of l_i from 0 to theta
-  /// Of the Legendre polynomial of degree 5 in sum_i k_i l_i: how much of k the polynomial resolves no better.
-  Weights last_coefficient() const;
+  /// Of the Legendre polynomial of highest degree in sum_i k_i l_i: how much of k the polynomial resolves no better.
+  Weights last_coefficient() const { return coefficients_.col(stages - 1); }
 
  private:
-  Eigen::Matrix<double, stages, stages> powers_;  ///< l_i = sum_k powers_ik theta^k
+  Eigen::Matrix<double, stages, stages> coefficients_;  ///< l_i = sum_k coefficients_ik P_k(2 theta - 1)
 };
 
 }  // namespace linkwork

@@ -58,6 +58,7 @@ class Run {
   const VectorXd& y() const { return y_; }
   const ViolationMonitor& violation_monitor() const { return violation_monitor_; }
   const StepSampling& sampling() const { return sampling_; }
+  virtual bool records_inside() const { return false; }  ///< of steps, by an interpolant
   /// See StepSampling; for steps that do not end at breaks.
   void expect_breaks(std::vector<double> times) { sampling_.expect_breaks(std::move(times)); }
   const Contradiction& contradiction() const { return contradiction_; }

@@ -9,13 +9,16 @@ namespace {
 
 constexpr std::int64_t few_steps = 50;     // which are often long ones
 constexpr std::size_t every_reaction = 6;  // steps of which reactions are compared, too
+constexpr std::size_t every_inside = 3;    // the same for what is recorded inside, where there are not few
 constexpr std::size_t worst = 3;           // steps that are looked at once more, in so many parts:
 constexpr int usual_divisions = 1, few_divisions = 2, worst_divisions = 3;  // powers of two
 
 class RunJudge {
  public:
   RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take)
-      : length_(RelativeViolation(dynamics.system()).length()), judge_(dynamics, std::move(take), sampling.breaks()) {
+      : length_(RelativeViolation(dynamics.system()).length()),
+        every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
+        judge_(dynamics, std::move(take), sampling.breaks()) {
     judge_.divide_parts(sampling.steps() <= few_steps ? few_divisions : usual_divisions);
     out_.parts = sampling.parts();
     for (RunPart& part : sampling.broken()) out_.parts.push_back(std::move(part));
@@ -31,7 +34,8 @@ class RunJudge {
     for (std::size_t k = 0; k < out_.parts.size(); ++k)
       for (const KeptStep* step : {&out_.parts[k].any, &out_.parts[k].steepest}) {
         if (!step->kept()) continue;
-        out_.steps.push_back(judge_.judge(*step, out_.steps.size() % every_reaction == 0));
+        const std::size_t count = out_.steps.size();
+        out_.steps.push_back(judge_.judge(*step, count % every_reaction == 0, count % every_inside_ == 0));
         out_.part_of.push_back(static_cast<int>(k));
         kept_.push_back(step);
       }
@@ -43,8 +47,9 @@ class RunJudge {
  private:
   /// Of a state, relative to the size and the speed of the mechanism at all the steps.
   double size(const StepError& error) const {
-    return std::max(std::max(error.position / length_, error.rotation),
-                    speed_ > 0.0 ? std::max(error.velocity, length_ * error.omega) / speed_ : 0.0);
+    const StateDifference& end = error.end;
+    return std::max(std::max(end.position / length_, end.rotation),
+                    speed_ > 0.0 ? std::max(end.velocity, length_ * end.omega) / speed_ : 0.0);
   }
 
   void look_again() {
@@ -67,6 +72,7 @@ class RunJudge {
   }
 
   double length_, speed_ = 0.0;
+  std::size_t every_inside_;
   StepJudge judge_;
   RunErrors out_;
   std::vector<const KeptStep*> kept_;

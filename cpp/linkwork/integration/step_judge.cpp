@@ -76,11 +76,15 @@ StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> br
       lambda_(VectorXd::Zero(dynamics.system().row_count())),
       at_(dynamics.system().make_evaluation()) {
   take_.integrator->start(dynamics.y_size());
+  if (take_.pair) {
+    stepper_ = std::make_unique<PairStepper>(*take_.pair);
+    stepper_->start(dynamics.y_size());
+  }
   for (Eigen::Matrix3Xd* vectors : {&force_, &torque_, &other_force_, &other_torque_})
     vectors->setZero(3, dynamics.system().joint_count());
 }
 
-StepError StepJudge::judge(const KeptStep& step, bool reactions) {
+StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside) {
   StepError out;
   out.t = step.t;
   out.h = step.h;
@@ -93,6 +97,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions) {
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
     if (reactions && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
     out.failed = !y_.allFinite();
+    if (inside && stepper_ && came_inside_) compare_inside(step, out);
   } catch (const Error&) {
     out.failed = true;
   }
@@ -102,6 +107,8 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions) {
 
 void StepJudge::take_again(const KeptStep& step) {
   const std::vector<Span> parts = parts_of(step);
+  const double end_of_first = step.t + take_.share * step.h;
+  came_inside_ = false;
   y_ = step.y;
   dynamics_.set_history(step.history);
   dynamics_.begin_parts((parts.front().to - parts.front().from) / step.h);
@@ -111,6 +118,10 @@ void StepJudge::take_again(const KeptStep& step) {
     else dynamics_.advance_history();
     take_.integrator->step(dynamics_, part.from, part.to - part.from, y_);
     finish(part.to);
+    if (stepper_ && std::abs(part.to - end_of_first) <= beside * step.h) {
+      inside_ = y_;
+      came_inside_ = true;
+    }
   }
   dynamics_.end_parts();
 }
@@ -156,26 +167,43 @@ void StepJudge::finish(double t) {
   if (projects_) projection_.stabilize(t, y_);
 }
 
-void StepJudge::compare(const KeptStep& step, StepError& out) {
-  const int nq = dynamics_.system().q_size();
-  const VectorXd& a = step.y_new;
-  const auto raise = [&](double& largest, double value) { largest = std::max(largest, value); };
-  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
-    const int r = position_size * body, p = r + 3, v = nq + velocity_size * body;
-    const Vec4<double> other = y_.segment<4>(p);
+void StateDifference::raise(const System& system, const VectorXd& a, const VectorXd& b) {
+  for (int body = 0; body < system.body_count(); ++body) {
+    const int r = position_size * body, p = r + 3, v = system.q_size() + velocity_size * body;
+    const Vec4<double> other = b.segment<4>(p);
     const Vec4<double> turn =
         quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
-    raise(out.position, factor_ * (a.segment<3>(r) - y_.segment<3>(r)).norm());
-    raise(out.rotation, factor_ * 2.0 * turn.tail<3>().norm());
-    raise(out.velocity, factor_ * (a.segment<3>(v) - y_.segment<3>(v)).norm());
-    raise(out.omega, factor_ * (a.segment<3>(v + 3) - y_.segment<3>(v + 3)).norm());
+    position = std::max(position, (a.segment<3>(r) - b.segment<3>(r)).norm());
+    rotation = std::max(rotation, 2.0 * turn.tail<3>().norm());
+    velocity = std::max(velocity, (a.segment<3>(v) - b.segment<3>(v)).norm());
+    omega = std::max(omega, (a.segment<3>(v + 3) - b.segment<3>(v + 3)).norm());
+  }
+}
+
+void StepJudge::compare(const KeptStep& step, StepError& out) {
+  const System& system = dynamics_.system();
+  const VectorXd& a = step.y_new;
+  out.end.raise(system, a, y_);
+  for (double* error : {&out.end.position, &out.end.rotation, &out.end.velocity, &out.end.omega}) *error *= factor_;
+  for (int body = 0; body < system.body_count(); ++body) {
+    const int r = position_size * body, v = system.q_size() + velocity_size * body;
     low_ = low_.min(a.segment<3>(r).array());
     high_ = high_.max(a.segment<3>(r).array());
-    raise(out.speed, a.segment<3>(v).norm());
-    raise(out.spin, a.segment<3>(v + 3).norm());
-    raise(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
-    raise(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
+    out.speed = std::max(out.speed, a.segment<3>(v).norm());
+    out.spin = std::max(out.spin, a.segment<3>(v + 3).norm());
+    out.acceleration = std::max(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
+    out.spin_rate = std::max(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
   }
+}
+
+/// The state that the interpolant of the step gives beside the one to which its first part came.
+void StepJudge::compare_inside(const KeptStep& step, StepError& out) {
+  dynamics_.set_history(step.history);
+  dynamics_.evaluate(step.t, step.y);
+  if (!stepper_->take(dynamics_, {step.t, step.h}, step.y)) return;
+  stepper_->prepare_interpolation(dynamics_);
+  stepper_->interpolate(dynamics_.system(), take_.share, interpolated_);
+  out.inside.raise(dynamics_.system(), interpolated_, inside_);
 }
 
 /// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.
@@ -184,7 +212,7 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
   dynamics_.advance_history();
   const VectorXd& found = dynamics_.history();
   for (Eigen::Index k = 0; k < found.size(); ++k)
-    if (const double apart = std::abs(found[k] - step.history_new[k]); apart > out.velocity) out.velocity = apart;
+    out.end.velocity = std::max(out.end.velocity, std::abs(found[k] - step.history_new[k]));
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "linkwork/formulation/projection.hpp"
+#include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/integration/relative_violation.hpp"
 #include "linkwork/integration/step_sampling.hpp"
@@ -12,10 +14,12 @@ namespace linkwork {
 
 /// How the steps of a method are taken again: by this integrator in two parts, the first of this share, each of which
 /// may be divided likewise, or with a share of 1 at once; and which part of the error is left then in two parts.
+/// `pair`, where the run records states inside of steps: by its interpolant, which may be worse than their ends.
 struct SecondTake {
   std::unique_ptr<Integrator> integrator;
   double share = 1.0;
   double left = 0.0;
+  std::optional<EmbeddedPair> pair = {};
 };
 
 /// Two parts a h and (1 - a) h by the same one-step method, Richardson (1911): with a local error c h^(p+1) the parts
@@ -28,17 +32,25 @@ SecondTake in_parts(std::unique_ptr<Integrator> integrator);
 /// error is small beside its own, from the same state and with the same correction of the violation.
 SecondTake by_starter(const MultistepCoefficients& method);
 
+/// The largest of any body.
+struct StateDifference {
+  double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
+
+  /// Between y = (q, v, ...) of both.
+  void raise(const System& system, const VectorXd& a, const VectorXd& b);
+};
+
 /// What a step was off by at its end, the largest of any body or joint, and how large the motion was there. All of it
 /// in the local error of that step alone.
 struct StepError {
   double t = 0.0, h = 0.0, change = 0.0;
-  double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
-  double force = 0.0, torque = 0.0;                                    ///< of reactions [N, N m]; NaN: not looked at
-  double speed = 0.0, spin = 0.0;                                      ///< m/s, rad/s
-  double acceleration = 0.0, spin_rate = 0.0;                          ///< mean over the step [m/s^2, rad/s^2]
-  double largest_force = 0.0, largest_torque = 0.0;                    ///< NaN likewise
-  double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
-  bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
+  StateDifference end, inside;                 ///< inside: where the first part ends; zero where that was not looked at
+  double force = 0.0, torque = 0.0;            ///< of reactions [N, N m]; NaN: not looked at
+  double speed = 0.0, spin = 0.0;              ///< m/s, rad/s
+  double acceleration = 0.0, spin_rate = 0.0;  ///< mean over the step [m/s^2, rad/s^2]
+  double largest_force = 0.0, largest_torque = 0.0;  ///< NaN likewise
+  double violation = 0.0;                            ///< of positions where the step ended, see RelativeViolation
+  bool failed = false;  ///< it could not be taken again in parts: nothing else but t, h and change is known
 };
 
 /// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.
@@ -50,8 +62,9 @@ class StepJudge {
   /// extrapolation asks for.
   void divide_parts(int times);
 
-  /// `reactions`: those, too; it takes two more evaluations.
-  StepError judge(const KeptStep& step, bool reactions);
+  /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
+  /// more step.
+  StepError judge(const KeptStep& step, bool reactions, bool inside = false);
   /// Diagonal of the box around the centers of mass at the steps that were judged [m].
   double diagonal() const { return (high_ - low_).matrix().norm(); }
 
@@ -65,6 +78,7 @@ class StepJudge {
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
+  void compare_inside(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
   void compare_reactions(const KeptStep& step, StepError& out);
   void find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque);
@@ -78,7 +92,10 @@ class StepJudge {
   bool projects_;
   RelativeViolation violation_;
   Eigen::Array3d low_, high_;
+  std::unique_ptr<PairStepper> stepper_;  ///< of a run that records inside of steps
   VectorXd y_, v_dot_, lambda_;
+  VectorXd inside_, interpolated_;
+  bool came_inside_ = false;  ///< to inside_, where the first part ends
   Evaluation at_;
   Eigen::Matrix3Xd force_, torque_, other_force_, other_torque_;
 };

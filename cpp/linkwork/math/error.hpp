@@ -50,6 +50,7 @@ LINKWORK_ERROR(NotConvergedError);    ///< an iteration ended at its cap
 LINKWORK_ERROR(NotFiniteError);       ///< a NaN or infinity appeared
 LINKWORK_ERROR(ViolationError);       ///< constraints violated beyond the limit of the run
 LINKWORK_ERROR(StepSizeError);        ///< no step is small enough for the tolerances
+LINKWORK_ERROR(BusyError);            ///< what is called works already
 
 #undef LINKWORK_ERROR
 

@@ -14,21 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.equations import LISTED, Equations, Sparse
+from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, SingularSystemError
 
 __all__ = [
-    "DENSE",
-    "Constraints",
-    "SparseConstraints",
-    "balance",
-    "constraints_of",
-    "free_motions",
-    "null_space",
-    "saddle_point",
-    "shared",
-]
-
-Floats = NDArray[np.float64]
+    "DENSE", "Constraints", "SparseConstraints", "balance", "constraints_of", "free_motions",
+    "null_space", "saddle_point", "shared",
+]  # fmt: skip
 
 #: Up to so many columns of D dense matrices are the faster ones.
 DENSE = 480
@@ -223,11 +215,11 @@ def free_motions(equations: Equations, D: Sparse, count: int) -> Floats:
     random = np.random.default_rng(0).standard_normal((count, D.shape[1]))
     found = [saddle_point(equations, W @ W, D[rows], W @ b, np.zeros(len(rows))) for b in random]
     left = [x[0] / equations.scale for x in found if x is not None]
-    basis: Floats = equations.scale[:, None] * _told_apart(np.transpose(left)) if left else np.zeros((0, 0))
+    basis: Floats = equations.scale[:, None] * _localized(np.transpose(left)) if left else np.zeros((0, 0))
     return basis
 
 
-def _told_apart(Z: Floats) -> Floats:
+def _localized(Z: Floats) -> Floats:
     """The same space by orthonormal columns, each with one coordinate that is large in no other one."""
     from scipy.linalg import qr
 
@@ -245,7 +237,7 @@ def null_space(equations: Equations, D: Sparse) -> Floats:
     scaled = np.divide(scaled, length, out=np.zeros_like(scaled), where=length > 0)
     _, sigma, Vt = np.linalg.svd(scaled, full_matrices=True)
     rank = int(np.count_nonzero(sigma > RANK_TOLERANCE * sigma[0])) if len(sigma) and len(scaled) else 0
-    basis: Floats = equations.scale[:, None] * _told_apart(Vt[rank:].T)
+    basis: Floats = equations.scale[:, None] * _localized(Vt[rank:].T)
     return basis
 
 
@@ -302,7 +294,7 @@ def shared(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Fl
 
     What drivers would need to accelerate at t is not in them: they hold at rest.
     """
-    from linkwork.system import System
+    from linkwork.equations.system import System
 
     if not len(multipliers):
         return multipliers

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import _core, checks, rotation
-from linkwork.model import Model
+from linkwork import _core, rotation
+from linkwork.arrays import Floats
+from linkwork.modeling.model import Model
+from linkwork.running import checks
 
 __all__ = ["Equations", "Terms", "Sparse"]
-
-Floats = NDArray[np.float64]
 
 #: A matrix of scipy.sparse.
 Sparse = Any

@@ -6,20 +6,18 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import _core
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space, saddle_point, shared
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, NotConvergedError, nearest
-from linkwork.model import Model
-from linkwork.result import Reaction, Snapshot
+from linkwork.modeling.model import Model
+from linkwork.motion.records import Reaction, Snapshot
 
 __all__ = ["Equilibrium", "equilibrium"]
-
-Floats = NDArray[np.float64]
 
 #: Forces not in balance, relative to the largest one: where the iteration may end, and where it tries to.
 ACCEPTED, WANTED = 1e-9, 1e-13

@@ -9,17 +9,17 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import _core, checks
+from linkwork import _core
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
-from linkwork.elements import KINDS
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest
-from linkwork.model import Model
-from linkwork.result import Result
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.model import Model
+from linkwork.results.result import Result
+from linkwork.running import checks
 
 __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
-
-Floats = NDArray[np.float64]
 
 #: Of a multiplier, by the quantity of its equation.
 UNITS = {"rotation": "N m", "translation": "N", "distance": "N"}

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from linkwork import _core, checks
+from linkwork import _core
 from linkwork.analyses.constraint_solver import (
     Constraints,
     SparseConstraints,
@@ -18,7 +18,10 @@ from linkwork.analyses.constraint_solver import (
     free_motions,
 )
 from linkwork.analyses.equations import LISTED, Equations, Sparse
-from linkwork.analyses.tangent import displaced, rate_of_change, turned_in, turned_out
+from linkwork.analyses.tangent import displaced, rate_of_change, to_body_axes, to_inertial_axes
+from linkwork.arguments import array, one_of
+from linkwork.arrays import Floats
+from linkwork.equations.system import System
 from linkwork.errors import (
     LinkworkError,
     ModelError,
@@ -27,16 +30,15 @@ from linkwork.errors import (
     SingularSystemError,
     warn,
 )
-from linkwork.given import array, one_of
-from linkwork.header import Header
-from linkwork.manifest import manifest
-from linkwork.model import Model
-from linkwork.result import Result, Snapshot
-from linkwork.system import System
+from linkwork.modeling.model import Model
+from linkwork.motion.header import Header
+from linkwork.motion.records import Snapshot
+from linkwork.results.result import Result
+from linkwork.running import checks
+from linkwork.running.manifest import manifest
 
 __all__ = ["kinematics"]
 
-Floats = NDArray[np.float64]
 AnyConstraints = Constraints | SparseConstraints
 
 #: The smallest singular value at the start as a part of what counts as one, see SparseConstraints.
@@ -144,11 +146,11 @@ class _Moment:
 
     @property
     def x_dot(self) -> Floats:
-        return turned_out(self.q, self.v)
+        return to_inertial_axes(self.q, self.v)
 
     @property
     def x_ddot(self) -> Floats:
-        return turned_out(self.q, self.a)
+        return to_inertial_axes(self.q, self.a)
 
 
 @dataclass
@@ -310,9 +312,9 @@ class _Follower:
         """With the velocities and accelerations nearest to these."""
         terms = self.equations.terms(t, q)
         constraints = self._constraints(terms.D)
-        v = turned_in(q, x_dot - constraints.solve(terms.D @ x_dot + terms.Phi_t))
+        v = to_body_axes(q, x_dot - constraints.solve(terms.D @ x_dot + terms.Phi_t))
         gamma = self.equations.terms(t, q, v).gamma
-        a = turned_in(q, x_ddot - constraints.solve(terms.D @ x_ddot - gamma))
+        a = to_body_axes(q, x_ddot - constraints.solve(terms.D @ x_ddot - gamma))
         self.counts["evaluations"] += 2
         history = self.equations.dynamics.advanced_history(t, q, v)
         return _Moment(t, q, v, a, constraints, history)
@@ -447,7 +449,7 @@ class _Frames:
         D = self._matrix(found["D"])
         multipliers = _multipliers(dynamics, it)
         left = self._inertial_forces(it.a) - found["g"] - D.T @ multipliers
-        multipliers = multipliers + it.constraints.solve_transposed(turned_out(it.q, left))
+        multipliers = multipliers + it.constraints.solve_transposed(to_inertial_axes(it.q, left))
         residuals = (found["Phi"], found["Phi_dot"], D @ it.a - found["gamma"])
         return {
             "t": it.t,

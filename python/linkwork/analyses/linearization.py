@@ -8,19 +8,19 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import checks
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import damping, stiffness
-from linkwork.analyses.tangent import displaced, turned_out
+from linkwork.analyses.tangent import displaced, to_inertial_axes
+from linkwork.arrays import Floats
+from linkwork.equations.system import System
 from linkwork.errors import ModelError, NotConvergedError, OptionError
-from linkwork.model import Model
-from linkwork.result import Snapshot
-from linkwork.system import System
+from linkwork.modeling.model import Model
+from linkwork.motion.records import Snapshot
+from linkwork.running import checks
 
 __all__ = ["Linearization", "linearize"]
 
-Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 #: Forces that are not in balance, relative to the largest one.
@@ -167,7 +167,7 @@ def _coefficients(
     _check_rank(eq)
     if v.any():
         v_dot, multipliers = _accelerations(eq, at.t, q, v)
-        unbalanced = M @ turned_out(q, v_dot)
+        unbalanced = M @ to_inertial_axes(q, v_dot)
     else:  # of drivers only the present value counts
         unbalanced, multipliers, _ = balance(eq, at.t, q)
     terms = eq.terms(at.t, q, v)
@@ -226,7 +226,7 @@ def _refuse_change(
     q, v = np.ravel(at.q), np.ravel(at.v)
     rate = float(np.abs(v / eq.scale).max() / eq.length)
     later = 1e-3 / rate
-    soon = Snapshot(at.t, displaced(q, later * turned_out(q, v)).reshape(-1, 7), at.v)
+    soon = Snapshot(at.t, displaced(q, later * to_inertial_axes(q, v)).reshape(-1, 7), at.v)
     then = _coefficients(eq, soon, check=False)
     names = ("inertia", "damping", "stiffness")
     inertia = _norm(Z.T @ (now[0] @ Z))

@@ -7,17 +7,16 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from linkwork.checks import check_bodies
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest
-from linkwork.model import Model
-from linkwork.result import Result
-from linkwork.simulation import simulate
+from linkwork.modeling.model import Model
+from linkwork.results.result import Result
+from linkwork.running.checks import check_bodies
+from linkwork.running.simulation import simulate
 
 __all__ = ["Sensitivity", "sensitivity"]
-
-Floats = NDArray[np.float64]
 
 #: Steps relative to the parameter that its rounding would swallow.
 SMALLEST_STEP = 1e-13

@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from linkwork import _core
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.tangent import displaced
+from linkwork.arrays import Floats
 
 __all__ = ["damping", "stiffness"]
 
-Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 #: Of the differences: in sizes of the mechanism and rad for constraints and forces; of velocities relative.

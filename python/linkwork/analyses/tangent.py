@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 
-__all__ = ["between", "displaced", "rate_of_change", "turned_in", "turned_out"]
-
-Floats = NDArray[np.float64]
+__all__ = ["between", "displaced", "rate_of_change", "to_body_axes", "to_inertial_axes"]
 
 
 def displaced(q: Floats, x: Floats) -> Floats:
@@ -42,14 +40,14 @@ def rate_of_change(q: Floats, x_dot: Floats) -> Floats:
     return np.hstack([v[:, :3], p_dot]).ravel()
 
 
-def turned_in(q: Floats, x: Floats) -> Floats:
+def to_body_axes(q: Floats, x: Floats) -> Floats:
     """x (6n,) with the rotations, velocities or torques in body axes instead of inertial ones: A^T phi."""
     out = x.reshape(-1, 6).copy()
     out[:, 3:] = np.einsum("nji,nj->ni", rotation.matrix(q.reshape(-1, 7)[:, 3:]), out[:, 3:])
     return out.ravel()
 
 
-def turned_out(q: Floats, x: Floats) -> Floats:
+def to_inertial_axes(q: Floats, x: Floats) -> Floats:
     """x (6n,) with the rotations, velocities or torques in inertial axes instead of body axes: A phi."""
     out = x.reshape(-1, 6).copy()
     out[:, 3:] = np.einsum("nij,nj->ni", rotation.matrix(q.reshape(-1, 7)[:, 3:]), out[:, 3:])

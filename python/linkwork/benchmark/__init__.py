@@ -18,19 +18,6 @@ from linkwork.benchmark.stepping import LONG_RUNS, Run, Steps, long_run, time_st
 from linkwork.benchmark.subject import Subject
 
 __all__ = [
-    "LONG_RUNS",
-    "Comparison",
-    "Growth",
-    "Measured",
-    "Missing",
-    "Refused",
-    "Run",
-    "Size",
-    "Steps",
-    "Subject",
-    "compare_solvers",
-    "growth",
-    "long_run",
-    "machine",
-    "time_steps",
-]
+    "LONG_RUNS", "Comparison", "Growth", "Measured", "Missing", "Refused", "Run", "Size", "Steps",
+    "Subject", "compare_solvers", "growth", "long_run", "machine", "time_steps",
+]  # fmt: skip

@@ -8,13 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from linkwork import simulation
+from linkwork.arrays import Floats
 from linkwork.benchmark import memory
 from linkwork.benchmark.subject import Subject
-
-Floats = NDArray[np.float64]
+from linkwork.running import simulation
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import os
 from typing import Any
 
 from linkwork import _core
-from linkwork.manifest import platform_facts
+from linkwork.running.manifest import platform_facts
 
 #: What limits the threads of BLAS.
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")

@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.system import System
-
-Floats = NDArray[np.float64]
+from linkwork.arrays import Floats
+from linkwork.equations.system import System
 
 
 def residuals(system: System, t: float, y: Floats) -> dict[str, float]:

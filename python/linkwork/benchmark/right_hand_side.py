@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, cast
@@ -15,11 +15,11 @@ from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.residuals import residuals
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import Timing
+from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
-from linkwork.model import Model
+from linkwork.modeling.model import Model
 from linkwork.options import Options
-from linkwork.progress import ShowOption, counting
-from linkwork.system import System
+from linkwork.running.progress import ShowOption, counting
 
 ROUNDS, LIMIT_SECONDS = 15, 30.0
 
@@ -96,19 +96,8 @@ def compare_solvers(
     model = subject.build()
     options = cast(Options, {"formulation": formulation, "matrix_form": matrix_form})
     with counting(progress, len(names) + rounds) as report:
-        steps: dict[str, FirstStep] = {}
-        refused: dict[str, Refused] = {}
-        for place, name in enumerate(names):
-            beat = partial(report, place, f"{name}: first step")
-            step = isolated(
-                make_first_step, subject, {**options, "linear_solver": name}, seconds=limit, beat=beat
-            )
-            if isinstance(step, Failure):
-                refused[name] = Refused(name, step.reason, step.code)
-            else:
-                steps[name] = step
-
-        candidates = {}
+        steps, refused = _first_steps(subject, options, names, limit, report)
+        candidates: dict[str, _Candidate] = {}
         for name, own in steps.items():
             report(len(names), f"{name}: symbolic analysis")
             state = next(iter(steps.values()))  # the same for all
@@ -116,8 +105,7 @@ def compare_solvers(
                 own_options = cast(Options, {**options, "linear_solver": name})
                 candidates[name] = _Candidate(model, own_options, state, own, rounds)
             except (LinkworkError, MemoryError) as error:
-                code = error.code if isinstance(error, LinkworkError) else "memory"
-                refused[name] = Refused(name, str(error), code)
+                refused[name] = Refused(name, str(error), getattr(error, "code", "memory"))
         for number in range(rounds):
             for name, candidate in candidates.items():
                 report(len(names) + number, f"{name}: round {number + 1} of {rounds}")
@@ -133,6 +121,24 @@ def compare_solvers(
         t=next((step.t for step in steps.values()), None),
         solvers=[found[name] for name in names],
     )
+
+
+def _first_steps(
+    subject: Subject, options: Options, names: Sequence[str], limit: float, report: Callable[[int, str], None]
+) -> tuple[dict[str, FirstStep], dict[str, Refused]]:
+    """By each solver in a process of its own; and those that cannot, or take longer than `limit` [s]."""
+    steps: dict[str, FirstStep] = {}
+    refused: dict[str, Refused] = {}
+    for place, name in enumerate(names):
+        beat = partial(report, place, f"{name}: first step")
+        step = isolated(
+            make_first_step, subject, {**options, "linear_solver": name}, seconds=limit, beat=beat
+        )
+        if isinstance(step, Failure):
+            refused[name] = Refused(name, step.reason, step.code)
+        else:
+            steps[name] = step
+    return steps, refused
 
 
 class _Candidate:

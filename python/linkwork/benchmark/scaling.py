@@ -9,20 +9,18 @@ from functools import partial
 from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.benchmark import memory
 from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import Timing
+from linkwork.equations.system import System
 from linkwork.errors import OptionError
 from linkwork.mechanisms import four_bar
 from linkwork.options import Options
-from linkwork.progress import ShowOption, counting
-from linkwork.system import System
-
-Floats = NDArray[np.float64]
+from linkwork.running.progress import ShowOption, counting
 
 ROUNDS, LIMIT_SECONDS = 15, 600.0
 

@@ -12,11 +12,11 @@ import numpy as np
 from linkwork import _core
 from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.subject import Subject
-from linkwork.model import Model
-from linkwork.progress import ShowOption, counting
-from linkwork.result import Result
-from linkwork.simulation import simulate
-from linkwork.system import System
+from linkwork.equations.system import System
+from linkwork.modeling.model import Model
+from linkwork.results.result import Result
+from linkwork.running.progress import ShowOption, counting
+from linkwork.running.simulation import simulate
 
 ROUNDS = 5
 

@@ -10,7 +10,7 @@ from linkwork.errors import OptionError, nearest
 from linkwork.mechanisms import Mechanism, named
 
 if TYPE_CHECKING:
-    from linkwork.model import Model
+    from linkwork.modeling.model import Model
 
 
 @dataclass(frozen=True)

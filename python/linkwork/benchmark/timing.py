@@ -5,12 +5,8 @@ from __future__ import annotations
 import statistics
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
-from linkwork.system import System
-
-Floats = NDArray[np.float64]
+from linkwork.arrays import Floats
+from linkwork.equations.system import System
 
 #: Right-hand sides are repeated for about so long at a time [s], as a run would; caches and clocks settle in
 #: the fraction before it that does not count.

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwork import _core, checks
+from linkwork import _core
 from linkwork.cli import output as out
 from linkwork.errors import LinkworkError
+from linkwork.running import checks
 
 if TYPE_CHECKING:
     from linkwork import Model
@@ -141,7 +142,12 @@ def _print(found: dict[str, Any]) -> None:
         )
     if redundant:
         print("\nRedundant equations are left out. A reaction that is not unique is the share of least norm.")
-    worst = sorted(found["residuals"], key=lambda joint: -max(joint["position"], joint["velocity"]))[:SHOWN]
+    _print_residuals(found["residuals"])
+    _print_inertias(found["inertias"])
+
+
+def _print_residuals(residuals: list[dict[str, Any]]) -> None:
+    worst = sorted(residuals, key=lambda joint: -max(joint["position"], joint["velocity"]))[:SHOWN]
     if worst:
         out.print_table(
             ("joint", "kind", "position", "velocity", "reaction"),
@@ -155,17 +161,20 @@ def _print(found: dict[str, Any]) -> None:
                 )
                 for j in worst
             ],
-            title=_share("Initial residuals", len(worst), len(found["residuals"]), "joints"),
+            title=_share("Initial residuals", len(worst), len(residuals), "joints"),
             left=2,
         )
-    bodies = sorted(found["inertias"], key=lambda body: not body["remark"])[:SHOWN]
+
+
+def _print_inertias(inertias: list[dict[str, Any]]) -> None:
+    bodies = sorted(inertias, key=lambda body: not body["remark"])[:SHOWN]
     out.print_table(
         ("body", "mass [kg]", "principal moments [kg m2]", ""),
         [
             (b["body"], f"{b['mass']:g}", "  ".join(f"{m:.4g}" for m in b["principal_moments"]), b["remark"])
             for b in bodies
         ],
-        title=_share("Inertias", len(bodies), len(found["inertias"]), "bodies"),
+        title=_share("Inertias", len(bodies), len(inertias), "bodies"),
     )
 
 

@@ -249,10 +249,10 @@ def schema() -> None:
     \b
     linkwork schema > linkwork.schema.json
     """
-    from linkwork import model_file
     from linkwork.cli.output import print_json
+    from linkwork.modeling import files
 
-    print_json(model_file.json_schema())
+    print_json(files.json_schema())
 
 
 @linkwork.command()

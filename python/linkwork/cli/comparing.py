@@ -31,21 +31,15 @@ def compare_and_show(
 ) -> None:
     """Compare with the mechanism's recommended end and steps where none were given."""
     from linkwork.comparison import compare
-    from linkwork.comparison.comparing import usual_steps
 
     files = {"page": html, "table": csv, "picture": plot}
     for path in filter(None, files.values()):
         out.check_writable(path)
     if plot is not None:
-        from linkwork import plotting
+        from linkwork.plots import figures
 
-        plotting.check_format(plot)
-    given = {key: values[key] for key in compare_options.NAMES if values[key] is not None}
-    settings = mechanism.settings
-    if "t_end" in settings:
-        given.setdefault("t_end", settings["t_end"])
-    if "tolerances" not in given and "step" in settings:
-        given.setdefault("steps", usual_steps(settings["step"], given.get("t_end", math.inf)))
+        figures.check_format(plot)
+    given = _given(values, mechanism.settings)
     try:
         comparison = compare(mechanism.function(**parameters), **given)
     except KeyboardInterrupt as stop:
@@ -64,6 +58,18 @@ def compare_and_show(
     else:
         _print(comparison, error)
         out.print_pairs([(label, path or "") for label, path in files.items()])
+
+
+def _given(values: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
+    """The arguments of `compare` that were given, with the mechanism's end and steps where none were."""
+    from linkwork.comparison.comparing import usual_steps
+
+    given = {key: values[key] for key in compare_options.NAMES if values[key] is not None}
+    if "t_end" in settings:
+        given.setdefault("t_end", settings["t_end"])
+    if "tolerances" not in given and "step" in settings:
+        given.setdefault("steps", usual_steps(settings["step"], given.get("t_end", math.inf)))
+    return given
 
 
 def _print(comparison: Comparison, error: float) -> None:

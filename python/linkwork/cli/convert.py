@@ -6,10 +6,12 @@ from pathlib import Path
 from typing import Any
 
 import linkwork
-from linkwork import importers, model_file
+from linkwork import importers
 from linkwork.cli import output as out
 from linkwork.errors import FileError
-from linkwork.model_file.syntax import check_suffix
+from linkwork.modeling import files
+from linkwork.modeling.files.syntax import check_suffix
+from linkwork.modeling.model import Model
 
 
 def convert_and_show(
@@ -26,12 +28,12 @@ def convert_and_show(
         imported = importers.read(source, **options)
         model, notes, simulation = imported.model, list(imported.notes), {}
     else:
-        if Path(source).suffix.lower() not in model_file.SUFFIXES:
-            known = ", ".join([*importers.IMPORTERS, *model_file.SUFFIXES])
+        if Path(source).suffix.lower() not in files.SUFFIXES:
+            known = ", ".join([*importers.IMPORTERS, *files.SUFFIXES])
             raise FileError(
                 f"'{source}': extension '{Path(source).suffix}' is none of {known}", code="suffix"
             )
-        file = model_file.read(source)
+        file = files.read(source, Model)
         model, simulation = file.model, dict(file.simulation)
     if assemble:
         model = linkwork.assemble(model).model

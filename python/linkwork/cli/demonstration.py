@@ -13,7 +13,7 @@ from linkwork.cli import output as out
 from linkwork.errors import FileError, cause
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 MECHANISM = "spatial_slider_crank"
 
@@ -85,8 +85,8 @@ ROWS = (
 
 def show(output_dir: str, as_json: bool) -> None:
     """Run every method, print the table, write the default method's result and the picture."""
-    from linkwork import plotting
     from linkwork.mechanisms import MECHANISMS
+    from linkwork.plots import figures
 
     files = {
         "result": Path(output_dir) / "linkwork-demo.h5",
@@ -102,7 +102,7 @@ def show(output_dir: str, as_json: bool) -> None:
 
     outcomes[-1].result.save(files["result"])
     title = f"{MECHANISM}, {outcomes[-1].result.manifest['options']['integrator']}, step {step:g} s"
-    plotting.plot_methods({o.method.label: o.result for o in outcomes}, files["picture"], title)
+    figures.plot_methods({o.method.label: o.result for o in outcomes}, files["picture"], title)
     if as_json:
         out.print_json(_document(t_end, step, outcomes, files))
     else:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from linkwork import _core
 from linkwork.cli import output as out
-from linkwork.elements import KINDS, Role, described
+from linkwork.modeling.elements import KINDS, Role, described
 
 if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism

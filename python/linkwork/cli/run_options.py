@@ -10,9 +10,9 @@ from typing import Any, Literal, get_args, get_origin
 import click
 
 from linkwork.cli import shells
-from linkwork.option_types import described
 from linkwork.options import TABLE
-from linkwork.simulation import simulate
+from linkwork.options.types import described
+from linkwork.running.simulation import simulate
 
 
 class _Limits(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only

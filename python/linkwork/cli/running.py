@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
 from linkwork.errors import OptionError
-from linkwork.result import Result, Snapshot
+from linkwork.motion.records import Snapshot
+from linkwork.results.result import Result
 
 if TYPE_CHECKING:
     from linkwork import Model
@@ -25,13 +26,13 @@ def simulate_and_show(
 ) -> None:
     """Run with the mechanism's recommended settings where no option was given."""
     import linkwork as lw
-    from linkwork import summary
+    from linkwork.motion import summary
 
     if plot is not None:
-        from linkwork import plotting
+        from linkwork.plots import figures
 
         out.check_writable(plot)
-        plotting.check_format(plot)
+        figures.check_format(plot)
     model = mechanism.function(**parameters)
     settings = _settings(mechanism, options)
     if "start" in settings:
@@ -46,16 +47,10 @@ def simulate_and_show(
         result.plot(plot)
     files = {"result": output, "picture": plot}
     if as_json:
-        out.print_json(
-            {
-                "mechanism": name,
-                "parameters": dict(parameters),
-                "result": summary.numbers(result),
-                "statistics": result.statistics,
-                "manifest": result.manifest,
-                "files": files,
-            }
-        )
+        out.print_json({
+            "mechanism": name, "parameters": dict(parameters), "result": summary.numbers(result),
+            "statistics": result.statistics, "manifest": result.manifest, "files": files,
+        })  # fmt: skip
     else:
         out.print_pairs([*summary.lines(result), *((label, path or "") for label, path in files.items())])
 

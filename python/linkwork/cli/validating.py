@@ -6,7 +6,7 @@ import time
 from collections.abc import Sequence
 
 from linkwork.cli import output as out
-from linkwork.progress import counting
+from linkwork.running.progress import counting
 from linkwork.validation import PROBLEMS, Verdict, validate
 
 

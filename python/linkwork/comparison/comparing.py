@@ -9,22 +9,23 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from linkwork.checks import check_bodies
+from linkwork.arrays import Floats
 from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
-from linkwork.comparison.reference import GOOD_ENOUGH, Floats, Reference, given_reference, solved_reference
+from linkwork.comparison.reference import GOOD_ENOUGH, Reference, given_reference, solved_reference
 from linkwork.comparison.runs import Outcome, Runs, Sampling
 from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
 from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError, warn
-from linkwork.manifest import platform_facts
-from linkwork.model import Model
+from linkwork.modeling.model import Model
 from linkwork.options import TABLE, Policy, check_name, check_number, check_option, names
-from linkwork.progress import ShowOption, counting
-from linkwork.recording import frame_bytes
-from linkwork.result import Result
+from linkwork.results.result import Result
+from linkwork.running.checks import check_bodies
+from linkwork.running.manifest import platform_facts
+from linkwork.running.progress import ShowOption, counting
+from linkwork.running.recording import frame_bytes
 
 __all__ = ["compare"]
 
@@ -56,7 +57,7 @@ def compare(
     on_inaccurate: Policy = "pass",
     progress: ShowOption = None,
     **options: Any,
-) -> Comparison:
+) -> Comparison:  # Long: 18 lines are its arguments.
     """Simulate a model by many methods, in parallel processes, and measure the error of each.
 
     model           a Model, or the name of a mechanism in linkwork.mechanisms
@@ -95,13 +96,12 @@ def compare(
     axes = (formulations, stabilizations, integrators, linear_solvers)
     rtols, asked = _numbers("tolerances", tolerances) or [], _numbers("steps", steps)
     methods = choices(*axes, options, adaptive=bool(rtols) and not asked)
-    if asked is None and not rtols:
-        asked = usual_steps(recommended, t_end) if recommended is not None else None
-        if asked is None and reference is None:
-            asked = _suggested_steps(model, t_end, processes)
+    if asked is None and not rtols and recommended is not None:
+        asked = usual_steps(recommended, t_end)
+    elif asked is None and not rtols and reference is None:
+        asked = _suggested_steps(model, t_end)
     grid = _grid(methods, asked or [], rtols)
-    store = _store(resume, model, t_end, reference)
-    count = processes or processor_count()
+    store, count = _store(resume, model, t_end, reference), processes or processor_count()
     known = {} if store is None else store.found()
     log.info("comparison of %s: %d runs, %d of them known", model.name or "model", len(grid),
              sum(item.key in known for item in grid))  # fmt: skip
@@ -239,9 +239,9 @@ def _checked(reference: Reference, model: Model, t_end: float) -> Reference:
     return reference
 
 
-def _suggested_steps(model: Model, t_end: float, processes: int | None) -> list[float]:
+def _suggested_steps(model: Model, t_end: float) -> list[float]:
     """From the steps of a run with an error of about USUAL_ERROR by a method of order 5."""
-    from linkwork.simulation import simulate
+    from linkwork.running.simulation import simulate
 
     try:
         with warnings.catch_warnings():

@@ -1,4 +1,4 @@
-"""Pictures of a comparison with matplotlib: error over work and step, violation and energy over time."""
+"""Pictures of a comparison with matplotlib: error over cost and step, violation and energy over time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from linkwork.comparison.runs import WRONG, Outcome
 from linkwork.errors import OptionError, nearest
-from linkwork.plotting import COLORS, check_format
+from linkwork.plots.figures import COLORS, check_format
 
 if TYPE_CHECKING:
     from linkwork.comparison.table import Comparison
@@ -41,11 +41,11 @@ def plot(comparison: Comparison, kind: str, path: str | os.PathLike[str] | None 
 
 
 def _work_precision(ax: Axes, comparison: Comparison) -> None:
-    """State error over work, the best at the lower left; no smaller than that of the reference."""
+    """State error over cost, the best at the lower left; no smaller than that of the reference."""
     for cells, style in _methods(comparison):
-        known = [(comparison.work(it), comparison.known_error(it, "state_error")) for it in cells]
-        points = sorted((work, error) for work, error in known if work and error)
-        ax.loglog([work for work, _ in points], [error for _, error in points], **style)
+        known = [(comparison.cost(it), comparison.known_error(it, "state_error")) for it in cells]
+        points = sorted((cost, error) for cost, error in known if cost and error)
+        ax.loglog([cost for cost, _ in points], [error for _, error in points], **style)
     _mark_reference(ax, comparison)
     ax.set(xlabel="evaluations x the least time of one [s]", ylabel="state error, largest over time")
 

@@ -10,19 +10,17 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from linkwork import summary
-from linkwork.comparison.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.arrays import Floats
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError, ModelError, OptionError
-from linkwork.model import Model
-from linkwork.result import Result
-from linkwork.simulation import simulate
+from linkwork.modeling.model import Model
+from linkwork.motion import summary
+from linkwork.results.result import Result
+from linkwork.running.simulation import simulate
 
 __all__ = ["ERRORS", "Reference", "given_reference", "solved_reference"]
-
-Floats = NDArray[np.float64]
 
 #: Of a run against the reference, see `measures`.
 ERRORS = ("state_error", "pose_error", "velocity_error", "reaction_error")

@@ -9,11 +9,11 @@ from dataclasses import asdict, dataclass, field
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.accuracy.measures import Differences, Sampled
+from linkwork.arrays import Floats
 from linkwork.comparison import order
 from linkwork.comparison.choices import Cell
-from linkwork.comparison.measures import Differences, Sampled
 from linkwork.comparison.reference import ERRORS, Reference, largest
 from linkwork.errors import (
     LinkworkError,
@@ -25,14 +25,12 @@ from linkwork.errors import (
     StepSizeError,
     ViolationError,
 )
-from linkwork.model import Model
+from linkwork.modeling.model import Model
 from linkwork.options import Policy, renamed
-from linkwork.result import Result
-from linkwork.simulation import simulate
+from linkwork.results.result import Result
+from linkwork.running.simulation import simulate
 
 __all__ = ["ERRORS", "Curves", "Outcome", "Runs", "Sampling"]
-
-Floats = NDArray[np.float64]
 
 Status = Literal["finished", "refused", "diverged", "singular", "failed", "lost"]
 
@@ -72,7 +70,7 @@ class Outcome:
                another error; lost: the process died or was too slow
     reason     of a cell that did not finish
     t_reached  [s]
-    errors     see linkwork.comparison.measures; `reaction_error` of joints with unique reactions alone;
+    errors     see linkwork.accuracy.measures; `reaction_error` of joints with unique reactions alone;
                `estimated_error` is what the run says of itself, see Result.verdict
     seconds    wall time of the steps, without the setup; the shortest of up to nine for short runs
     """

@@ -17,8 +17,8 @@ from zipfile import BadZipFile
 
 import numpy as np
 
+from linkwork.accuracy.measures import Sampled, Scales
 from linkwork.comparison.choices import Cell
-from linkwork.comparison.measures import Sampled, Scales
 from linkwork.comparison.order import OrderStudy, Study
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import Outcome

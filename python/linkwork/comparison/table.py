@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
@@ -39,7 +39,7 @@ COSTS = {"seconds": "s", "evaluations": "evaluations", "factorizations": "factor
 class Comparison:
     """Cells in the order of the grid: each method from its largest step to its smallest.
 
-    `print(comparison)` shows the table; `linkwork.comparison.measures` defines the errors.
+    `print(comparison)` shows the table; `linkwork.accuracy.measures` defines the errors.
     """
 
     outcomes: Sequence[Outcome]
@@ -71,7 +71,7 @@ class Comparison:
                 **it.figures(),
                 **orders[place],
                 "asymptotic_order": asymptotic[it.label] if it.step else None,
-                "work": self.work(it),
+                "cost": self.cost(it),
                 "noise": noise[place],
             }
             for place, it in enumerate(self.outcomes)
@@ -87,7 +87,12 @@ class Comparison:
         found: dict[str, float | None] = dict.fromkeys(it.label for it in self.outcomes)
         return found | {study.label: study.order(error) for study in self.studies}
 
-    def work(self, outcome: Outcome) -> float | None:
+    @property
+    def work(self) -> NoReturn:
+        """AttributeError: the former name of `cost`."""
+        raise AttributeError("'work' is called 'cost' now: ask for that")
+
+    def cost(self, outcome: Outcome) -> float | None:
         """Time that a cell takes [s]: its evaluations by the least time of one in any cell of its method.
 
         The wall time of a short run says as much about the moment as about the method; evaluations are
@@ -113,7 +118,7 @@ class Comparison:
         """One sentence: the cheapest of these cells whose error is no larger, from the measured table.
 
         of  "state_error", "pose_error", "velocity_error" or "reaction_error"
-        by  "seconds" (see `work`), "evaluations" or "factorizations"
+        by  "seconds" (see `cost`), "evaluations" or "factorizations"
 
         Errors below that of the reference count as equal to it. OptionError: a name that does not exist.
         """
@@ -153,7 +158,7 @@ class Comparison:
         )
 
     def _cost(self, outcome: Outcome, by: str) -> float:
-        return float((self.work(outcome) if by == "seconds" else getattr(outcome, by)) or 0.0)
+        return float((self.cost(outcome) if by == "seconds" else getattr(outcome, by)) or 0.0)
 
     # --- as text, table, files ---
 

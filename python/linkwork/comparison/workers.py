@@ -119,7 +119,7 @@ def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]
     context: Any = multiprocessing.get_context("fork")
     ours, theirs = context.Pipe()
     others = [ours, *(worker.connection for worker in crew)]
-    process = context.Process(target=_work, args=(theirs, others, task, items), daemon=True)
+    process = context.Process(target=_serve, args=(theirs, others, task, items), daemon=True)
     with warnings.catch_warnings():
         warnings.simplefilter(
             "ignore", DeprecationWarning
@@ -129,7 +129,7 @@ def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]
     return _Worker(process, ours)
 
 
-def _work(connection: Connection, others: Sequence[Connection], task: Any, items: Sequence[Any]) -> None:
+def _serve(connection: Connection, others: Sequence[Connection], task: Any, items: Sequence[Any]) -> None:
     """The other process: it ends when nobody is left to ask it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
     logging.getLogger("linkwork").setLevel(logging.WARNING)  # who asks tells of each item

@@ -14,23 +14,16 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from linkwork.arguments import path as path_of
 from linkwork.errors import FileError, nearest
-from linkwork.given import path as path_of
 from linkwork.importers.description import Imported, Note
 from linkwork.importers.mjcf import import_mjcf
 from linkwork.importers.sdf import import_sdf
 from linkwork.importers.urdf import import_urdf
 
 __all__ = [
-    "IMPORTERS",
-    "Imported",
-    "Note",
-    "import_mjcf",
-    "import_sdf",
-    "import_urdf",
-    "is_importable",
-    "read",
-]
+    "IMPORTERS", "Imported", "Note", "import_mjcf", "import_sdf", "import_urdf", "is_importable", "read",
+]  # fmt: skip
 
 #: By file name extension.
 IMPORTERS: Mapping[str, Callable[..., Imported]] = {

@@ -9,12 +9,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.importers.description import WORLD, Description, JointDescription
 from linkwork.importers.tree import LinkState, link_states
-
-Floats = NDArray[np.float64]
 
 #: Angle [rad] to which axes of one loop are parallel where they are meant to be: two roundings of 1.57 apart.
 ROUNDED = 2e-3

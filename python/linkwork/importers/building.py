@@ -8,12 +8,11 @@ from functools import partial
 from typing import Any, TypedDict
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import rotation
-from linkwork.elements import KINDS
+from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelFileError, OptionError, nearest
-from linkwork.handles import Body
 from linkwork.importers.alignment import align_axes
 from linkwork.importers.description import (
     WORLD,
@@ -25,12 +24,12 @@ from linkwork.importers.description import (
 )
 from linkwork.importers.frames import Frame
 from linkwork.importers.tree import LinkState, link_states
-from linkwork.model import Model
-from linkwork.placement import Attachment
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.handles import Body
+from linkwork.modeling.model import Model
+from linkwork.modeling.placement import Attachment
 
 __all__ = ["Options", "build"]
-
-Floats = NDArray[np.float64]
 
 #: Coulomb friction is regularized below these speeds [rad/s], [m/s].
 TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}

@@ -7,15 +7,13 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.errors import warn
 from linkwork.importers.frames import Frame, turned
-from linkwork.model import Model
+from linkwork.modeling.model import Model
 
 __all__ = ["Coupling", "Description", "Imported", "JointDescription", "LinkDescription", "Motion", "Note"]
-
-Floats = NDArray[np.float64]
 
 #: The name that formats give the ground.
 WORLD = "world"

@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import rotation
-
-Floats = NDArray[np.float64]
+from linkwork.arrays import Floats
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelFileError
 from linkwork.importers.building import Options, build
 from linkwork.importers.coverage import report
@@ -32,8 +32,6 @@ if TYPE_CHECKING:
     import mujoco
 
 __all__ = ["import_mjcf"]
-
-Floats = NDArray[np.float64]
 
 
 def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork.importers.description import JointDescription
 
@@ -13,8 +12,6 @@ if TYPE_CHECKING:
     import mujoco
 
 __all__ = ["JointDynamics", "is_disabled"]
-
-Floats = NDArray[np.float64]
 
 
 def is_disabled(model: mujoco.MjModel, *flags: str) -> bool:

@@ -6,13 +6,11 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.importers.description import Coupling, Description, JointDescription, LinkDescription, Note
 from linkwork.importers.frames import Frame
 from linkwork.importers.xml_text import Node, Reader
-
-Floats = NDArray[np.float64]
 
 #: The text of a quantity by its name: of an attribute (URDF) or of a child (SDF).
 Texts = Callable[[str], str | None]

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from typing import Unpack
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.importers.building import Options, build
 from linkwork.importers.coverage import report
 from linkwork.importers.description import (
@@ -27,8 +27,6 @@ from linkwork.importers.sdf_scopes import Scope
 from linkwork.importers.xml_text import Node, Reader, is_true
 
 __all__ = ["import_sdf"]
-
-Floats = NDArray[np.float64]
 
 Z = np.array([0.0, 0.0, 1.0])
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from urllib.parse import unquote, urlsplit
 
+from linkwork.arguments import path as path_of
 from linkwork.errors import FileError
-from linkwork.given import path as path_of
 from linkwork.importers.xml_text import Node, Reader, is_true
 
 #: The most includes in all: of files that include the next one twice each, there are soon too many.

@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError, nearest
 from linkwork.importers.description import WORLD, Description, JointDescription
 from linkwork.importers.frames import Frame
-
-Floats = NDArray[np.float64]
 
 #: A number for each elementary motion of a joint; a plain number where there is one.
 Values = Mapping[str, Any]

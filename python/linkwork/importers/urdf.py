@@ -6,8 +6,8 @@ import os
 from typing import TypeVar, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
 
+from linkwork.arrays import Floats
 from linkwork.importers.building import Options, build
 from linkwork.importers.coverage import report
 from linkwork.importers.description import Imported, JointDescription, LinkDescription, Motion
@@ -18,8 +18,6 @@ from linkwork.importers.xml_text import Node, Reader
 from linkwork.rotation import perpendicular
 
 __all__ = ["import_urdf"]
-
-Floats = NDArray[np.float64]
 
 X = np.array([1.0, 0.0, 0.0])
 

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 from xml.parsers import expat
 
+from linkwork.arguments import path as path_of
 from linkwork.errors import Fault, FileError, ModelFileError, cause
-from linkwork.given import path as path_of
 
 #: Largest file [bytes], and levels of elements in each other.
 SIZE, DEPTH = 2**26, 100

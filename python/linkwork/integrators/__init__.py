@@ -27,16 +27,9 @@ from linkwork.integrators.semi_implicit_euler import SEMI_IMPLICIT_EULER, SemiIm
 from linkwork.integrators.tsit5 import TSIT5
 
 __all__ = [
-    "METHODS",
-    "AdamsBashforth",
-    "AdamsBashforthMoulton",
-    "ButcherTableau",
-    "EmbeddedPair",
-    "HalfExplicit",
-    "Integrator",
-    "SemiImplicitEuler",
-    "named",
-]
+    "METHODS", "AdamsBashforth", "AdamsBashforthMoulton", "ButcherTableau", "EmbeddedPair",
+    "HalfExplicit", "Integrator", "SemiImplicitEuler", "named",
+]  # fmt: skip
 
 Integrator = ButcherTableau | AdamsBashforth | AdamsBashforthMoulton | HalfExplicit | SemiImplicitEuler
 

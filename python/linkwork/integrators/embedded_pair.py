@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import _core
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.integrators.runge_kutta import ButcherTableau
 
@@ -47,7 +47,7 @@ class EmbeddedPair(ButcherTableau):
             )
 
     @property
-    def extra_matrix(self) -> NDArray[np.float64]:
+    def extra_matrix(self) -> Floats:
         """extra_A with a column for each stage (extra, s + 1 + extra)."""
         square = np.zeros((len(self.extra_c), len(self.interpolant)))
         for i, row in enumerate(self.extra_A):

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import _core
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.integrators.growth import damped_roots
 
@@ -43,7 +43,7 @@ class HalfExplicit:
             )
 
     @property
-    def matrices(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def matrices(self) -> tuple[Floats, Floats]:
         """A and A_bar as square matrices (s, s)."""
         squares = np.zeros((2, len(self.A), len(self.A)))
         for square, rows in zip(squares, (self.A, self.A_bar), strict=True):

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import _core
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.integrators.growth import damped_roots
 
@@ -39,7 +39,7 @@ class ButcherTableau:
             )
 
     @property
-    def matrix(self) -> NDArray[np.float64]:
+    def matrix(self) -> Floats:
         """A as a square matrix (s, s)."""
         square = np.zeros((len(self.b), len(self.b)))
         for i, row in enumerate(self.A):

@@ -26,12 +26,7 @@ from linkwork.mechanisms.planetary_gear import PLANETARY_GEAR, planetary_gear
 from linkwork.mechanisms.rod_pendulum import ROD_PENDULUM, rod_pendulum
 from linkwork.mechanisms.rods import square_rod, thin_rod
 from linkwork.mechanisms.rolling_disc import ROLLING_DISC, rolling_disc
-from linkwork.mechanisms.six_bars import (
-    STEPHENSON_SIX_BAR,
-    WATT_SIX_BAR,
-    stephenson_six_bar,
-    watt_six_bar,
-)
+from linkwork.mechanisms.six_bars import STEPHENSON_SIX_BAR, WATT_SIX_BAR, stephenson_six_bar, watt_six_bar
 from linkwork.mechanisms.spatial_slider_crank import SPATIAL_SLIDER_CRANK, spatial_slider_crank
 from linkwork.mechanisms.stewart_platform import STEWART_PLATFORM, stewart_platform
 from linkwork.mechanisms.strandbeest_leg import STRANDBEEST_LEG, strandbeest_leg
@@ -39,70 +34,22 @@ from linkwork.mechanisms.torque_free_top import TORQUE_FREE_TOP, torque_free_top
 from linkwork.mechanisms.tracked_chain import TRACKED_CHAIN, tracked_chain
 
 __all__ = [
-    "MECHANISMS",
-    "Mechanism",
-    "Parameter",
-    "Size",
-    "andrews",
-    "bennett",
-    "binary_tree",
-    "bricard",
-    "chain",
-    "flyball_governor",
-    "four_bar",
-    "heavy_top",
-    "hub",
-    "is_file",
-    "is_model_file",
-    "named",
-    "net",
-    "pendulum",
-    "rod_pendulum",
-    "spatial_slider_crank",
-    "square_rod",
-    "stephenson_six_bar",
-    "strandbeest_leg",
-    "thin_rod",
-    "torque_free_top",
-    "tracked_chain",
-    "double_wishbone",
-    "delta_robot",
-    "stewart_platform",
-    "rolling_disc",
-    "planetary_gear",
-    "gyroscope",
-    "watt_six_bar",
-]
+    "MECHANISMS", "Mechanism", "Parameter", "Size", "andrews", "bennett", "binary_tree", "bricard",
+    "chain", "delta_robot", "double_wishbone", "flyball_governor", "four_bar", "gyroscope", "heavy_top",
+    "hub", "is_file", "is_model_file", "named", "net", "pendulum", "planetary_gear", "rod_pendulum",
+    "rolling_disc", "spatial_slider_crank", "square_rod", "stephenson_six_bar", "stewart_platform",
+    "strandbeest_leg", "thin_rod", "torque_free_top", "tracked_chain", "watt_six_bar",
+]  # fmt: skip
 
 MECHANISMS: dict[str, Mechanism] = {
     mechanism.name: mechanism
     for mechanism in (
-        PENDULUM,
-        ROD_PENDULUM,
-        CHAIN,
-        BINARY_TREE,
-        HUB,
-        HEAVY_TOP,
-        TORQUE_FREE_TOP,
-        FOUR_BAR,
-        ANDREWS,
-        BRICARD,
-        FLYBALL_GOVERNOR,
-        SPATIAL_SLIDER_CRANK,
-        NET,
-        WATT_SIX_BAR,
-        STEPHENSON_SIX_BAR,
-        STRANDBEEST_LEG,
-        BENNETT,
-        GYROSCOPE,
-        PLANETARY_GEAR,
-        ROLLING_DISC,
-        STEWART_PLATFORM,
-        DELTA_ROBOT,
-        DOUBLE_WISHBONE,
-        TRACKED_CHAIN,
+        PENDULUM, ROD_PENDULUM, CHAIN, BINARY_TREE, HUB, HEAVY_TOP, TORQUE_FREE_TOP, FOUR_BAR, ANDREWS,
+        BRICARD, FLYBALL_GOVERNOR, SPATIAL_SLIDER_CRANK, NET, WATT_SIX_BAR, STEPHENSON_SIX_BAR,
+        STRANDBEEST_LEG, BENNETT, GYROSCOPE, PLANETARY_GEAR, ROLLING_DISC, STEWART_PLATFORM, DELTA_ROBOT,
+        DOUBLE_WISHBONE, TRACKED_CHAIN,
     )
-}
+}  # fmt: skip
 
 
 def named(name: str) -> Mechanism:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model, rotation
+from linkwork.arrays import Floats
 from linkwork.mechanisms.mechanism import Mechanism
-
-Floats = NDArray[np.float64]
 
 #: Angles at the start [rad]; they close the loops to the last digit.
 BETA, GAMMA, PHI = -0.0617138900142764496, 0.455279819163070380, 0.222668390165885885

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.assembly import assemble
+from linkwork.arrays import Floats
+from linkwork.equations.assembly import assemble
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.rods import square_rod
 from linkwork.rotation import from_axes
-
-Floats = NDArray[np.float64]
 
 #: Twists between the axes of a link, of the ground and of the crank [rad]; opposite links are alike.
 ALPHA, BETA = np.radians(30.0), np.radians(90.0)

@@ -8,12 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import Model, OptionError
+from linkwork.arrays import Floats
 from linkwork.errors import nearest
 from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import square_rod
 from linkwork.rotation import from_axes
-
-Floats = NDArray[np.float64]
 
 #: The joints that can be between rods.
 JOINTS = ("revolute", "spherical")

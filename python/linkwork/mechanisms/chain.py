@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from linkwork import Model, OptionError
+from linkwork.arguments import is_one_of
 from linkwork.errors import nearest
-from linkwork.given import is_one_of
 from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import square_rod
 

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.assembly import assemble
+from linkwork.arrays import Floats
+from linkwork.equations.assembly import assemble
 from linkwork.functions import TimeFunction, harmonic
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.rods import square_rod
 from linkwork.rotation import from_axes
-
-Floats = NDArray[np.float64]
 
 BASE, ARM, FOREARM, TOOL = 0.2, 0.35, 0.8, 0.045  # radius, lengths, radius [m]
 APART = 0.1  # of the two rods of a forearm [m]

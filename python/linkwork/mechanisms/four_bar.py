@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model
+from linkwork.arrays import Floats
 from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import thin_rod
 from linkwork.rotation import from_axes
@@ -47,7 +47,7 @@ def four_bar(n: int = 1) -> Model:
     return model
 
 
-def _row(count: int, x: float, y: float) -> NDArray[np.float64]:
+def _row(count: int, x: float, y: float) -> Floats:
     """Points (count, 3) at x, x + 1, ..."""
     return np.stack([x + np.arange(count), np.full(count, y), np.zeros(count)], axis=1)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from linkwork.mechanisms.mechanism import Mechanism
 
 if TYPE_CHECKING:
-    from linkwork.model import Model
+    from linkwork.modeling.model import Model
 
 __all__ = ["is_file", "is_model_file", "mechanism_of_file"]
 
@@ -22,9 +22,10 @@ def is_file(name: str) -> bool:
 
 def is_model_file(name: str) -> bool:
     """Whether the extension is that of a file with a model, such as .yaml or .urdf; results have another."""
-    from linkwork import importers, model_file
+    from linkwork import importers
+    from linkwork.modeling import files
 
-    return importers.is_importable(name) or PurePath(name).suffix.lower() in model_file.SUFFIXES
+    return importers.is_importable(name) or PurePath(name).suffix.lower() in files.SUFFIXES
 
 
 def mechanism_of_file(path: str) -> Mechanism:
@@ -43,11 +44,14 @@ def mechanism_of_file(path: str) -> Mechanism:
 
 
 def _read(path: str) -> tuple[Model, Mapping[str, Any]]:
-    from linkwork import importers, model_file
+    from linkwork import importers
+    from linkwork.modeling import files
 
     if importers.is_importable(path):
         imported = importers.read(path)
         imported.warn()
         return imported.model, {}
-    file = model_file.read(path)
+    from linkwork.modeling.model import Model
+
+    file = files.read(path, Model)
     return file.model, file.simulation

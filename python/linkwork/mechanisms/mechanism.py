@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from linkwork.errors import ModelError
-from linkwork.model import Model
+from linkwork.modeling.model import Model
 
 __all__ = ["Mechanism", "Parameter", "Size", "at_least"]
 

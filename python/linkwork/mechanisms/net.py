@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import Model
+from linkwork.arrays import Floats
 from linkwork.mechanisms.mechanism import Mechanism, Size, at_least
 from linkwork.mechanisms.rods import square_rod
 from linkwork.rotation import from_axes
 
-Floats = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 NO_ROD = -1

@@ -5,15 +5,14 @@ from __future__ import annotations
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from linkwork import Model
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
-from linkwork.handles import Body
+from linkwork.modeling.handles import Body
 
 __all__ = ["meet", "polar", "tube_link"]
-
-Floats = NDArray[np.float64]
 
 
 def polar(length: float, angle: float) -> Floats:

@@ -10,6 +10,9 @@ from linkwork.mechanisms.mechanism import Mechanism, at_least
 
 SUN, PLANET, RING = 30, 23, 78  # teeth
 MODULE = 1.5e-3  # pitch circles are so many meters across for each tooth
+Z = (0, 0, 1)
+RADIUS = {teeth: MODULE * teeth / 2 for teeth in (SUN, PLANET, RING)}  # of the pitch circles [m]
+ARM = RADIUS[SUN] + RADIUS[PLANET]  # of the carrier
 WIDTH, DENSITY = 0.025, 7850.0  # of the wheels, of steel [m], [kg/m3]
 
 #: Moments of what is on the shafts [kg m2]: generator, engine, and the car, 1300 kg on tires of 0.287 m,
@@ -41,43 +44,44 @@ def planetary_gear(
             code="planets",
         )
     model = Model(gravity=(0, 0, 0), name="planetary_gear")
-    sun_radius, planet_radius, ring_radius = (MODULE * teeth / 2 for teeth in (SUN, PLANET, RING))
-    arm = sun_radius + planet_radius
     sun_speed = CARRIER_SPEED - RING / SUN * (RING_SPEED - CARRIER_SPEED)
-    planet_speed = CARRIER_SPEED + RING / PLANET * (RING_SPEED - CARRIER_SPEED)
-    origin, z = np.zeros(3), (0, 0, 1)
-
     for name, outer, inner, speed in (
-        ("sun", sun_radius, 0.0, sun_speed),
-        ("carrier", arm + planet_radius / 2, 0.0, CARRIER_SPEED),
-        ("ring", ring_radius + 0.01, ring_radius, RING_SPEED),
+        ("sun", RADIUS[SUN], 0.0, sun_speed),
+        ("carrier", ARM + RADIUS[PLANET] / 2, 0.0, CARRIER_SPEED),
+        ("ring", RADIUS[RING] + 0.01, RADIUS[RING], RING_SPEED),
     ):
         mass, (across, _, axial) = _disk(outer, inner)
         shaft = LOADS[name]
         inertia = (across + shaft / 2, across + shaft / 2, axial + shaft)
         body = model.body(name, mass=mass, inertia=inertia, omega=(0, 0, speed))
-        model.revolute(model.ground, body, at=origin, axis=z, name=f"{name} bearing")
-    mass, moments = _disk(planet_radius, 0.0)
+        model.revolute(model.ground, body, at=np.zeros(3), axis=Z, name=f"{name} bearing")
+    _add_planets(model, planets)
+    model.force("carrier", torque=(0, 0, engine), name="engine")
+    model.force("sun", torque=(0, 0, generator), name="generator")
+    model.force("ring", torque=(0, 0, -road), name="road")
+    return model
+
+
+def _add_planets(model: Model, planets: int) -> None:
+    """Evenly around the sun, each on its bearing and in two gears."""
+    speed = CARRIER_SPEED + RING / PLANET * (RING_SPEED - CARRIER_SPEED)
+    mass, moments = _disk(RADIUS[PLANET], 0.0)
     for k in range(planets):
         angle = 2 * np.pi * k / planets
-        center = arm * np.array([np.cos(angle), np.sin(angle), 0.0])
+        center = ARM * np.array([np.cos(angle), np.sin(angle), 0.0])
         planet = model.body(
             f"planet {k + 1}",
             mass=mass,
             inertia=moments,
             position=center,
-            orientation=rotation.about(z, angle),
-            velocity=CARRIER_SPEED * np.cross(z, center),
-            omega=(0, 0, planet_speed),
+            orientation=rotation.about(Z, angle),
+            velocity=CARRIER_SPEED * np.cross(Z, center),
+            omega=(0, 0, speed),
         )
-        model.revolute("carrier", planet, at=center, axis=z, name=f"planet {k + 1} bearing")
+        model.revolute("carrier", planet, at=center, axis=Z, name=f"planet {k + 1} bearing")
         for wheel, teeth in (("sun", SUN), ("ring", -RING)):
-            model.gear(wheel, planet, at=(origin, center), axis=z, teeth_a=teeth, teeth_b=PLANET,
+            model.gear(wheel, planet, at=(np.zeros(3), center), axis=Z, teeth_a=teeth, teeth_b=PLANET,
                        name=f"{wheel} and planet {k + 1}")  # fmt: skip
-    model.force("carrier", torque=(0, 0, engine), name="engine")
-    model.force("sun", torque=(0, 0, generator), name="generator")
-    model.force("ring", torque=(0, 0, -road), name="road")
-    return model
 
 
 def _disk(outer: float, inner: float) -> tuple[float, tuple[float, float, float]]:

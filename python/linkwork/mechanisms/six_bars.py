@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.assembly import assemble
+from linkwork.arrays import Floats
+from linkwork.equations.assembly import assemble
 from linkwork.errors import ModelError
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.planar import meet, polar, tube_link
-
-Floats = NDArray[np.float64]
 
 DENSITY, RADIUS = 0.5, 0.01  # of aluminum tube [kg/m], [m]
 FLYWHEEL = 0.02  # moment of inertia that keeps the crank turning [kg m2]

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model
+from linkwork.arrays import Floats
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.rods import square_rod
 from linkwork.rotation import from_axes, matrix
-
-Floats = NDArray[np.float64]
 
 X, Y = np.array([1.0, 0.0, 0.0]), np.array([0.0, 1.0, 0.0])
 

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.assembly import assemble
+from linkwork.arrays import Floats
+from linkwork.equations.assembly import assemble
 from linkwork.functions import TimeFunction, harmonic
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.rotation import from_axes
-
-Floats = NDArray[np.float64]
 
 HEIGHT = 2.1  # of the platform at the start [m]
 CYLINDER, PISTON = 1.3, 1.5  # lengths of the two halves of a leg, from its ends [m]

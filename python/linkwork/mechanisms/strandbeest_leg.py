@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model
-from linkwork.assembly import assemble
+from linkwork.arrays import Floats
+from linkwork.equations.assembly import assemble
 from linkwork.functions import polynomial
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.planar import meet, polar, tube_link
-
-Floats = NDArray[np.float64]
 
 #: Jansen's "holy numbers", by his letters; here in cm.
 LENGTHS = {

@@ -5,16 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from linkwork import Model, rotation
-from linkwork.contact import contact_hysteresis
+from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.functions import polynomial
-from linkwork.handles import Body, Range
 from linkwork.mechanisms.mechanism import Mechanism
-
-Floats = NDArray[np.float64]
+from linkwork.modeling.contact import contact_hysteresis
+from linkwork.modeling.handles import Body, Range
 
 AXIS = np.array([0.0, 0.0, 1.0])  # of all pins, wheels and rollers
 

@@ -10,8 +10,8 @@
 
 from __future__ import annotations
 
-from linkwork.validation.problem import Figure, Problem, Verdict, validate
-from linkwork.validation.problems import PROBLEMS
+from linkwork.validation.problem import Figure, Problem, Verdict
+from linkwork.validation.problems import PROBLEMS, validate
 from linkwork.validation.series import Series
 
 __all__ = ["PROBLEMS", "Figure", "Problem", "Series", "Verdict", "validate"]

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwork.errors import LinkworkError, OptionError, nearest
+from linkwork.arrays import Floats
+from linkwork.errors import LinkworkError
 from linkwork.mechanisms import MECHANISMS
-from linkwork.simulation import simulate
-from linkwork.validation.series import Floats, Series
+from linkwork.running.simulation import simulate
+from linkwork.validation.series import Series
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
-__all__ = ["Figure", "Problem", "Verdict", "validate"]
+__all__ = ["Figure", "Problem", "Verdict"]
 
 
 @dataclass(frozen=True)
@@ -103,19 +104,6 @@ class Problem:
             mechanism.function(**self.parameters), t_end, step, record_every=round(solution.interval / step),
             progress=False, on_inaccurate="pass", **rest,
         )  # fmt: skip
-
-
-def validate(names: Iterable[str] | None = None) -> Iterator[Verdict]:
-    """The verdict on each problem as it comes; all without `names`. OptionError: there is no such problem."""
-    from linkwork.validation.problems import PROBLEMS
-
-    chosen = list(PROBLEMS if names is None else names)
-    for name in chosen:
-        if name not in PROBLEMS:
-            raise OptionError(
-                f"reference problem '{name}' does not exist{nearest(name, PROBLEMS)}", code="unknown_option"
-            )
-    return (PROBLEMS[name].run() for name in chosen)
 
 
 def largest(values: Floats) -> float:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
 
 from linkwork import rotation
-from linkwork.result import Result
-from linkwork.validation.problem import Figure, Problem, largest, relative
-from linkwork.validation.series import Floats, Series
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError, nearest
+from linkwork.results.result import Result
+from linkwork.validation.problem import Figure, Problem, Verdict, largest, relative
+from linkwork.validation.series import Series
 
-__all__ = ["PROBLEMS"]
+__all__ = ["PROBLEMS", "validate"]
 
 
 def pendulum(result: Result, exact: Series) -> list[Figure]:
@@ -149,3 +152,14 @@ PROBLEMS: dict[str, Problem] = {
                 flyball_governor, "flyball_governor"),
     )
 }  # fmt: skip
+
+
+def validate(names: Iterable[str] | None = None) -> Iterator[Verdict]:
+    """The verdict on each problem as it comes; all without `names`. OptionError: there is no such problem."""
+    chosen = list(PROBLEMS if names is None else names)
+    for name in chosen:
+        if name not in PROBLEMS:
+            raise OptionError(
+                f"reference problem '{name}' does not exist{nearest(name, PROBLEMS)}", code="unknown_option"
+            )
+    return (PROBLEMS[name].run() for name in chosen)

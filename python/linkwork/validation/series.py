@@ -6,11 +6,10 @@ import json
 from importlib.resources import files
 
 import numpy as np
-from numpy.typing import NDArray
+
+from linkwork.arrays import Floats
 
 __all__ = ["Series"]
-
-Floats = NDArray[np.float64]
 
 
 class Series:

@@ -15,14 +15,15 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from linkwork import rotation
-from linkwork.header import Floats, Header
-from linkwork.joint_motion import Holds, gaps, joint_kinds
-from linkwork.shapes import Box, Cylinder, Rod, Shape, Sphere
+from linkwork.arrays import Floats
+from linkwork.modeling.shapes import Box, Cylinder, Rod, Shape, Sphere
+from linkwork.motion.header import Header
+from linkwork.motion.violations import Holds, gaps, joint_kinds
 from linkwork.view import machine_elements
 from linkwork.view.machine_elements import Form, at
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 Layer = Literal["body", "joint", "force", "ground"]
 

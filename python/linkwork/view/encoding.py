@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.header import Floats
+from linkwork.arrays import Floats
 
 #: Steps between the least and the largest value of a channel.
 STEPS = 2**16 - 1

@@ -15,14 +15,15 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from linkwork import rotation
-from linkwork.elements import KINDS
-from linkwork.header import Floats, Header
-from linkwork.joint_motion import Holds, joint_kinds, separations
-from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.arrays import Floats
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.motion.header import Header
+from linkwork.motion.violations import Holds, joint_kinds, separations
 from linkwork.view import meshes
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 Role = Literal["joint", "force"]
 Form = Literal["bar", "coil", "damper"]

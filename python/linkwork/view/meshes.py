@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.header import Floats
+from linkwork.arrays import Floats
 
 Surface = tuple[Floats, NDArray[np.int32]]  # vertices (n, 3), triangles (m, 3) counterclockwise from outside
 

@@ -15,15 +15,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork import given, rotation
+from linkwork import arguments, rotation
+from linkwork.arrays import Floats
 from linkwork.errors import FileError, OptionError, unwritable
-from linkwork.header import Floats
-from linkwork.plotting import new_figure
-from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.plots.figures import new_figure
 from linkwork.view.appearance import Scene, Solid, Span, scene
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 #: More faces than these take minutes to paint.
 MOST_FACES = 200_000
@@ -46,14 +46,14 @@ def movie(
     size: tuple[int, int] = (960, 640),
 ) -> None:
     """Write a .mp4 or .gif; see `Result.movie`."""
-    file = given.path(path, "movie")
+    file = arguments.path(path, "movie")
     if file.suffix.lower() not in (".mp4", ".gif"):
         raise FileError(f"movie '{path}': is neither .mp4 nor .gif: name it so", code="format")
     if not len(result):
         raise OptionError("the result has no frames: there is nothing to film", code="empty")
     duration = float(result.t[-1] - result.t[0])
     lasts = seconds if seconds is not None else min(max(duration, 2.0), 20.0)
-    good = given.is_number(lasts) and given.is_number(frames_per_second) and _is_size(size)
+    good = arguments.is_number(lasts) and arguments.is_number(frames_per_second) and _is_size(size)
     if not good or not lasts > 0 or frames_per_second < 1 or not lasts * frames_per_second < MOST_PICTURES:
         raise OptionError(
             f"movie of {lasts!r:.80} s, {frames_per_second!r:.80} frames per second, {size!r:.80} pixels: "

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from linkwork.arguments import is_number
 from linkwork.errors import OptionError, unwritable
-from linkwork.given import is_number
 from linkwork.view.run import LIMIT, document
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 _PAGE = """<!doctype html>
 <html lang="en">

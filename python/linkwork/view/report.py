@@ -14,14 +14,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwork import plot_kinds, summary
 from linkwork.errors import OptionError
+from linkwork.motion import summary
+from linkwork.plots import kinds
 from linkwork.view.page import Page, view
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 #: Rows of a table; the rest is counted.
 ROWS = 100
@@ -150,7 +151,7 @@ def _plots(result: Result) -> str:
     figures = [
         f'<figure><figcaption>{heading}</figcaption><img alt="{heading}" src="{_png(figure)}"></figure>'
         for kind, heading in PLOTS.items()
-        if (figure := plot_kinds.plot(result, kind=kind))
+        if (figure := kinds.plot(result, kind=kind))
     ]
     return f'<div class="plots">{"".join(figures)}</div>'
 

@@ -11,16 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.header import Floats, Header
-from linkwork.joint_motion import joint_kinds, violations
-from linkwork.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.summary import method
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
+from linkwork.motion.header import Header
+from linkwork.motion.summary import method
+from linkwork.motion.violations import joint_kinds, violations
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
 
 if TYPE_CHECKING:
-    from linkwork.result import Result
+    from linkwork.results.result import Result
 
 #: Of the frames before they are deflated [bytes].
 LIMIT = 16e6

@@ -39,20 +39,7 @@ def free_bodies(mechanism: Mechanism) -> System:
     system = container.AddSystem()
     bodies = {GROUND: system.AddObject(items.ObjectGround())}
     for body in range(mechanism.body_count):
-        p, omega, J = mechanism.orientation[body], mechanism.omega[body], mechanism.inertia[body]
-        p_dot = 0.5 * np.append(-p[1:] @ omega, p[0] * omega + np.cross(p[1:], omega))
-        node = system.AddNode(
-            items.NodeRigidBodyEP(
-                referenceCoordinates=[*mechanism.position[body], *p],
-                initialVelocities=[*mechanism.velocity[body], *p_dot],
-            )
-        )
-        moments = [J[0, 0], J[1, 1], J[2, 2], J[1, 2], J[0, 2], J[0, 1]]
-        bodies[body] = system.AddObject(
-            items.ObjectRigidBody(mass=mechanism.mass[body], inertia=moments, nodeNumber=node)
-        )
-        weight = system.AddMarker(items.MarkerBodyMass(bodyNumber=bodies[body]))
-        system.AddLoad(items.LoadMassProportional(markerNumber=weight, loadVector=mechanism.gravity))
+        bodies[body] = _body(mechanism, body, system)
     for joint in range(mechanism.joint_count):
         markers = [
             system.AddMarker(
@@ -79,6 +66,25 @@ def free_bodies(mechanism: Mechanism) -> System:
     return System(container, system, velocities)
 
 
+def _body(mechanism: Mechanism, body: int, system: exu.MainSystem) -> int:
+    """With its weight; the number that it gets."""
+    p, omega, J = mechanism.orientation[body], mechanism.omega[body], mechanism.inertia[body]
+    p_dot = 0.5 * np.append(-p[1:] @ omega, p[0] * omega + np.cross(p[1:], omega))
+    node = system.AddNode(
+        items.NodeRigidBodyEP(
+            referenceCoordinates=[*mechanism.position[body], *p],
+            initialVelocities=[*mechanism.velocity[body], *p_dot],
+        )
+    )
+    moments = [J[0, 0], J[1, 1], J[2, 2], J[1, 2], J[0, 2], J[0, 1]]
+    number: int = system.AddObject(
+        items.ObjectRigidBody(mass=mechanism.mass[body], inertia=moments, nodeNumber=node)
+    )
+    weight = system.AddMarker(items.MarkerBodyMass(bodyNumber=number))
+    system.AddLoad(items.LoadMassProportional(markerNumber=weight, loadVector=mechanism.gravity))
+    return number
+
+
 def _transformation(rotation: Floats, translation: Floats) -> Floats:
     return np.block([[rotation, translation[:, None]], [np.zeros(3), 1.0]])
 
@@ -102,74 +108,97 @@ def _joint(mechanism: Mechanism, joint: int, markers: list[int]) -> object:
     return items.ObjectJointGeneric(markerNumbers=markers, constrainedAxes=constrained.tolist())
 
 
-def tree(mechanism: Mechanism) -> System | None:
-    """An open chain of revolute joints in joint coordinates; None for other mechanisms."""
-    if mechanism.has_loops or (mechanism.kind != "revolute").any():
-        return None
+@dataclass(frozen=True)
+class _Links:
+    """Of an open chain, from link to link: frames of joints, and what refers to them."""
+
+    bodies: list[int]
+    parents: list[int]  # numbers of links; -1: the ground
+    carrier: dict[int, Floats]  # by body: the frame of the carrying joint in the body's
+    transformations: list[Floats]
+    inertias: list[Floats]
+    centers: list[Floats]
+    rates: list[float]
+
+
+def _links(mechanism: Mechanism) -> _Links:
     branches, _ = spanning_tree(mechanism)
     number = {GROUND: -1} | {branch.body: k for k, branch in enumerate(branches)}
-    carrier = {GROUND: np.eye(4)}  # the frame of the carrying joint in the body's
-    transformations, inertias, centers, rates = [], [], [], []
+    parents = [number[branch.parent] for branch in branches]
+    links = _Links([branch.body for branch in branches], parents, {GROUND: np.eye(4)}, [], [], [], [])
     for branch in branches:
         joint, side = branch.joint, branch.side
         outer, inner = (
             _transformation(mechanism.frame[joint, s], mechanism.origin[joint, s]) for s in (1 - side, side)
         )
-        transformations.append(np.linalg.solve(carrier[branch.parent], outer))
-        carrier[branch.body] = inner
+        links.transformations.append(np.linalg.solve(links.carrier[branch.parent], outer))
+        links.carrier[branch.body] = inner
         C = inner[:3, :3]
-        inertias.append(C.T @ mechanism.inertia[branch.body] @ C)
-        centers.append(-C.T @ inner[:3, 3])
-        rates.append(mechanism.relative_omega(joint, side)[2])
+        links.inertias.append(C.T @ mechanism.inertia[branch.body] @ C)
+        links.centers.append(-C.T @ inner[:3, 3])
+        links.rates.append(mechanism.relative_omega(joint, side)[2])
+    return links
 
+
+def tree(mechanism: Mechanism) -> System | None:
+    """An open chain of revolute joints in joint coordinates; None for other mechanisms."""
+    if mechanism.has_loops or (mechanism.kind != "revolute").any():
+        return None
+    links = _links(mechanism)
     container = exu.SystemContainer()
     system = container.AddSystem()
-    zero = np.zeros(len(branches))
-    node = system.AddNode(
-        items.NodeGenericODE2(
-            referenceCoordinates=zero,
-            initialCoordinates=zero,
-            initialCoordinates_t=rates,
-            numberOfODE2Coordinates=len(branches),
-        )
-    )
-    chain = system.AddObject(
-        items.ObjectKinematicTree(
-            nodeNumber=node,
-            gravity=mechanism.gravity,
-            jointTypes=[exu.JointType.RevoluteZ] * len(branches),
-            linkParents=[number[branch.parent] for branch in branches],
-            jointHTs=transformations,
-            linkInertiasCOM=exu.Matrix3DList(inertias),
-            linkCOMs=exu.Vector3DList(centers),
-            linkMasses=[mechanism.mass[branch.body] for branch in branches],
-        )
-    )
-    sensors = [
-        [
+    chain = _add_chain(mechanism, links, system)
+    kinds = (exu.OutputVariableType.Velocity, exu.OutputVariableType.AngularVelocityLocal)
+    sensors = {
+        body: [
             system.AddSensor(
                 items.SensorKinematicTree(
-                    objectNumber=chain,
-                    linkNumber=number[body],
-                    localPosition=centers[number[body]],
-                    outputVariableType=kind,
+                    objectNumber=chain, linkNumber=k, localPosition=links.centers[k], outputVariableType=kind,
                     writeToFile=False,
                 )
             )
-            for kind in (exu.OutputVariableType.Velocity, exu.OutputVariableType.AngularVelocityLocal)
+            for kind in kinds
         ]
-        for body in range(mechanism.body_count)
-    ]
+        for k, body in enumerate(links.bodies)
+    }  # fmt: skip
     system.Assemble()
 
     def velocities() -> Floats:
         """From link axes to body axes."""
-        found = np.array([[system.GetSensorValues(sensor) for sensor in pair] for pair in sensors])
+        found = np.array(
+            [[system.GetSensorValues(it) for it in sensors[body]] for body in range(mechanism.body_count)]
+        )
         for body in range(mechanism.body_count):
-            found[body, 1] = carrier[body][:3, :3] @ found[body, 1]
+            found[body, 1] = links.carrier[body][:3, :3] @ found[body, 1]
         return found.reshape(-1, 6)
 
     return System(container, system, velocities)
+
+
+def _add_chain(mechanism: Mechanism, links: _Links, system: exu.MainSystem) -> int:
+    """With its coordinates; the number that it gets."""
+    count = len(links.bodies)
+    node = system.AddNode(
+        items.NodeGenericODE2(
+            referenceCoordinates=np.zeros(count),
+            initialCoordinates=np.zeros(count),
+            initialCoordinates_t=links.rates,
+            numberOfODE2Coordinates=count,
+        )
+    )
+    number: int = system.AddObject(
+        items.ObjectKinematicTree(
+            nodeNumber=node,
+            gravity=mechanism.gravity,
+            jointTypes=[exu.JointType.RevoluteZ] * count,
+            linkParents=links.parents,
+            jointHTs=links.transformations,
+            linkInertiasCOM=exu.Matrix3DList(links.inertias),
+            linkCOMs=exu.Vector3DList(links.centers),
+            linkMasses=[mechanism.mass[body] for body in links.bodies],
+        )
+    )
+    return number
 
 
 def _solver(mechanism: Mechanism, system: System, scheme: exu.DynamicSolverType) -> Callable[[int], None]:

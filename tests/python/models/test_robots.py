@@ -165,7 +165,7 @@ DRIFT: dict[str, Any] = {
 
 
 @pytest.mark.parametrize("path", SDF_FILES, ids=lambda path: path.name)
-def test_cassie_runs_with_its_loops_within_the_drift_budget(path: Path) -> None:
+def test_cassie_runs_with_its_loops_within_the_limit_of_violation(path: Path) -> None:
     """In free fall and turning: the files have no floor."""
     model = lw.import_sdf(path, repair_inertia=True).model
     assert model.joint_count > model.body_count - 1

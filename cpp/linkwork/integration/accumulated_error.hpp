@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwork/integration/run_judge.hpp"
+
+namespace linkwork {
+
+/// A step that was taken again; errors are relative, see AccumulatedError.
+struct JudgedStep {
+  double t, h;       ///< [s]
+  double state;      ///< at its end
+  double reactions;  ///< NaN: not looked at
+};
+
+/// What the local errors of a run come to over it. Poses are relative to L, half of the box in which centers of mass
+/// move or the longest arm, or to the path where that is shorter; velocities to V, the largest speed; reactions to the
+/// largest.
+struct AccumulatedError {
+  std::size_t failed = 0;           ///< steps that could not be taken again; where all could not, the rest is zero
+  std::vector<JudgedStep> steps;    ///< the others, by time
+  double state = 0.0;               ///< over the run
+  double local_error = 0.0;         ///< of the state, the mean over the run [1/s]
+  double reactions_by_state = 0.0;  ///< of local errors; NaN: not known
+  double violation = 0.0;           ///< largest at the ends of these steps, see RelativeViolation
+  double rate = 0.0;                ///< V / L [1/s]
+  double seconds = 0.0;             ///< that the parts of the run took
+};
+
+/// `length`: see RelativeViolation.
+///
+/// Between the two steps that are known of a part of the run errors go with the change of accelerations, of which the
+/// mean is known; the sum over a part is at least what they say. An error of a velocity is also one of positions later:
+/// it grows with time, as far as V t / L = 5; beyond, motions of a mechanism turn rather than part. An error of a pose
+/// is a delay, too: what is late by dt is off by y_dot dt, which is more where the motion is faster than where it
+/// arose, and is one of the velocity in an impact. Frames inside of steps are off by what the interpolant is there,
+/// beside. What does grow on is the error of the energy, as that of the speed along the path: it is the caller's.
+AccumulatedError accumulate(const RunErrors& errors, double length);
+
+}  // namespace linkwork

@@ -1,0 +1,1 @@
+"""How far a run is from the exact motion: measures, a finer run, the verdict."""

@@ -1,0 +1,157 @@
+"""By how much a motion differs from the reference: poses, velocities, reactions, over time.
+
+At each time the largest over the bodies counts (over the joints with unique reactions), scaled so that 1
+means "as large as the motion itself":
+
+    pose error      max(|r - r*|, L phi) / L,  phi the angle [rad] of the rotation A(p)^T A(p*)
+    velocity error  max(|r_dot - r_dot*|, L |omega - omega*|) / V
+    state error     the larger of the two
+    reaction error  max(|F - F*|, |T - T*| / L) / F_max
+
+with the `Scales` L, V, F_max of the reference, the starred quantities.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError
+
+if TYPE_CHECKING:
+    from linkwork.results.result import Result
+
+__all__ = ["Differences", "Sampled", "Scales"]
+
+#: Two times are the same, relative to the later one.
+SAME_TIME = 1e-9
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """The frames of a result that a comparison needs; k times, n bodies, j joints with unique reactions."""
+
+    t: Floats  # (k,) [s]
+    q: Floats  # (k, n, 7) position [m], Euler parameters
+    v: Floats  # (k, n, 6) velocity, inertial [m/s]; angular velocity, body axes [rad/s]
+    force: Floats  # (k, j, 3) inertial [N]
+    torque: Floats  # (k, j, 3) inertial, at the joint's point [N m]
+
+    @classmethod
+    def of(cls, result: Result) -> Sampled:
+        unique = result.unique_reactions
+        reactions = result.reactions()
+        return cls(result.t, result.q, result.v, reactions.force[:, unique], reactions.torque[:, unique])
+
+    def at(self, times: Floats) -> tuple[Sampled, NDArray[np.intp]]:
+        """The frames at those of the `times` that are here, and their places among `times`."""
+        after = np.clip(np.searchsorted(self.t, times), 1, max(len(self.t) - 1, 1))
+        before = after - 1
+        after = np.minimum(after, len(self.t) - 1)
+        nearest = np.where(np.abs(self.t[after] - times) < np.abs(self.t[before] - times), after, before)
+        near = np.abs(self.t[nearest] - times) <= SAME_TIME * max(float(np.abs(times).max(initial=0)), 1e-300)
+        taken = nearest[near]
+        values = (getattr(self, field.name)[taken] for field in fields(self))
+        return Sampled(*values), np.flatnonzero(near)
+
+
+@dataclass(frozen=True)
+class Scales:
+    """What the errors are divided by; 1 where nothing moves or pulls."""
+
+    length: (
+        float  #: L: half the diagonal of the box in which the centers of mass move, or the longest arm [m]
+    )
+    speed: float  #: V: largest of |r_dot| and L |omega| [m/s]
+    force: float  #: F_max: largest of |F| and |T| / L of the unique reactions [N]
+
+    @classmethod
+    def of(cls, motion: Sampled, longest_arm: float) -> Scales:
+        """`longest_arm` [m]: from a center of mass to a joint."""
+        r = motion.q[:, :, :3]
+        diagonal = float(np.linalg.norm(np.ptp(r, axis=(0, 1)))) if r.size else 0.0
+        length = max(diagonal / 2, longest_arm) or 1.0
+        speed = max(_largest(motion.v[:, :, :3]), length * _largest(motion.v[:, :, 3:]))
+        force = max(_largest(motion.force), _largest(motion.torque) / length)
+        return cls(length, speed or 1.0, force or 1.0)
+
+
+@dataclass(frozen=True)
+class Differences:
+    """From the reference, at k times: the largest of any body or joint. NaN where nothing is comparable."""
+
+    t: Floats  # (k,) [s]
+    position: Floats  # (k,) [m]
+    rotation: Floats  # (k,) [rad]
+    velocity: Floats  # (k,) [m/s]
+    omega: Floats  # (k,) [rad/s]
+    force: Floats  # (k,) [N]
+    torque: Floats  # (k,) [N m]
+
+    @classmethod
+    def between(cls, motion: Sampled, reference: Sampled) -> Differences:
+        """At the times that both have. OptionError: they have none but the start."""
+        exact, places = reference.at(motion.t)
+        if len(places) < min(2, len(motion.t)):
+            raise OptionError(
+                f"the reference has {len(reference.t)} frames from {reference.t[0]:g} to "
+                f"{reference.t[-1]:g} s, none at the times of the run; record it at multiples of the steps",
+                code="reference",
+            )
+        q, v = motion.q[places], motion.v[places]
+        return cls(
+            motion.t[places],
+            _farthest(q[:, :, :3] - exact.q[:, :, :3]),
+            _angle(q[:, :, 3:], exact.q[:, :, 3:]).max(axis=1, initial=0.0),
+            _farthest(v[:, :, :3] - exact.v[:, :, :3]),
+            _farthest(v[:, :, 3:] - exact.v[:, :, 3:]),
+            _farthest(motion.force[places] - exact.force),
+            _farthest(motion.torque[places] - exact.torque),
+        )
+
+    def pose(self, scales: Scales) -> Floats:
+        return np.maximum(self.position / scales.length, self.rotation)
+
+    def velocities(self, scales: Scales) -> Floats:
+        return np.maximum(self.velocity, scales.length * self.omega) / scales.speed
+
+    def state(self, scales: Scales) -> Floats:
+        return np.maximum(self.pose(scales), self.velocities(scales))
+
+    def reaction(self, scales: Scales) -> Floats:
+        return np.maximum(self.force, self.torque / scales.length) / scales.force
+
+
+def longest_arm(result: Result) -> float:
+    """Longest distance from a center of mass to a joint on the body [m]."""
+    header = result.header
+    arms = np.linalg.norm(header.joint_origin, axis=-1)[header.joint_bodies >= 0]
+    return float(arms.max(initial=0.0))
+
+
+def _largest(vectors: Floats) -> float:
+    return float(np.linalg.norm(vectors, axis=-1).max(initial=0.0))
+
+
+def _farthest(vectors: Floats) -> Floats:
+    """Longest of the vectors (k, n, 3) at each time (k,); NaN where there are none."""
+    if not vectors.shape[1]:
+        return np.full(len(vectors), np.nan)
+    longest: Floats = np.linalg.norm(vectors, axis=-1).max(axis=1)
+    return longest
+
+
+def _angle(p: Floats, exact: Floats) -> Floats:
+    """Angle of the rotation A(p)^T A(p*) [rad], with full accuracy for small ones: 2 atan2(|e|, |e0|).
+
+    e0 = p . p*,  e = p0 e* - p0* e - e x e*: the Euler parameters of the relative rotation.
+    """
+    e, e_exact = p[..., 1:], exact[..., 1:]
+    scalar = np.sum(p * exact, axis=-1)
+    vector = p[..., :1] * e_exact - exact[..., :1] * e - np.cross(e, e_exact)
+    angle: Floats = 2 * np.arctan2(np.linalg.norm(vector, axis=-1), np.abs(scalar))
+    return angle

@@ -1,0 +1,102 @@
+"""Arguments as they are given: what is no number, name or path is an error of our own, whatever it is.
+
+Comparisons of arrays, hashes of lists and conversions of huge integers raise errors of Python's or NumPy's;
+here they are answered like other values that make no sense.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from linkwork.arrays import Floats
+from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
+
+__all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "whole"]
+
+#: A shape (size,) of an array; None stands for any length.
+ArrayShape = tuple[int | None, ...]
+
+#: What NumPy and Python raise for what is not made of numbers.
+UNREADABLE = (TypeError, ValueError, OverflowError)
+
+
+def array(given: Any, what: str, error: type[LinkworkError] = OptionError) -> Floats:
+    """As numbers, in any shape. `error`: it is not made of real numbers."""
+    try:
+        if np.iscomplexobj(given):
+            raise TypeError("complex")
+        return np.asarray(given, dtype=float)
+    except UNREADABLE as cause:
+        raise error(f"{what} {given!r:.80} is not made of numbers", code="not_a_number") from cause
+
+
+def is_number(given: Any) -> bool:
+    """Whether it is one finite real number; text is none."""
+    if isinstance(given, str | bytes) or not (isinstance(given, int) or hasattr(given, "__float__")):
+        return False
+    try:
+        return math.isfinite(given)
+    except UNREADABLE:
+        return False
+
+
+def number(
+    given: Any, what: str, error: type[LinkworkError] = OptionError, code: str = "not_a_number"
+) -> float:
+    """`error`: it is no finite number."""
+    if not is_number(given):
+        raise error(f"{what} {given!r:.80} is not a finite number", code=code)
+    return float(given)
+
+
+def whole(given: Any, least: int, what: str, error: type[LinkworkError] = OptionError) -> int:
+    """`error`: it is no whole number of at least `least`, or too large for any purpose."""
+    good = isinstance(given, int | np.integer) and not isinstance(given, bool)
+    if not good or not least <= given < 2**63:
+        raise error(f"{what} {given!r:.80} is not a whole number of at least {least}", code="count")
+    return int(given)
+
+
+def is_one_of(given: Any, known: Iterable[str]) -> bool:
+    return isinstance(given, str) and given in list(known)
+
+
+def one_of(given: Any, known: Iterable[str], what: str, code: str = "unknown_option") -> str:
+    """OptionError: it is none of the names that there are."""
+    names = list(known)
+    if not isinstance(given, str) or given not in names:
+        text = given if isinstance(given, str) else f"{given!r:.80}"
+        raise OptionError(f"{what} '{text}' does not exist{nearest(text, names)}", code=code)
+    return given
+
+
+def path(given: Any, what: str) -> Path:
+    """FileError: it is no path."""
+    try:
+        found = os.fspath(given)
+        if isinstance(found, str) and found and "\0" not in found:
+            return Path(found)
+    except TypeError:
+        pass
+    raise FileError(f"{what} {given!r:.80} is no path of a file: give its name", code="path")
+
+
+def shaped(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:
+    """`value` as an array of one of the `shapes`. Whether the numbers make sense, the compiled model says."""
+    with about(what, who):
+        numbers = array(value, f"{who}: {what}", ModelError)
+    for shape in shapes:
+        if len(shape) == numbers.ndim and all(
+            n in (None, m) for n, m in zip(shape, numbers.shape, strict=True)
+        ):
+            return numbers
+    wanted = " or ".join(str(shape).replace("None", "k") for shape in shapes)
+    raise ModelError(
+        f"{who}: {what} has shape {numbers.shape}, not {wanted}", code="shape", subject=who, field=what
+    )

@@ -1,0 +1,162 @@
+"""A model compiled with a method: the right-hand side of its equations of motion."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.arguments import array, number
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError
+from linkwork.modeling.model import Model, check_model
+from linkwork.options import LEVELS, TABLE, Options, compile_options
+
+__all__ = ["Evaluation", "System"]
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """M v_dot - D^T lambda = g, D v_dot = gamma, Phi_dot = D v + Phi_t at one state; n bodies, m rows."""
+
+    M: Floats  # (n, 6, 6) diag(m I, J), J in body axes
+    D: tuple[
+        Floats, NDArray[np.int64], NDArray[np.int64]
+    ]  # (m, 6n) as (data, indices, indptr) of compressed rows
+    Phi: Floats  # (m,) [m] or [1]
+    Phi_t: Floats  # (m,)
+    Phi_dot: Floats  # (m,)
+    gamma: Floats  # (m,)
+    g: Floats  # (6n,) forces (inertial) and torques (body axes), gyroscopic ones included
+    potential: float  # of gravity and springs [J]
+    force_power: float  # of the forces without a potential [W]
+    history: Floats  # (h,) what the history variables become where this state is accepted
+
+
+class System:
+    """A model with a formulation, a stabilization and a linear solver. Options as in `simulate`.
+
+    y = (q, v): q (7n,) position and Euler parameters of each body, v (6n,) velocity (inertial) and angular
+    velocity (body axes) of each body. `derivative` fits `scipy.integrate.solve_ivp`:
+
+        system = lw.System(model)
+        solve_ivp(system.derivative, (0, 1), system.initial_state(), rtol=1e-9)
+
+    Full turns of rotational springs, stops and couplers, and speeds at which contacts began, are history
+    variables: numbers beside q and v that belong to the state of a motion. They are held while a step is
+    tried and go on when its end is accepted, so that everything here is a function of its arguments. Without
+    `history` they are those of the initial state; an integrator that takes many steps hands them on:
+
+        history = system.initial_history
+        for ...:
+            y = step(lambda t, y: system.derivative(t, y, history), t, y, h)
+            history = system.advance_history(t + h, y, history)
+
+    A step may turn an angle by less than half a turn.
+
+    A System works for one caller at a time: a second thread, or a function of yours that calls the System
+    which is just calling it, gets a BusyError at once. Different Systems, also of one model, are free of each
+    other.
+
+    ModelError, OptionError; SingularSystemError where a massless motion is held by nothing.
+    """
+
+    def __init__(self, model: Model, **options: Unpack[Options]) -> None:
+        check_model(model)
+        self.model = model
+        self._dynamics = _core.Dynamics(model.compiled(), compile_options(options))
+
+    def compiled(self) -> _core.Dynamics:
+        """The same system in the compiled module."""
+        return self._dynamics
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """The options as chosen: no "auto" left, gains that depend on the step None."""
+        options = self._dynamics.options
+        limits = zip(LEVELS, options.violation_limit, strict=True)
+        return {name: getattr(options, name) for name in TABLE} | {
+            "violation_limit": {level: x for level, x in limits if math.isfinite(x)} or None
+        }
+
+    def initial_state(self) -> Floats:
+        """y (13n,) at t = 0, as described in the model."""
+        state: Floats = self._dynamics.initial_state()
+        return state
+
+    @property
+    def initial_history(self) -> Floats:
+        """History variables (h,) of the initial state: those of couplers, then those of force elements."""
+        history: Floats = self._dynamics.initial_history
+        return history
+
+    def advance_history(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:
+        """What the history (h,) becomes where the state y (13n,) at t [s] is accepted as the end of a step.
+
+        OptionError: another number of variables.
+        """
+        state = np.asarray(y, dtype=float)
+        split = 7 * self.model.body_count
+        advanced: Floats = self._dynamics.advanced_history(t, state[:split], state[split:], _given(history))
+        return advanced
+
+    def derivative(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:
+        """y_dot (13n,) at t [s], continuous stabilization included; the Euler parameters need not be unit.
+
+        history  (h,) at the last accepted state; None: of the initial state, or, in an integrator of your own
+                 that `simulate` runs, at the beginning of the step
+
+        SingularSystemError, NotConvergedError, NotFiniteError: where there is no acceleration.
+        """
+        rates: Floats = self._dynamics.derivative(
+            _time(t), _numbers(y, "y", 13, self.model.body_count), _given(history)
+        )
+        return rates
+
+    def accelerations(
+        self, t: float, q: ArrayLike, v: ArrayLike, history: ArrayLike | None = None
+    ) -> tuple[Floats, Floats]:
+        """(v_dot (6n,), multipliers (m,)) of the mechanism itself, without stabilization.
+
+        t [s], q (n, 7) or (7n,), v (n, 6) or (6n,). OptionError: another shape, no numbers, no finite time.
+        """
+        v_dot, multipliers = self._dynamics.accelerations(*self._moment(t, q, v), _given(history))
+        return v_dot, multipliers
+
+    def evaluate(self, t: float, q: ArrayLike, v: ArrayLike, history: ArrayLike | None = None) -> Evaluation:
+        """The terms of the equations of motion at one state, which is given as in `accelerations`."""
+        found = self._dynamics.evaluate(*self._moment(t, q, v), _given(history))
+        D = found.pop("D")
+        return Evaluation(D=(D["data"], D["indices"], D["indptr"]), **found)
+
+    def _moment(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[float, Floats, Floats]:
+        n = self.model.body_count
+        return _time(t), _numbers(q, "q", 7, n), _numbers(v, "v", 6, n)
+
+    def __repr__(self) -> str:
+        chosen = self._dynamics.options
+        return f"<System {chosen.formulation}, {chosen.linear_solver}: {self.model.describe()}>"
+
+
+def _time(t: Any) -> float:
+    """OptionError: no number. Whether it is finite, the compiled module says."""
+    return t if type(t) is float else number(t, "t [s]")
+
+
+def _numbers(given: ArrayLike, what: str, each: int, bodies: int) -> Floats:
+    """(each * bodies,). OptionError: no numbers, or not so many."""
+    numbers = array(given, what)
+    if numbers.shape in ((each * bodies,), (bodies, each)):
+        return numbers.ravel()
+    raise OptionError(
+        f"{what} has shape {numbers.shape}, not ({each * bodies},) or ({bodies}, {each}), of {bodies} bodies",
+        code="shape",
+    )
+
+
+def _given(history: ArrayLike | None) -> Floats | None:
+    return None if history is None else np.ravel(array(history, "history"))

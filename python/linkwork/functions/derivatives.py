@@ -1,0 +1,116 @@
+"""Whether functions that are given as derivatives are the derivatives of what comes before them.
+
+Not by differences, which lose their digits where a function is small and look to times before the start, but
+by integrals: f(b) - f(a) is the integral of f' over (a, b), which Gauss-Legendre quadrature finds to rounding
+where f' is smooth, in the function's own size. Where it does not converge, the interval is cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from linkwork.arrays import Floats
+
+__all__ = ["Disagreement", "disagreement"]
+
+Function = Callable[[float], float]
+
+#: Where intervals begin, and how long they are at most and at least [s].
+STARTS, LONGEST, SHORTEST = (0.0, 0.173, 1.31, 4.7), 1.0, 1e-7
+
+#: By which a derivative may miss the change of the function, as a part of its own integral of |f'|.
+AGREE = 1e-3
+
+#: Of quadrature: the difference of two of them as a part of that integral.
+CONVERGED = 1e-6
+
+#: A wrong derivative is wrong all over an interval; a jump, or a pulse that no node saw, at one place of it,
+#: which keeps the whole error when the worse half is taken again and again.
+HALVINGS, CONCENTRATED = 8, 0.25
+
+#: Of a function's values.
+ROUNDOFF = 2e-14
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+class Disagreement(NamedTuple):
+    """Between two times the function changes by `change`, and its derivative adds up to `integral`."""
+
+    start: float
+    end: float
+    change: float
+    integral: float
+
+
+class _Interval(NamedTuple):
+    change: float  # of the function
+    integral: float  # of the derivative
+    error: float  # of that
+    size: float  # integral of its amount
+    rounding: float  # of the function
+
+    @property
+    def miss(self) -> float:
+        return abs(self.change - self.integral)
+
+    @property
+    def wrong(self) -> bool:
+        return self.miss > AGREE * self.size + 10 * self.error + self.rounding
+
+
+def disagreement(f: Function, derivative: Function) -> Disagreement | None:
+    """Where `derivative` is not that of f, in the first seconds; None where they agree.
+
+    Times at which one of them is not defined, or not smooth enough to tell, are passed over.
+    """
+    for start in STARTS:
+        length = LONGEST
+        while length >= SHORTEST:
+            found = _interval(f, derivative, start, start + length)
+            if found is not None and found.error <= CONVERGED * found.size:
+                if found.wrong and _everywhere(f, derivative, start, start + length, found.miss):
+                    return Disagreement(start, start + length, found.change, found.integral)
+                break
+            length /= 4
+    return None
+
+
+def _interval(f: Function, derivative: Function, a: float, b: float) -> _Interval | None:
+    """None: something there is not defined."""
+    middle = (a + b) / 2
+    times = [_nodes(a, b), _nodes(a, middle), _nodes(middle, b)]
+    try:
+        ends = np.array([float(f(t)) for t in (a, b)])
+        values = [np.array([float(derivative(float(t))) for t in each]) for each in times]
+    except Exception:
+        return None
+    parts = [_WEIGHTS @ each * h / 2 for each, h in zip(values, (b - a, middle - a, b - middle), strict=True)]
+    size = float(_WEIGHTS @ np.abs(values[1]) + _WEIGHTS @ np.abs(values[2])) * (b - a) / 4
+    integral = float(parts[1] + parts[2])
+    if not np.isfinite([*ends, size]).all():
+        return None
+    rounding = ROUNDOFF * float(np.abs(ends).max())
+    return _Interval(float(ends[1] - ends[0]), integral, abs(float(parts[0]) - integral), size, rounding)
+
+
+def _nodes(a: float, b: float) -> Floats:
+    nodes: Floats = (a + b) / 2 + (b - a) / 2 * _NODES
+    return nodes
+
+
+def _everywhere(f: Function, derivative: Function, a: float, b: float, miss: float) -> bool:
+    """Whether the error of an interval is spread over it."""
+    for _ in range(HALVINGS):
+        middle = (a + b) / 2
+        halves = [(_interval(f, derivative, *ends), ends) for ends in ((a, middle), (middle, b))]
+        known = [(half.miss, half.wrong, ends) for half, ends in halves if half is not None]
+        if not known:
+            return False
+        left, wrong, (a, b) = max(known, key=lambda it: it[0])
+        if not wrong or left < CONCENTRATED * miss:
+            return wrong
+    return False

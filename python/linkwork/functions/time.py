@@ -1,0 +1,444 @@
+"""The kinds of functions of time, and how each is told to the compiled module."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork import _core
+from linkwork.arguments import UNREADABLE, array, number
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError
+
+__all__ = [
+    "Broken", "Callback", "Cycloidal", "Expression", "Harmonic", "Polynomial", "Sum", "Table",
+    "TimeFunction", "TimeFunctionLike", "as_time_function", "broken", "check_breaks", "constant",
+    "cycloidal", "expression", "harmonic", "piecewise_polynomial", "polynomial", "table", "with_breaks",
+]  # fmt: skip
+
+#: A number, a TimeFunction, a function f(t), or a tuple (f, df, ddf) of functions of t.
+TimeFunctionLike = Any
+
+
+class TimeFunction(ABC):
+    """A quantity f(t) with its first two derivatives."""
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """Times [s] between which the function is defined."""
+        return -math.inf, math.inf
+
+    @property
+    def has_derivatives(self) -> bool:
+        """False where the derivatives are not known: then the function cannot drive a constraint."""
+        return True
+
+    def integral(self) -> TimeFunction:
+        """The function with this derivative, zero at t = 0. ModelError: it is not known."""
+        raise ModelError(
+            f"{type(self).__name__.lower()}: its integral is not known: give the position instead",
+            code="time_function",
+        )
+
+    @abstractmethod
+    def compiled(self) -> _core.TimeFunction:
+        """The same function in the compiled module."""
+
+    @property
+    def break_points(self) -> list[float]:
+        """Times [s] at which it is known not to be smooth, ascending: steps that follow tolerances end there.
+
+        Knots of tables with two continuous derivatives are not among them.
+        """
+        return sorted({t for t, ends_step in self.compiled().breaks if ends_step})
+
+    def fingerprint(self) -> bytes:
+        """Equal for equal functions; a Python function counts by its name."""
+        return repr(self).encode()
+
+    def evaluate(self, t: float) -> tuple[float, float, float]:
+        """(f, df/dt, d2f/dt2) at t [s]; derivatives that are not known are NaN."""
+        value, rate, acceleration = self.compiled().evaluate(number(t, "t", ModelError))
+        return value, rate, acceleration
+
+
+@dataclass(frozen=True)
+class Polynomial(TimeFunction):
+    """f(t) = sum c_k t^k, ascending."""
+
+    coefficients: tuple[float, ...]
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.polynomial(list(self.coefficients))
+
+    def integral(self) -> TimeFunction:
+        return Polynomial((0.0, *(c / (k + 1) for k, c in enumerate(self.coefficients))))
+
+
+@dataclass(frozen=True)
+class Harmonic(TimeFunction):
+    """f(t) = offset + amplitude sin(frequency t + phase), frequency in rad/s."""
+
+    amplitude: float
+    frequency: float
+    phase: float
+    offset: float
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.harmonic(self.amplitude, self.frequency, self.phase, self.offset)
+
+    def integral(self) -> TimeFunction:
+        if self.frequency == 0:
+            return Polynomial((0.0, self.offset + self.amplitude * math.sin(self.phase)))
+        size = self.amplitude / self.frequency
+        swing = Harmonic(size, self.frequency, self.phase - math.pi / 2, size * math.cos(self.phase))
+        return swing if self.offset == 0 else Sum((swing, Polynomial((0.0, self.offset))))
+
+
+@dataclass(frozen=True)
+class Cycloidal(TimeFunction):
+    """rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration from 0 to 1; constant beyond."""
+
+    rise: float
+    start: float
+    duration: float
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.cycloidal(self.rise, self.start, self.duration)
+
+
+@dataclass(frozen=True)
+class Sum(TimeFunction):
+    """The sum of functions."""
+
+    terms: tuple[TimeFunction, ...]
+
+    @property
+    def span(self) -> tuple[float, float]:
+        spans = [term.span for term in self.terms]
+        return max(first for first, _ in spans), min(last for _, last in spans)
+
+    @property
+    def has_derivatives(self) -> bool:
+        return all(term.has_derivatives for term in self.terms)
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.sum([term.compiled() for term in self.terms])
+
+    def fingerprint(self) -> bytes:
+        return b"+".join(term.fingerprint() for term in self.terms)
+
+    def integral(self) -> TimeFunction:
+        return Sum(tuple(term.integral() for term in self.terms))
+
+
+@dataclass(frozen=True, eq=False)
+class Table(TimeFunction):
+    """A cubic spline through samples; `coefficients` (k-1, 4) in powers of t - breaks[i], ascending."""
+
+    breaks: Floats
+    coefficients: Floats
+
+    @property
+    def span(self) -> tuple[float, float]:
+        return float(self.breaks[0]), float(self.breaks[-1])
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.piecewise_polynomial(
+            self.breaks.tolist(), self.coefficients.ravel().tolist()
+        )
+
+    def fingerprint(self) -> bytes:
+        return self.breaks.tobytes() + self.coefficients.tobytes()
+
+    def integral(self) -> TimeFunction:
+        """Zero at the first sample where the table does not hold t = 0."""
+        from scipy.interpolate import PPoly
+
+        whole = PPoly(self.coefficients.T[::-1], self.breaks).antiderivative()
+        if self.span[0] <= 0 <= self.span[1]:
+            whole.c[-1] -= whole(0.0)
+        return Table(self.breaks, whole.c[::-1].T)
+
+
+@dataclass(frozen=True)
+class Callback(TimeFunction):
+    """A Python function, called in every evaluation: slow, and without derivatives unless they are given."""
+
+    value: Callable[[float], float]
+    rate: Callable[[float], float] | None = None
+    acceleration: Callable[[float], float] | None = None
+    what: str = "function of time"  #: that it is for, in messages
+
+    @property
+    def has_derivatives(self) -> bool:
+        return self.rate is not None and self.acceleration is not None
+
+    def compiled(self) -> _core.TimeFunction:
+        if self.rate is None or self.acceleration is None:
+            return _core.TimeFunction.callback(self.value, what=self.what)
+        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration, self.what)
+
+    def fingerprint(self) -> bytes:
+        return " ".join(
+            getattr(f, "__qualname__", "") for f in (self.value, self.rate, self.acceleration)
+        ).encode()
+
+
+@dataclass(frozen=True)
+class Broken(TimeFunction):
+    """A function that is not smooth at these times [s], either."""
+
+    function: TimeFunction
+    times: tuple[float, ...]
+
+    @property
+    def span(self) -> tuple[float, float]:
+        return self.function.span
+
+    @property
+    def has_derivatives(self) -> bool:
+        return self.function.has_derivatives
+
+    def compiled(self) -> _core.TimeFunction:
+        return _core.TimeFunction.with_breaks(self.function.compiled(), list(self.times))
+
+    def fingerprint(self) -> bytes:
+        return self.function.fingerprint() + repr(self.times).encode()
+
+    def integral(self) -> TimeFunction:
+        return Broken(self.function.integral(), self.times)
+
+
+def with_breaks(function: TimeFunctionLike, breaks: ArrayLike) -> TimeFunction:
+    """A function that is not smooth at the times `breaks` (k,) [s]: where a formula of yours has a case.
+
+    with_breaks(lambda t: 5.0 if 1.0 <= t < 1.001 else 0.0, breaks=(1.0, 1.001))
+
+    Steps that follow tolerances end at each of them, and what ends there sees the function before, what
+    begins there the function after it, whichever side the function counts the time itself to. Without them
+    such a step may miss a pulse altogether. `polynomial`, `cycloidal`, `table` and the like know their own.
+    In an `expression` it is what is under sqrt or a broken power that becomes zero, as in sqrt((t - 1)**2).
+    ModelError: no function of time, times that are not finite.
+    """
+    given = as_time_function(function, "with_breaks: function")
+    whole = given if isinstance(given, TimeFunction) else Polynomial((given,))
+    return Broken(whole, check_breaks(breaks, "with_breaks"))
+
+
+def check_breaks(breaks: ArrayLike, who: str) -> tuple[float, ...]:
+    """Times [s], ascending. ModelError: they are no finite numbers."""
+    try:
+        times = np.unique(np.asarray(breaks, dtype=float))
+    except (TypeError, ValueError) as error:
+        raise ModelError(
+            f"{who}: breaks {breaks!r} are not times [s]", code="breaks", subject=who, field="breaks"
+        ) from error
+    if not np.isfinite(times).all():
+        raise ModelError(
+            f"{who}: breaks {times.tolist()} are not finite", code="breaks", subject=who, field="breaks"
+        )
+    return tuple(times.tolist())
+
+
+def broken(arguments: Mapping[str, Any], breaks: ArrayLike, who: str) -> dict[str, Any]:
+    """Arguments of an element, functions of time among them, with breaks. ModelError: none is a function."""
+    times = check_breaks(breaks, who)
+    if not times:
+        return dict(arguments)
+    functions = {what: x for what, x in arguments.items() if _is_function(x)}
+    if not functions:
+        raise ModelError(
+            f"{who}: breaks, but no function of time", code="breaks", subject=who, field="breaks"
+        )
+    return {**arguments, **{what: with_breaks(x, times) for what, x in functions.items()}}
+
+
+def _is_function(x: Any) -> bool:
+    return isinstance(x, TimeFunction) or callable(x) or (isinstance(x, tuple) and all(map(callable, x)))
+
+
+def constant(value: float) -> TimeFunction:
+    """f(t) = value. A plain number does the same."""
+    return Polynomial((_finite(value, "constant: value"),))
+
+
+def polynomial(*coefficients: float) -> TimeFunction:
+    """f(t) = c_0 + c_1 t + c_2 t^2 + ..., t in s.
+
+    ModelError: no coefficient, or one that is not finite.
+    """
+    if not coefficients:
+        raise ModelError("polynomial: needs at least one coefficient", code="time_function")
+    return Polynomial(tuple(_finite(c, f"polynomial: coefficient {k}") for k, c in enumerate(coefficients)))
+
+
+def harmonic(amplitude: float, frequency: float, phase: float = 0.0, offset: float = 0.0) -> TimeFunction:
+    """f(t) = offset + amplitude sin(frequency t + phase); frequency in rad/s, phase in rad.
+
+    ModelError: a value that is not finite.
+    """
+    values = {"amplitude": amplitude, "frequency": frequency, "phase": phase, "offset": offset}
+    return Harmonic(**{name: _finite(value, f"harmonic: {name}") for name, value in values.items()})
+
+
+def cycloidal(rise: float, duration: float, start: float = 0.0) -> TimeFunction:
+    """The cycloidal motion of cams: up by `rise` from `start` [s] on within `duration` [s], else at rest.
+
+    f = rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration. ModelError: a duration not positive.
+    """
+    values = {"rise": rise, "start": start, "duration": duration}
+    checked = {name: _finite(value, f"cycloidal: {name}") for name, value in values.items()}
+    if checked["duration"] <= 0:
+        raise ModelError(f"cycloidal: duration {duration} s must be positive", code="time_function")
+    return Cycloidal(**checked)
+
+
+def expression(text: str) -> TimeFunction:
+    """A formula in t, such as "0.3 * sin(2*pi*t)**2", with its exact derivatives.
+
+    Numbers, t, pi, e, + - * / **, and sin, cos, tan, exp, log, sqrt, tanh. Where it is not smooth, as
+    sqrt((t - 1)**2) at 1 s, say so by `with_breaks`: it is not known in advance. It runs in Python: what
+    `polynomial`, `harmonic`, `cycloidal` and `table` can say is much faster by them.
+    ModelError: anything else, or no finite value at t = 0.
+    """
+    from linkwork.functions.expressions import Formula
+
+    formula = Formula(text)
+    for order in range(3):
+        _finite(formula.derivative(0.0, order), f"expression '{text}': derivative {order} at t = 0")
+    return Expression(text)
+
+
+@dataclass(frozen=True)
+class Expression(TimeFunction):
+    """A formula in t."""
+
+    text: str
+
+    def compiled(self) -> _core.TimeFunction:
+        from linkwork.functions.expressions import Formula
+
+        formula = Formula(self.text)
+        value, rate, acceleration = (partial(formula.derivative, order=k) for k in range(3))
+        return _core.TimeFunction.callback(value, rate, acceleration, what=f"expression '{self.text}'")
+
+
+def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
+    """The cubic spline through samples `values` (k,) at increasing times `t` (k,) [s].
+
+    Twice continuously differentiable, with not-a-knot ends: two samples make a line, three a parabola. It is
+    defined between the first and the last time only: a run that goes beyond is refused.
+    ModelError: fewer than two samples, unequal lengths, times not increasing, values not finite.
+    """
+    breaks, samples = (
+        array(x, f"table: {what}", ModelError).copy() for x, what in ((t, "t"), (values, "values"))
+    )
+    _check_samples(breaks, samples)
+    from scipy.interpolate import CubicSpline
+
+    return Table(breaks, CubicSpline(breaks, samples, bc_type="not-a-knot").c[::-1].T)
+
+
+def piecewise_polynomial(breaks: ArrayLike, coefficients: ArrayLike) -> TimeFunction:
+    """f(t) = sum_k c_ik (t - t_i)^k between the times t_i and t_i+1 of `breaks` (k + 1,) [s].
+
+    coefficients (k, any number): a row c_i for each interval, ascending powers. It is defined between the
+    first and the last time only. ModelError: breaks that do not increase, no row for each interval, not
+    finite.
+    """
+    times = array(breaks, "piecewise_polynomial: breaks", ModelError).copy()
+    rows = array(coefficients, "piecewise_polynomial: coefficients", ModelError).copy()
+    _check_samples(times, times)
+    if rows.ndim != 2 or len(rows) != len(times) - 1 or not rows.size:
+        shape = f"breaks {times.shape} and coefficients {rows.shape}"
+        raise ModelError(
+            f"piecewise_polynomial: {shape}: a row for each interval is needed", code="time_function"
+        )
+    if not np.isfinite(rows).all():
+        raise ModelError("piecewise_polynomial: coefficients are not finite", code="not_finite")
+    return Table(times, rows)
+
+
+def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
+    """What may be given for a quantity of time: a number stays a number, the rest becomes a TimeFunction.
+
+    `what` names the quantity in messages. ModelError: anything else, or no finite value at t = 0.
+    """
+    if isinstance(x, TimeFunction):
+        return x
+    if callable(x):
+        x = (x,)
+    if isinstance(x, tuple) and len(x) in (1, 3) and all(map(callable, x)):
+        for function, name in zip(x, ("value", "first derivative", "second derivative"), strict=False):
+            _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
+        if len(x) == 3:
+            _check_derivatives(*x, what)
+        return Callback(*x, what=what)  # type: ignore[misc]
+    return _finite(x, what)
+
+
+def _at_zero(function: Callable[[float], Any], what: str) -> Any:
+    """An error of the function itself says what it was called for."""
+    try:
+        return function(0.0)
+    except Exception as error:
+        error.add_note(f"linkwork: {what} at t = 0")
+        raise
+
+
+def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
+    """ModelError: `df` or `ddf` is not the derivative of what comes before it."""
+    from linkwork.functions.derivatives import disagreement
+
+    for name, function, derivative in (("first", f, df), ("second", df, ddf)):
+        if found := disagreement(function, derivative):
+            before = "value" if name == "first" else "first derivative"
+            raise ModelError(
+                f"{what}: the {name} derivative adds up to {found.integral:.6g} from t = {found.start:g} to "
+                f"{found.end:g} s, where the {before} changes by {found.change:.6g}; correct it",
+                code="derivatives",
+            )
+
+
+def _finite(x: Any, what: str) -> float:
+    try:
+        value = float(x)
+    except UNREADABLE as error:
+        choices = "a number, a function of time, or a tuple of functions (f, df, ddf)"
+        raise ModelError(f"{what}: {x!r:.80} is not {choices}", code="not_a_number") from error
+    if not math.isfinite(value):
+        raise ModelError(f"{what}: {value} is not finite", code="not_finite")
+    return value
+
+
+def _check_samples(t: Floats, values: Floats) -> None:
+    if t.ndim != 1 or t.shape != values.shape or len(t) < 2:
+        shapes = f"t {t.shape} and values {values.shape}"
+        raise ModelError(
+            f"table: {shapes} must be two or more samples, as many values as times", code="time_function"
+        )
+    for name, samples in (("time", t), ("value", values)):
+        if not np.isfinite(samples).all():
+            k = int(np.argmin(np.isfinite(samples)))
+            raise ModelError(f"table: {name} {k} is {samples[k]}, not finite", code="not_finite")
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        steps = np.diff(t)
+        slopes = np.diff(values) / steps
+    if (steps <= 0).any():
+        k = int(np.argmax(steps <= 0))
+        raise ModelError(
+            f"table: times must increase, but {t[k + 1]:g} s follows {t[k]:g} s", code="time_function"
+        )
+    possible = np.isfinite(steps) & np.isfinite(slopes)
+    if not possible.all():
+        k = int(np.argmin(possible))
+        where = f"{values[k]:g} at {t[k]:g} s and {values[k + 1]:g} at {t[k + 1]:g} s"
+        raise ModelError(f"table: the slope between {where} is beyond all numbers", code="not_finite")

@@ -1,0 +1,1 @@
+"""Describing a mechanism: bodies, joints, forces, shapes, and the files that hold them."""

@@ -1,0 +1,711 @@
+"""How a mechanism is described: bodies, joints, forces. It is checked while it is written."""
+
+from __future__ import annotations
+
+import ctypes
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core, arguments, functions
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError, about, nearest
+from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
+from linkwork.modeling.bodies import Bodies
+from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
+from linkwork.modeling.elements import KINDS, Elements, Role, kind_info, placed, with_parameters
+from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
+from linkwork.modeling.methods import ForceMethods, JointMethods
+from linkwork.modeling.placement import Attachment, Frames, Place, Subject
+from linkwork.modeling.shapes import Shape, Shapes, ShapesLike
+from linkwork.modeling.special import CouplerData, CurveData, SpecialJointMethods
+
+if TYPE_CHECKING:
+    from linkwork.modeling.model import Model
+
+__all__ = ["ModelBuilder"]
+
+
+class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods):
+    """What models are built by: a method for whatever can be added, and what was added so far."""
+
+    def __init__(self, gravity: ArrayLike = (0.0, 0.0, -9.81), name: str = "") -> None:
+        """`gravity`: acceleration (3,), inertial [m/s2]. ModelError: not three finite numbers."""
+        if not isinstance(name, str):
+            raise ModelError(f"model: name {name!r:.80} is no text", code="name")
+        self.name = name
+        self._core = _core.Model(arguments.shaped(gravity, [(3,)], "model", "gravity"))
+        self._bodies = Bodies(cast("Model", self), self._core)
+        self._counts: Counter[str] = Counter()
+        self._signals: list[tuple[str, TimeFunction]] = []
+        self._drivers: list[tuple[str, TimeFunction]] = []
+        self._characteristics: list[TimeFunction] = []
+        self._user_forces: list[tuple[str, Any, str]] = []  # name, law, joint and coordinate of one
+        self._shapes = Shapes()
+        self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
+        self._special: dict[int, CouplerData | CurveData] = {}  # by joint
+
+    @property
+    def ground(self) -> Body:
+        """The inertial frame, at rest; it is joined like a body."""
+        return self._bodies.ground
+
+    # --- bodies ---------------------------------------------------------------------------------------------
+
+    def body(
+        self,
+        name: str | None = None,
+        *,
+        mass: float,
+        inertia: ArrayLike,
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+        velocity: ArrayLike = (0.0, 0.0, 0.0),
+        omega: ArrayLike = (0.0, 0.0, 0.0),
+        shape: ShapesLike = (),
+    ) -> Body:
+        """Add a rigid body as it is at t = 0.
+
+        mass         [kg], zero for a massless body
+        inertia      about the center of mass, body axes [kg m2]: (3,) principal moments or (3, 3)
+        position     of the center of mass (3,), inertial [m]
+        orientation  unit Euler parameters (4,), scalar first, body axes to inertial: see linkwork.rotation
+        velocity     of the center of mass (3,), inertial [m/s]
+        omega        angular velocity (3,), body axes [rad/s]
+        shape        what it looks like: one or several Box, Cylinder, ...; without, as its joints suggest
+
+        ModelError: a value that no body can have, or a name that is taken.
+        """
+        name = self._named(name, "body", self.body_count)
+        who = f"body '{name}'"
+        m = arguments.shaped(mass, [()], who, "mass")
+        J = arguments.shaped(inertia, [(3,), (3, 3)], who, "inertia")
+        vectors = {"position": position, "velocity": velocity, "omega": omega}
+        state = {what: arguments.shaped(x, [(3,)], who, what)[None] for what, x in vectors.items()}
+        state["orientation"] = arguments.shaped(orientation, [(4,)], who, "orientation")[None]
+        shapes = self._shapes.checked(shape)
+        body = self._bodies.add([name], m[None], (np.diag(J) if J.ndim == 1 else J)[None], **state)[0]
+        self._shapes.set(range(body.index, body.index + 1), shapes)
+        return body
+
+    def bodies(
+        self,
+        name: str | Sequence[str],
+        *,
+        mass: ArrayLike,
+        inertia: ArrayLike,
+        position: ArrayLike,
+        orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
+        velocity: ArrayLike = (0.0, 0.0, 0.0),
+        omega: ArrayLike = (0.0, 0.0, 0.0),
+        shape: ShapesLike = (),
+    ) -> Range[Body]:
+        """Add k bodies at once, named name[0], name[1], ..., or by k names; linear in time and memory.
+
+        All are added, or none. As `body`, with `position` (k, 3), and each other quantity the same for all or
+        with a leading k; `shape` is the same for all.
+        `inertia`: (3,) or (k, 3) principal moments, or (k, 3, 3); one tensor for all is (1, 3, 3).
+        """
+        who = f"bodies '{name}'" if isinstance(name, str) else "bodies"
+        r = arguments.shaped(position, [(None, 3)], who, "position")
+        k = len(r)
+        alike = isinstance(name, str)
+        names: str | list[str] = self._named(name, "bodies", 0) if alike else _names_of_all(who, name, k)
+        m = arguments.shaped(mass, [(), (k,)], who, "mass")
+        J = arguments.shaped(inertia, [(3,), (k, 3), (1, 3, 3), (k, 3, 3)], who, "inertia")
+        J = J if J.ndim == 3 else J[..., None] * np.eye(3)
+        vectors = {"velocity": velocity, "omega": omega}
+        state = {what: arguments.shaped(x, [(3,), (k, 3)], who, what) for what, x in vectors.items()}
+        state |= {
+            "orientation": arguments.shaped(orientation, [(4,), (k, 4)], who, "orientation"),
+            "position": r,
+        }
+        full = {what: np.broadcast_to(x, (k, x.shape[-1])) for what, x in state.items()}
+        shapes, first = self._shapes.checked(shape), self.body_count
+        bodies = self._bodies.add(names, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full)
+        self._shapes.set(range(first, first + k), shapes)
+        return bodies
+
+    def shape(self, bodies: BodiesLike, *shapes: Shape) -> None:
+        """Draw one or many bodies, or the ground, by these shapes; they have no influence on the motion.
+
+        ModelError: no such body, or what is no Shape.
+        """
+        self._shapes.set(self.indices(bodies), self._shapes.checked(shapes))
+
+    # --- joints ---------------------------------------------------------------------------------------------
+
+    def joints(
+        self,
+        kind: str,
+        a: BodiesLike,
+        b: BodiesLike,
+        *,
+        name: str | Sequence[str] | None = None,
+        frames: Frames = "space",
+        **arguments: Any,
+    ) -> Range[Joint]:
+        """Add k joints of one kind at once, named name[0], name[1], ..., or by k names.
+
+        Linear in time and memory; all are added, or none.
+
+        a, b       bodies; one of them may be single
+        arguments  those of the kind's own method, each the same for all or with a leading k; pairs stay
+                   pairs, of (3,) or (k, 3)
+        """
+        first = self.joint_count
+        self._place("joint", kind, a, b, frames, name, True, arguments)
+        return Range(range(first, self.joint_count), self._joint)
+
+    def _add_joint(
+        self,
+        kind: str,
+        a: BodyLike,
+        b: BodyLike,
+        frames: Frames,
+        name: str | None,
+        arguments: Mapping[str, Any],
+    ) -> Joint:
+        """What every generated joint method does."""
+        self._place("joint", kind, a, b, frames, name, False, arguments)
+        return self._joint(self.joint_count - 1)
+
+    def drive(
+        self,
+        joint: Joint | str,
+        *,
+        position: TimeFunctionLike = None,
+        velocity: TimeFunctionLike = None,
+        acceleration: TimeFunctionLike = None,
+        coordinate: str | None = None,
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> Joint:
+        """Prescribe a free coordinate of a joint over time, by its position, velocity or acceleration.
+
+        position      the coordinate as `Result.coordinate` gives it [rad or m]
+        velocity      its rate; the position is its integral from the initial pose on
+        acceleration  likewise, from the initial pose and velocity on
+        coordinate    "angle" or "displacement"; not needed where the joint has only one
+        breaks        times [s] at which a Python function is not smooth, see functions.with_breaks
+
+        A position may not jump. Where a velocity jumps the bodies are struck, by impulses in the joints
+        alone, in runs with steps that follow tolerances.
+
+        The driver is a joint of its own, `angle_driver` or `displacement_driver`: its reaction drives.
+        ModelError: no such joint or coordinate; no motion or several; one without derivatives or integral.
+        """
+        index, text = self._joint_named(joint, "drive")
+        which = coordinate_of(self._core.joint_kind(index), text, coordinate)
+        if f"{which}_driver" not in KINDS["joint"]:
+            raise ModelError(f"drive: {which} of '{text}' has no driver", code="coordinate")
+        named = {"position": position, "velocity": velocity, "acceleration": acceleration}
+        motions = [(what, motion) for what, motion in named.items() if motion is not None]
+        if len(motions) != 1:
+            raise ModelError(
+                f"drive '{text}': give one of position, velocity, acceleration",
+                code="drive",
+                subject=f"drive '{text}'",
+            )
+        arrays = self._core.joint_arrays()
+        place = Attachment(arrays["origin"][[index]], arrays["frame"][[index]], np.zeros(1))
+        bodies = arrays["bodies"][[index]]
+        kind = f"{which}_driver"
+        subject = Subject(kind, self._named(name, kind, self._counts[kind]), False, 1)
+        what, motion = motions[0]
+        motion = functions.broken({what: motion}, breaks, subject.who(0))[what]
+        function = _motion(what, motion, self._initial_coordinate(which, bodies[0], place), subject.who(0))
+        self._add(with_parameters(kind_info("joint", kind), subject, bodies, place, {which: function}))
+        return self._joint(self.joint_count - 1)
+
+    def _initial_coordinate(
+        self, which: str, bodies: NDArray[np.int32], place: Attachment
+    ) -> JointCoordinate:
+        q, v = self._core.poses(bodies), np.zeros((2, 6))
+        v[bodies >= 0] = self._core.v0.reshape(-1, 6)[bodies[bodies >= 0]]
+        ends = [(q[[end]], v[[end]]) for end in (0, 1)]
+        return coordinates_of(which, np.zeros(1), ends, place.origin[0], place.frame[0])
+
+    # --- forces ---------------------------------------------------------------------------------------------
+
+    def _add_force(
+        self,
+        kind: str,
+        a: BodyLike,
+        b: BodyLike,
+        frames: Frames,
+        name: str | None,
+        arguments: Mapping[str, Any],
+    ) -> Force:
+        """What every method of a force element does."""
+        self._place("force", kind, a, b, frames, name, False, arguments)
+        return self._force(self.force_count - 1, kind)
+
+    def force(
+        self,
+        body: BodyLike,
+        *,
+        force: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        torque: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        at: ArrayLike | None = None,
+        frame: Literal["inertial", "body"] = "inertial",
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> Force:
+        """Apply a force [N] and a torque [N m] to a body; components are numbers or functions of time.
+
+        at     the point of application (3,) in body coordinates [m]; without it the center of mass
+        frame  axes of the components: "inertial", or "body" that turn with the body
+        breaks times [s] at which Python functions are not smooth, see functions.with_breaks
+        """
+        _choose("frame", frame, ("inertial", "body"))
+        subject = Subject("applied", self._named(name, "applied", self._counts["applied"]), False, 1)
+        index = self._bodies.index(body, subject)
+        s = subject.array((0.0, 0.0, 0.0) if at is None else at, 3, "at")
+        axes = np.broadcast_to(np.eye(3), (1, 2, 3, 3))
+        place = Attachment(np.stack([np.zeros_like(s), s], axis=1), axes, np.zeros(1))
+        components = subject.components(force, "force") | subject.components(torque, "torque")
+        components = functions.broken(components, breaks, subject.who(0))
+        bodies = np.array([[-1 if frame == "inertial" else index, index]], np.int32)
+        self._add(with_parameters(kind_info("force", "applied"), subject, bodies, place, components))
+        return self._force(self.force_count - 1, "applied")
+
+    def spring_damper(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike | tuple[ArrayLike, ArrayLike],
+        stiffness: TimeFunctionLike = 0.0,
+        damping: TimeFunctionLike = 0.0,
+        free_length: TimeFunctionLike = None,
+        force: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> Force:
+        """Join two points by spring, damper and actuator: they pull with k (l - l_0) + c l_dot + f.
+
+        at           a point of a and a point of b [m], in space at the initial pose; body coordinates with
+                     frames="body"
+        stiffness    k [N/m]
+        damping      c [N s/m]
+        free_length  l_0 [m]; without it the initial length
+        force        f [N], positive pulls the points together
+
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
+        Quantities are numbers or functions of time.
+        """
+        own = {"stiffness": stiffness, "damping": damping, "free_length": free_length, "force": force}
+        return self._add_force("spring_damper", a, b, frames, name, {"at": at, **own, "breaks": breaks})
+
+    def rotational_spring_damper(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        axis: ArrayLike | tuple[ArrayLike, ArrayLike],
+        at: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        x_axis: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        stiffness: TimeFunctionLike = 0.0,
+        damping: TimeFunctionLike = 0.0,
+        free_angle: TimeFunctionLike = 0.0,
+        torque: TimeFunctionLike = 0.0,
+        frames: Frames = "space",
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> Force:
+        """Join bodies by rotational spring, damper, motor: -k (theta - theta_0) - c theta_dot + n acts on b.
+
+        theta is the angle of b against a about the axis [rad], zero at the initial pose, over full turns.
+
+        axis        direction in space at the initial pose, usually that of a revolute joint; with
+                    frames="body" a pair
+        at          a point of the axis; it does not matter for the motion
+        x_axis      where theta is measured from, a pair with frames="body"; without it the initial pose
+        stiffness   k [N m/rad]
+        damping     c [N m s/rad]
+        free_angle  theta_0 [rad]
+        torque      n [N m], positive turns b about +axis
+
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
+        Quantities are numbers or functions of time.
+        """
+        origin = (0.0, 0.0, 0.0)
+        point = at if at is not None else ((origin, origin) if frames == "body" else origin)
+        place = {"at": point, "axis": axis, "x_axis": x_axis}
+        own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
+        return self._add_force(
+            "rotational_spring_damper", a, b, frames, name, {**place, **own, "breaks": breaks}
+        )
+
+    def user_force(
+        self,
+        function: Callable[..., ArrayLike],
+        bodies: BodyLike | BodiesLike | None = None,
+        *,
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> None:
+        """Let a Python function apply forces: one call an evaluation, for all its bodies at once.
+
+        bodies    without them all n of the model
+        function  of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
+                  and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
+                  Within a step the Euler parameters may be off unit length by little
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
+
+        All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
+        threads out: see `compiled_force`.
+
+        ModelError: not a function, no such body; at run time: a wrong shape.
+        """
+        name = self._named(name, "user force", len(self._user_forces))
+        if not callable(function):
+            raise ModelError(f"user force '{name}': {function!r} is not a function", code="not_callable")
+        whole = function
+        if bodies is not None:
+            single = isinstance(bodies, Body | str)
+            whole = _on_bodies(function, self.indices(bodies), single, name)
+        times = functions.check_breaks(breaks, f"user force '{name}'")
+        self._core.add_user_force(name, whole)
+        self._core.add_breaks(times)
+        self._user_forces.append((name, function, ""))
+
+    def joint_force(
+        self,
+        joint: Joint | str,
+        function: Callable[[float, float, float], float] | TimeFunction | float,
+        *,
+        coordinate: str | None = None,
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> None:
+        """Let a law of your own act along a free coordinate of a joint: a controller, a clutch, friction.
+
+        function    a Python function of t [s], the coordinate x and its rate, which returns the force [N] or
+                    torque [N m] Q that does the work Q dx: it acts on b, and back on a. Or Q as a number or a
+                    function of time, such as linkwork.functions.table(t, torques)
+        coordinate  as `Result.coordinate` names it; not needed where the joint has only one. Angles are
+                    within half a turn of zero at the initial pose and go on over full turns
+        breaks      times [s] at which it is not smooth: steps that follow tolerances end there
+
+        All its power counts as work. A Python function costs about a microsecond an evaluation, a function of
+        time much less. For compiled laws see the force elements and `compiled_force`.
+
+        ModelError: no such joint or coordinate, no law; at run time: it returned no number.
+        """
+        index, text = self._joint_named(joint, "joint_force")
+        name = self._named(name, "joint force", len(self._user_forces))
+        which = coordinate_of(self._core.joint_kind(index), text, coordinate)
+        law: Any = function
+        compiled: Any = function
+        if not callable(function):
+            law = _effort(function, name)
+            compiled = law.compiled()
+        times = functions.check_breaks(breaks, f"joint force '{name}'")
+        self._core.add_joint_force(name, index, which, compiled)
+        self._core.add_breaks(times)
+        self._user_forces.append((name, law, f"{index} {which}"))
+        if isinstance(law, TimeFunction):
+            self._signals.append((f"joint force '{name}'", law))
+
+    def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
+        text = joint.name if isinstance(joint, Joint) else joint
+        index = self._core.find_joint(text) if isinstance(text, str) else -1
+        if isinstance(joint, Joint) and index >= 0 and self._joint(index) != joint:
+            raise ModelError(f"{who}: joint '{text}' belongs to another model", code="unknown_joint")
+        if index < 0:
+            known = [self._core.joint_name(k) for k in range(min(self.joint_count, 10_000))]
+            raise ModelError(
+                f"{who}: no joint named {text!r}{nearest(str(text), known)}", code="unknown_name"
+            )
+        return index, text
+
+    def compiled_force(
+        self, function: Any, *, data: int = 0, breaks: ArrayLike = (), name: str | None = None
+    ) -> None:
+        """Let a compiled function apply forces; it runs without Python.
+
+        function  void f(double t, int64_t n, const double *q, const double *v, double *g, void *data), which
+                  adds to g (n, 6) what it applies to all n bodies, q (n, 7), v (n, 6), as for `user_force`:
+                  an address, a function of ctypes, or a numba.cfunc of float64, int64, three pointers to
+                  float64 and one to void
+        data      the address that it gets; what is there must live as long as the model
+        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
+
+        ModelError: nothing that has an address.
+        """
+        name = self._named(name, "compiled force", len(self._user_forces))
+        data = arguments.whole(data, 0, f"compiled force '{name}': data", ModelError)
+        times = functions.check_breaks(breaks, f"compiled force '{name}'")
+        self._core.add_compiled_force(name, _address(function, name), data)
+        self._core.add_breaks(times)
+        self._user_forces.append((name, function, ""))
+
+    def bushing(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: ArrayLike | tuple[ArrayLike, ArrayLike],
+        orientation: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        stiffness: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        rotational_stiffness: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        rotational_damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
+        frames: Frames = "space",
+        breaks: ArrayLike = (),
+        name: str | None = None,
+    ) -> Force:
+        """Join frames of a and b elastically: -k u - c u_dot along a's axes, -K phi - C phi_dot about them.
+
+        u is the shift of b's point in a's frame, phi the rotation vector of b's frame against a's.
+
+        at                    the common point [m], in space at the initial pose; a pair with frames="body"
+        orientation           the frame's Euler parameters, scalar first; without it the inertial axes
+        stiffness             k [N/m] along x, y, z         rotational_stiffness  K [N m/rad]
+        damping               c [N s/m]                     rotational_damping    C [N m s/rad]
+
+        breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
+        Quantities are numbers or functions of time.
+        """
+        subject = Subject("bushing", name if isinstance(name, str) else "bushing", False, 1)
+        own: dict[str, Any] = {}
+        for what, values in (
+            ("stiffness", stiffness),
+            ("rotational_stiffness", rotational_stiffness),
+            ("damping", damping),
+            ("rotational_damping", rotational_damping),
+        ):
+            own |= subject.components(values, what)
+        return self._add_force(
+            "bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own, "breaks": breaks}
+        )
+
+    def forces(
+        self,
+        kind: str,
+        a: BodiesLike,
+        b: BodiesLike,
+        *,
+        name: str | Sequence[str] | None = None,
+        frames: Frames = "space",
+        **arguments: Any,
+    ) -> Range[Force]:
+        """Add k force elements of one kind at once, as `joints`."""
+        first = self.force_count
+        self._place("force", kind, a, b, frames, name, True, arguments)
+        return Range(range(first, self.force_count), lambda index: self._force(index, kind))
+
+    # --- what there is --------------------------------------------------------------------------------------
+
+    @property
+    def body_count(self) -> int:
+        return int(self._core.body_count)
+
+    @property
+    def joint_count(self) -> int:
+        return int(self._core.joint_count)
+
+    @property
+    def force_count(self) -> int:
+        """Number of force elements, gravity not counted."""
+        return int(self._core.force_count)
+
+    @property
+    def user_force_count(self) -> int:
+        """Number of the user's own forces, compiled ones included."""
+        return len(self._user_forces)
+
+    @property
+    def row_count(self) -> int:
+        """Number of constraint equations."""
+        return int(self._core.row_count)
+
+    @property
+    def signals(self) -> Sequence[tuple[str, TimeFunction]]:
+        """The functions of time in the model, each with what it drives."""
+        return tuple(self._signals)
+
+    @property
+    def user_forces(self) -> Sequence[tuple[str, Any]]:
+        """The user's own forces, each a name and the function that was arguments."""
+        return tuple((name, function) for name, function, _ in self._user_forces)
+
+    @property
+    def drivers(self) -> Sequence[tuple[str, TimeFunction]]:
+        """Those of the `signals` that drive joints."""
+        return tuple(self._drivers)
+
+    @property
+    def shapes(self) -> Shapes:
+        """The bodies that have shapes of their own."""
+        return self._shapes
+
+    def find(self, name: str) -> Body:
+        """The body with this name. ModelError: there is none; the message has the nearest."""
+        return self._bodies.handle(self._bodies.index(name, Subject("model", self.name, False, 1)))
+
+    def indices(self, bodies: BodiesLike) -> NDArray[np.int32]:
+        """Indices (k,) of one or many bodies, -1 the ground. ModelError: there is no such body."""
+        return self._bodies.indices(bodies, Subject("model", self.name, False, 1))
+
+    @property
+    def curves(self) -> dict[int, Floats]:
+        """Of each point_on_curve, by the index of the joint: points along it (m, 3), in body a [m]."""
+        return {joint: it.line() for joint, it in self._special.items() if isinstance(it, CurveData)}
+
+    def compiled(self) -> _core.Model:
+        """The same model in the compiled module."""
+        return self._core
+
+    # --- how elements are added -----------------------------------------------------------------------------
+
+    def _place(
+        self,
+        role: Role,
+        kind: str,
+        a: BodiesLike,
+        b: BodiesLike,
+        frames: Frames,
+        name: str | Sequence[str] | None,
+        group: bool,
+        arguments: Mapping[str, Any],
+    ) -> None:
+        """Add one element or a group; `arguments` are those of the placement and the parameters."""
+        info = kind_info(role, kind)
+        _choose("frames", frames, ("space", "body"))
+        several = name if group and name is not None and not isinstance(name, str) else None
+        name = kind if several is not None else self._named(name, kind, self._counts[kind])
+        pairs = self._bodies.pairs if group else self._bodies.pair
+        bodies = pairs(a, b, Subject(kind, name, False, 1))
+        each = [] if several is None else _names_of_all(kind, several, len(bodies))
+        subject = Subject(kind, name, group, len(bodies), each)
+        first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
+        arguments = dict(arguments)
+        arguments = functions.broken(arguments, arguments.pop("breaks", ()), subject.who(0))
+        self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
+
+    def _add(self, elements: Elements) -> None:
+        self._functions |= elements.add_to(self._core)
+        self._signals += elements.signals()
+        if elements.info.rows:
+            self._drivers += elements.signals()
+        self._characteristics += elements.characteristics()
+        self._counts[elements.info.name] += elements.subject.count
+
+    def _keep(self, kind: str, index: int, data: CouplerData | CurveData) -> Joint:
+        """What a file of the model needs of a special joint that was added."""
+        self._special[index] = data
+        self._counts[kind] += 1
+        return self._joint(index)
+
+    def _joint(self, index: int) -> Joint:
+        return Joint(self._core.joint_name(index), index, self._core.joint_kind(index))
+
+    def _force(self, index: int, kind: str) -> Force:
+        return Force(self._core.force_name(index), index, kind)
+
+    def _named(self, name: object, kind: str, count: int) -> str:
+        """The name given, or `revolute 3`: the first number that is not taken."""
+        if name is not None:
+            if not isinstance(name, str) or not name.isprintable():
+                raise ModelError(f"{kind}: name {name!r} is not printable text", code="name")
+            return name
+        core = self._core
+        finders = (core.find_body, core.find_joint, core.find_force, core.find_user_force)
+        while any(
+            find(kind_and_number) >= 0 for find in finders for kind_and_number in _names(kind, count + 1)
+        ):
+            count += 1
+        return f"{kind} {count + 1}"
+
+
+def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:
+    """ModelError: no sequence of as many names as there are elements, or one is no printable text."""
+    if not isinstance(names, Sequence | np.ndarray):
+        raise ModelError(f"{who}: name {names!r} is neither a text nor a sequence of names", code="name")
+    each = list(names)
+    if len(each) != count:
+        raise ModelError(f"{who}: {len(each)} names for {count}", code="names")
+    for name in each:
+        if not isinstance(name, str) or not name.isprintable():
+            raise ModelError(f"{who}: name {name!r} is not printable text", code="name")
+    return each
+
+
+def _motion(what: str, motion: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:
+    """A coordinate over time from its position, velocity or acceleration."""
+    with about(what, who):
+        function = as_time_function(motion, f"{who}: {what}")
+    function = function if isinstance(function, TimeFunction) else functions.constant(function)
+    value, rate = float(start.value[0]), float(start.rate[0])
+    if what == "position":
+        return function
+    if what == "velocity":
+        return Sum((functions.polynomial(value), function.integral()))
+    return Sum((functions.polynomial(value, rate), function.integral().integral()))
+
+
+def _effort(law: object, name: str) -> TimeFunction:
+    """A law that is a function of time alone. ModelError: it is none."""
+    if isinstance(law, TimeFunction):
+        return law
+    if isinstance(law, int | float | np.number):
+        return functions.constant(as_time_function(law, f"joint force '{name}'"))  # type: ignore[arg-type]
+    wanted = "not a function of (t, x, x_dot), a function of time, or a number"
+    raise ModelError(f"joint force '{name}': {law!r:.80} is {wanted}", code="not_callable")
+
+
+def _on_bodies(
+    function: Callable[..., ArrayLike], bodies: NDArray[np.int32], single: bool, name: str
+) -> Callable[..., Floats]:
+    """A force on some bodies as one on all."""
+    if not len(bodies) or len(bodies) != len(np.unique(bodies)) or (bodies < 0).any():
+        why = "must be one or more that differ, without the ground"
+        raise ModelError(f"user force '{name}': its bodies {why}", code="bodies")
+    chosen: Any = int(bodies[0]) if single else bodies
+
+    def whole(t: float, q: Floats, v: Floats) -> Floats:
+        out = np.zeros_like(v)
+        returned = function(t, q[chosen], v[chosen])
+        try:
+            force = np.asarray(returned, dtype=float)
+        except arguments.UNREADABLE as error:
+            why = f"returned {returned!r:.80} at t = {t:g} s, not an array of numbers"
+            raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error
+        if force.shape != out[chosen].shape:
+            wanted = f"returned shape {force.shape}, not {out[chosen].shape}"
+            raise ModelError(f"user force '{name}': {wanted}", code="shape")
+        out[chosen] = force
+        return out
+
+    return whole
+
+
+def _address(function: Any, name: str) -> int:
+    """Of a C function: a number, a numba.cfunc, or a function of ctypes."""
+    if isinstance(function, int):
+        return arguments.whole(function, 1, f"compiled force '{name}': address", ModelError)
+    if isinstance(getattr(function, "address", None), int):
+        return int(function.address)
+    try:
+        address = ctypes.cast(function, ctypes.c_void_p).value
+    except (TypeError, ctypes.ArgumentError):
+        address = None
+    if address and not isinstance(function, str | bytes):
+        return address
+    raise ModelError(f"compiled force '{name}': {function!r} has no address", code="no_address")
+
+
+def _names(kind: str, number: int) -> tuple[str, str]:
+    """The name of a single object, and of the first of a group."""
+    return f"{kind} {number}", f"{kind} {number}[0]"
+
+
+def _choose(what: str, value: str, known: Sequence[str]) -> None:
+    arguments.one_of(value, known, what)

@@ -1,0 +1,160 @@
+"""Joints and force elements on their way to the compiled model: from arguments to checked arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from linkwork import _core
+from linkwork.arguments import UNREADABLE, one_of
+from linkwork.arrays import Floats, Indices
+from linkwork.errors import OptionError, about
+from linkwork.functions import TimeFunction, as_time_function
+from linkwork.modeling.placement import PLACEMENTS, Attachment, Place, Subject
+
+Role = Literal["joint", "force"]
+
+#: What a parameter can be: values (k,), or one function of time for all.
+Parameter = Floats | TimeFunction
+
+KINDS: Mapping[Role, Mapping[str, _core.KindInfo]] = {
+    "joint": {kind.name: kind for kind in (*_core.joint_kinds(), *_core.special_joint_kinds())},
+    "force": {kind.name: kind for kind in _core.force_kinds()},
+}
+
+
+@dataclass(frozen=True)
+class Elements:
+    """k elements of one kind between the bodies (k, 2)."""
+
+    info: _core.KindInfo
+    subject: Subject
+    bodies: Indices
+    place: Attachment
+    parameters: Mapping[str, Parameter]
+
+    def add_to(self, core: _core.Model) -> dict[int, TimeFunction]:
+        """Hand over to the compiled model; gives back its functions by their indices there.
+
+        ModelError: what that refuses, such as a body joined to itself.
+        """
+        functions: dict[int, TimeFunction] = {}
+        values = np.zeros((self.subject.count, len(self.info.parameters)))
+        signals = np.full(values.shape, -1, np.int32)
+        for column, what in enumerate(self.info.parameters):
+            parameter = self.parameters[what]
+            if isinstance(parameter, TimeFunction):
+                function = parameter.compiled()
+                if self.info.parameters[what].takes == "characteristic":
+                    function = _core.TimeFunction.characteristic(function)
+                index = core.add_signal(function)
+                signals[:, column], functions[index] = index, parameter
+            else:
+                values[:, column] = parameter
+        add = core.add_joints if self.info.name in KINDS["joint"] else core.add_forces
+        add(
+            self.info.name,
+            self.subject.names,
+            self.bodies,
+            self.place.origin,
+            self.place.frame,
+            values,
+            signals,
+        )
+        return functions
+
+    def signals(self) -> list[tuple[str, TimeFunction]]:
+        """The functions of time, each with what it drives."""
+        return [
+            (f"{self.subject.who(0)}: {what}", parameter)
+            for what, parameter in self.parameters.items()
+            if isinstance(parameter, TimeFunction) and self.info.parameters[what].takes != "characteristic"
+        ]
+
+    def characteristics(self) -> list[TimeFunction]:
+        """The functions of coordinates."""
+        found = ((it, self.parameters[it.name]) for it in self.info.parameters.values())
+        return [
+            value for it, value in found if it.takes == "characteristic" and isinstance(value, TimeFunction)
+        ]
+
+
+def kind_info(role: Role, name: str) -> _core.KindInfo:
+    """OptionError: there is no such kind."""
+    return KINDS[role][one_of(name, KINDS[role], f"{role} kind", "unknown_kind")]
+
+
+def placed(info: _core.KindInfo, place: Place, bodies: Indices, arguments: Mapping[str, Any]) -> Elements:
+    """Elements from the arguments of their placement and their parameters."""
+    if info.placement not in PLACEMENTS:
+        message = f"{info.name} joints are added one by one, by linkwork.Model.{info.name}"
+        raise OptionError(message, code="one_by_one")
+    where = {what: value for what, value in arguments.items() if what not in info.parameters}
+    attachment = PLACEMENTS[info.placement](place, **where)
+    return with_parameters(info, place.subject, bodies, attachment, arguments)
+
+
+def with_parameters(
+    info: _core.KindInfo, subject: Subject, bodies: Indices, place: Attachment, given: Mapping[str, Any]
+) -> Elements:
+    """Elements at a place that is known."""
+    parameters = {
+        what: _parameter(subject, it, given.get(what), place) for what, it in info.parameters.items()
+    }
+    if "length" in parameters:
+        _check_length(subject, place, parameters["length"])
+    return Elements(info, subject, bodies, place, parameters)
+
+
+def described(parameter: _core.ParameterInfo) -> str:
+    """What it is, its unit, what it may be, and its default."""
+    unit = f" [{parameter.unit}]" if parameter.unit else ""
+    number = "a whole number" if parameter.takes == "whole_number" else "a number"
+    if parameter.takes == "characteristic":
+        number = "a characteristic, or a number for a linear one"
+    elif not parameter.constant:
+        number += " or a function of time"
+    elif parameter.least is None:
+        number += ", not zero"
+    words = [f"{parameter.meaning}{unit}", number]
+    if parameter.least is not None:
+        words.append(f"{'above' if parameter.above else 'at least'} {parameter.least:g}")
+    if parameter.not_above:
+        words.append(f"not above {parameter.not_above}")
+    if parameter.initial_distance:
+        words.append("by default the initial distance")
+    return ", ".join(words) + (f"; {parameter.usual:g}" if parameter.usual is not None else "")
+
+
+def _parameter(subject: Subject, info: _core.ParameterInfo, given: Any, place: Attachment) -> Parameter:
+    what = info.name
+    if given is None and info.initial_distance:
+        return place.distance
+    if given is None:
+        given = info.usual
+    if given is None:
+        subject.refuse(0, f"{what} is missing", "missing", what)
+    if subject.group and not isinstance(given, TimeFunction) and not callable(given):
+        try:
+            if np.shape(given) == (subject.count,):
+                return np.asarray(given, dtype=float)
+        except UNREADABLE:
+            subject.refuse(0, f"{what} {given!r:.80} is not made of numbers", "not_a_number", what)
+    with about(what, subject.who(0)):
+        parameter = as_time_function(given, f"{subject.who(0)}: {what}")
+    if not isinstance(parameter, TimeFunction):
+        return np.full(subject.count, parameter)
+    if info.takes == "differentiable" and not parameter.has_derivatives:
+        remedy = "a tuple of functions (f, df, ddf), or one of linkwork.functions such as table(t, values)"
+        subject.refuse(0, f"{what} enters with its time derivatives: give {remedy}", "derivatives", what)
+    return parameter
+
+
+def _check_length(subject: Subject, place: Attachment, length: Parameter) -> None:
+    """A distance of zero has no direction, so the joint would lose its equation."""
+    start = np.full(subject.count, length.evaluate(0.0)[0]) if isinstance(length, TimeFunction) else length
+    subject.check(start > 0, lambda k: f"length {start[k]:.6g} m must be positive", "length", "length")
+    subject.check(place.distance > 0, lambda k: "its two points coincide at the initial pose", "length", "at")

@@ -1,0 +1,323 @@
+"""From a file to a model: syntax, then the schema, then the mechanics; each tells all its faults at once."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import groupby, islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, about, nearest
+from linkwork.functions import Sum, TimeFunction, constant
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.files import schema
+from linkwork.modeling.files.batches import Placed, add_batch, batch_key
+from linkwork.modeling.files.collection import collection_paused
+from linkwork.modeling.files.messages import faults_of_schema
+from linkwork.modeling.files.syntax import Syntax, Where, field, parse
+from linkwork.modeling.files.writing import normalized, normalized_from
+from linkwork.modeling.shapes import Shape
+from linkwork.options import RENAMED, renamed
+
+if TYPE_CHECKING:
+    from linkwork.modeling.model import Model
+
+#: The most faults that are told.
+MOST = 100
+
+
+@dataclass(frozen=True)
+class ModelFile:
+    """What a file says: a model, and recommended arguments of `simulate`."""
+
+    model: Model
+    simulation: Mapping[str, Any]
+
+
+def read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
+    """As a model of this class. ModelFileError: what is wrong in the file. FileError: it cannot be read."""
+    with collection_paused():
+        return _read(path, kind)
+
+
+def _read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
+    syntax = parse(path)
+    checker = _Checker(path, syntax)
+    if not isinstance(syntax.data, dict):
+        raise ModelFileError(path, [Fault(1, "", "a model file is a mapping: linkwork: 1, bodies: ...")])
+    try:
+        document = schema.document_type().model_validate(syntax.data)
+    except ValidationError as error:
+        for where, message in islice(faults_of_schema(error, syntax.data), MOST):
+            checker.add(where, message)
+        checker.finish()
+    _check_settings(document, checker)
+    _check_names(document, checker)
+    checker.finish()
+    return ModelFile(_build(document, checker, kind), renamed(document.simulation))
+
+
+def from_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
+    """From a document as `record_of` makes it."""
+    with collection_paused():
+        return _built(schema.document_type().model_validate(record), kind, _straight)
+
+
+class _Checker:
+    """Collects faults, each with the line of its place in the file."""
+
+    def __init__(self, path: str | os.PathLike[str], syntax: Syntax) -> None:
+        self._path, self._syntax = path, syntax
+        self._faults: list[Fault] = []
+
+    def add(self, where: Where, message: str) -> None:
+        self._faults.append(Fault(self.line(where), field(where), message))
+
+    @property
+    def full(self) -> bool:
+        return len(self._faults) >= MOST
+
+    def line(self, where: Where) -> int:
+        """Of the value, or of the nearest around it that is there."""
+        try:
+            return self._syntax.line(where)
+        except (KeyError, IndexError):
+            return self.line(where[:-1]) if where else 1
+
+    def finish(self) -> None:
+        """ModelFileError: there are faults."""
+        if self.full:
+            last = max(fault.line for fault in self._faults)
+            self._faults.append(Fault(last, "", f"these are the first {MOST} faults; there may be more"))
+        if self._faults:
+            raise ModelFileError(self._path, self._faults)
+
+
+def _check_settings(document: schema.Document, checker: _Checker) -> None:
+    known = schema.setting_names()
+    for name in document.simulation:
+        if name not in known and name not in RENAMED:
+            checker.add(("simulation", name), f"is no argument of simulate{nearest(name, known)}")
+
+
+def _check_names(document: schema.Document, checker: _Checker) -> None:
+    """Names are unique; bodies and functions that are named are there."""
+    bodies = _unique("bodies", document.bodies, checker, {"ground": "is the name of the ground"})
+    for role in KINDS:
+        records = getattr(document, f"{role}s")
+        _unique(f"{role}s", records, checker, {})
+        for k, record in enumerate(records):
+            for side in ("a", "b", "body"):
+                body = getattr(record, side, None)
+                if isinstance(body, str):
+                    _check_body(body, (f"{role}s", k, side), bodies, checker)
+            for what, name in _named_functions(record):
+                if name not in document.functions and not checker.full:
+                    checker.add((f"{role}s", k, what), _no_function(name, document.functions))
+    _check_joints(document.joints, checker)
+    for k, shapes in enumerate(document.shapes):
+        for j, name in enumerate(shapes.bodies):
+            _check_body(name, ("shapes", k, "bodies", j), bodies, checker)
+
+
+def _check_joints(joints: Sequence[Any], checker: _Checker) -> None:
+    """Joints that others name stand before them; those without a name get theirs when they are added."""
+    before: set[str] = set()
+    unnamed = False
+    for k, record in enumerate(joints):
+        named: list[tuple[Where, str]] = []
+        if record.kind == schema.DRIVE:
+            named.append((("joints", k, "joint"), record.joint))
+        for j, term in enumerate(getattr(record, "coordinates", ())):
+            named.append((("joints", k, "coordinates", j, "joint"), term.joint))
+            if term.factor == 0:
+                checker.add(("joints", k, "coordinates", j, "factor"), "must not be zero")
+        for where, name in named:
+            if name not in before and not unnamed and not checker.full:
+                checker.add(where, f"no joint named '{name}' before{nearest(name, before)}")
+        unnamed = unnamed or record.name is None
+        before.add(record.name)
+
+
+def _no_function(name: str, functions: Iterable[str]) -> str:
+    hint = nearest(name, functions)
+    if re.search(r"[-+*/().]", name):
+        hint = f"; a formula of t is written {{expression: {json.dumps(name)}}}"
+    return f"{name!r} is neither a number nor in functions{hint}"
+
+
+def _check_body(name: str, where: Where, bodies: dict[str, str], checker: _Checker) -> None:
+    if name != "ground" and name not in bodies and not checker.full:
+        checker.add(where, f"no body named '{name}'{nearest(name, islice(bodies, 10_000))}")
+
+
+def _unique(section: str, records: Sequence[Any], checker: _Checker, taken: dict[str, str]) -> dict[str, str]:
+    """The names of a section, with why each is taken."""
+    for k, record in enumerate(records):
+        if record.name is None:
+            continue
+        if not record.name.isprintable():
+            checker.add((section, k, "name"), f"name {record.name!r} is not printable text")
+        if record.name in taken and not checker.full:
+            why = (
+                taken[record.name] or f"is the name of {_first(section, records, record.name, checker)}, too"
+            )
+            checker.add((section, k, "name"), f"'{record.name}' {why}; choose another name")
+        taken.setdefault(record.name, "")
+    return taken
+
+
+def _first(section: str, records: Sequence[Any], name: str, checker: _Checker) -> str:
+    k = next(k for k, record in enumerate(records) if record.name == name)
+    return f"{section}[{k}] in line {checker.line((section, k, 'name'))}"
+
+
+def _named_functions(record: schema.Element) -> Iterator[tuple[str, str]]:
+    """Parameters that are the name of a function."""
+    for what in schema.quantities_of(type(record)):
+        value = getattr(record, what)
+        for name in value if isinstance(value, list) else (value,):
+            if isinstance(name, str):
+                yield what, name
+
+
+# --- from records to a model --------------------------------------------------------------------------------
+
+
+def _build(document: schema.Document, checker: _Checker, kind: type[Model]) -> Model:
+    """The model; where the compiled model refuses something, all of it is told."""
+    try:
+        return _built(document, kind, _straight)
+    except LinkworkError as error:
+
+        def one_by_one(
+            where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None
+        ) -> None:
+            try:
+                if not checker.full:
+                    add()
+            except LinkworkError as refusal:
+                checker.add(*_place(document, where, refusal))
+                if instead is not None:
+                    instead()
+
+        _built(document, kind, one_by_one, batches=False)
+        checker.finish()
+        raise FileError(str(error), code=error.code) from error  # only where a batch is refused for its size
+
+
+def _straight(where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None) -> None:
+    add()
+
+
+#: attempt(where, add, instead): `add` is called; where it is refused and only faults are wanted, `instead`
+#: stands in, so that what refers to it can be checked, too.
+Attempt = Callable[..., None]
+
+
+def _built(document: schema.Document, kind: type[Model], attempt: Attempt, batches: bool = True) -> Model:
+    model = kind(document.gravity, document.name)
+    functions: dict[str, TimeFunction] = {}
+
+    def define(name: str, function: Any) -> Callable[[], None]:
+        return lambda: functions.update({name: function()})
+
+    for name, record in document.functions.items():
+        make = partial(function_of, record)
+        attempt(("functions", name), define(name, make), define(name, partial(constant, 1.0)))
+    _add_bodies(model, document.bodies, attempt, batches)
+    for role in KINDS:
+        records = getattr(document, f"{role}s")
+        numbered = enumerate(Placed(role, record, functions, function_of) for record in records)
+        if not batches:
+            for k, element in numbered:
+                attempt((f"{role}s", k), partial(add_batch, model, [element]))
+            continue
+        for _, batch in groupby(numbered, key=lambda pair: batch_key(*pair)):
+            add_batch(model, [element for _, element in batch])
+    for k, shapes in enumerate(document.shapes):
+        for j, shape in enumerate(shapes.shapes):
+            attempt(("shapes", k, "shapes", j), partial(_shape_of, shape))
+        attempt(("shapes", k), partial(_add_shapes, model, shapes))
+    return _with_history(model, document.history) if document.history else model
+
+
+def _with_history(model: Model, history: Sequence[float]) -> Model:
+    """The same model, to the last bit, with history variables at its initial state."""
+    core, count = model.compiled(), model.body_count
+    q = np.array(core.q0).reshape(count, 7)
+    q[:, 3:] = normalized_from(q[:, 3:], normalized)
+    return model.with_initial_state(q, core.v0, history)
+
+
+def _shape_of(record: schema.Record) -> Shape:
+    """ModelError: what no shape can be."""
+    return Shape.of(record.model_dump(exclude_unset=True))
+
+
+def _add_shapes(model: Model, record: schema.ShapesRecord) -> None:
+    model.shape(record.bodies, *map(_shape_of, record.shapes))
+
+
+def _add_bodies(
+    model: Model,
+    records: Sequence[schema.BodyRecord],
+    attempt: Attempt,
+    batches: bool,
+) -> None:
+    if batches:
+        _add_batch_of_bodies(model, records)
+        return
+    for k, record in enumerate(records):
+        stand_in = schema.BodyRecord(  # type: ignore[call-arg]
+            name=record.name, mass=1.0, inertia=[1.0, 1.0, 1.0], position=record.position
+        )
+        attempt(("bodies", k), *(partial(_add_batch_of_bodies, model, [body]) for body in (record, stand_in)))
+
+
+def _add_batch_of_bodies(model: Model, records: Sequence[schema.BodyRecord]) -> None:
+    if not records:
+        return
+    inertia = [body.inertia for body in records]
+    diagonal = np.array([not isinstance(J[0], list) for J in inertia])
+    tensors = np.zeros((len(records), 3, 3))
+    if diagonal.any():
+        moments = np.array([J for J in inertia if not isinstance(J[0], list)], dtype=float)
+        tensors[diagonal] = moments[:, :, None] * np.eye(3)
+    if not diagonal.all():
+        tensors[~diagonal] = np.array([J for J in inertia if isinstance(J[0], list)], dtype=float)
+    state = {
+        what: np.array([getattr(body, what) for body in records], dtype=float)
+        for what in ("position", "orientation", "velocity", "omega")
+    }
+    mass = np.array([body.mass for body in records], dtype=float)
+    model.compiled().add_bodies([body.name for body in records], mass, tensors, **state)
+
+
+def function_of(record: Any) -> TimeFunction:
+    """The function of time that a record describes. ModelError: what its constructor refuses."""
+    (name,) = type(record).model_fields
+    arguments = getattr(record, name)
+    with about(name):
+        if name == "sum":
+            return Sum(tuple(map(function_of, arguments)))
+        constructor = schema.constructors()[name]
+        if isinstance(arguments, schema.Record):
+            return constructor(**{what: getattr(arguments, what) for what in type(arguments).model_fields})
+        return constructor(*arguments) if isinstance(arguments, list) else constructor(arguments)
+
+
+def _place(document: schema.Document, where: Where, error: LinkworkError) -> tuple[Where, str]:
+    """The field that a refusal is about, and the reason."""
+    section, key, *inner = where
+    record = getattr(document, str(section))[key]
+    if inner or not error.field or getattr(record, error.field, None) is None:  # inner: a shape
+        return where, error.reason
+    return (*where, error.field), error.reason.removeprefix(error.field).lstrip(": ")

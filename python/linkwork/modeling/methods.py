@@ -1,0 +1,194 @@
+"""One method of Model for every registered joint and force, made from what the compiled module says about it.
+
+One added there (one file, one line) appears here by itself, with its documentation. Type checkers read
+methods.pyi; `./dev stubs` writes it.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable, Iterator
+from inspect import Parameter, Signature
+from typing import Any
+
+from linkwork import _core
+from linkwork.modeling.elements import described
+
+#: The arguments of each placement, with what they mean; a question mark: it can be left out.
+_PLACES: dict[str, dict[str, str]] = {
+    "point": {"at": "its point (3,) [m]"},
+    "axis": {
+        "at": "its point (3,) [m]",
+        "axis": "the axis (3,), of any length",
+        "x_axis?": "the frame's x axis (3,); without it a perpendicular to the axis",
+    },
+    "two_axes": {
+        "at": "its point (3,) [m]",
+        "axes": "the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)",
+    },
+    "two_points": {"at": "a point of a and a point of b: a pair of (3,) [m]"},
+    "frame": {
+        "at": "its point (3,) [m]",
+        "orientation?": "the frame's Euler parameters (4,), scalar first; without it the inertial axes",
+    },
+    "direction": {
+        "axis": "the axis (3,), of any length",
+        "x_axis?": "the frame's x axis (3,); without it a perpendicular to the axis",
+    },
+    "two_directions": {
+        "axes": "the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)",
+    },
+    "orientation": {
+        "orientation?": "the frame's Euler parameters (4,), scalar first; without it the inertial axes",
+    },
+    "shafts": {
+        "at": "its point (3,) [m]",
+        "axes": "the axes of the shafts a and b, both the same way through the joint: a pair of (3,)",
+    },
+    "centers": {
+        "at": "a point on the axis of a and a point on that of b: a pair of (3,) [m]",
+        "axis": "the direction (3,) of both axes, of any length",
+    },
+    "plane": {
+        "at": "a point of the plane and a point of b: a pair of (3,) [m]",
+        "normal": "of the plane (3,), toward b, of any length; fixed in a",
+    },
+    "disc": {
+        "at": "a point of the plane and the center of the disc: a pair of (3,) [m]",
+        "axes": "the normal of the plane, toward the disc, and the axis of the disc: a pair of (3,)",
+    },
+}
+
+#: What all methods share.
+_COMMON = {
+    "frames": '"space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b',
+    "name": "of the joint; without it the kind and a number",
+}
+
+_BREAKS = "times [s] at which Python functions are not smooth, see functions.with_breaks"
+
+_ERRORS = """\
+ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name."""
+
+#: Forces whose methods have a form of their own in Model.
+_OWN = ("applied", "spring_damper", "rotational_spring_damper", "bushing")
+
+
+class JointMethods:
+    """The methods of Model that add a joint between bodies a and b."""
+
+
+class ForceMethods:
+    """The methods of Model that add a force element between bodies a and b."""
+
+
+def _default(kind: _core.KindInfo, name: str) -> float | None:
+    """Of a parameter; None: there is none."""
+    return kind.parameters[name].usual if name in kind.parameters else None
+
+
+def _arguments(kind: _core.KindInfo) -> Iterator[tuple[str, bool, str]]:
+    """(name, required, meaning) of a kind's own arguments."""
+    for name, meaning in _PLACES[kind.placement].items():
+        yield name.rstrip("?"), not name.endswith("?"), meaning
+    for name, parameter in kind.parameters.items():
+        yield name, parameter.usual is None and not parameter.initial_distance, described(parameter)
+
+
+def _of_time(kind: _core.KindInfo) -> bool:
+    """Whether it has parameters that can be functions of time."""
+    return any(not (it.constant or it.takes == "characteristic") for it in kind.parameters.values())
+
+
+def _signature(kind: _core.KindInfo) -> Signature:
+    keyword, nothing = Parameter.KEYWORD_ONLY, Parameter.empty
+    parameters = [Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in ("self", "a", "b")]
+    for name, required, _ in _arguments(kind):
+        parameters.append(Parameter(name, keyword, default=nothing if required else _default(kind, name)))
+    if _of_time(kind):
+        parameters.append(Parameter("breaks", keyword, default=()))
+    parameters += [Parameter("frames", keyword, default="space"), Parameter("name", keyword, default=None)]
+    return Signature(parameters)
+
+
+def _documentation(kind: _core.KindInfo) -> str:
+    breaks = {"breaks": _BREAKS} if _of_time(kind) else {}
+    meanings = {name: meaning for name, _, meaning in _arguments(kind)} | breaks | _COMMON
+    arguments = "\n".join(f"{name:<{max(map(len, meanings))}}  {text}" for name, text in meanings.items())
+    parts = [kind.documentation, arguments, _ERRORS]
+    if kind.rows:
+        equations = f"{kind.rows} equation{'s' if kind.rows > 1 else ''}: {', '.join(kind.equations)}."
+        if kind.velocity_rows:
+            equations += f" The last {kind.velocity_rows} of velocities only (non-holonomic)."
+        parts.insert(1, equations)
+    return "\n\n".join(parts)
+
+
+def _method(kind: _core.KindInfo) -> Callable[..., Any]:
+    signature = _signature(kind)
+
+    def add(*given: Any, **named: Any) -> Any:
+        bound = signature.bind(*given, **named)
+        bound.apply_defaults()
+        values = dict(bound.arguments)
+        model, a, b, frames, name = (values.pop(key) for key in ("self", "a", "b", "frames", "name"))
+        hand_over = model._add_joint if kind.rows else model._add_force
+        return hand_over(kind.name, a, b, frames, name, values)
+
+    add.__name__ = add.__qualname__ = kind.name
+    add.__doc__ = _documentation(kind)
+    add.__signature__ = signature  # type: ignore[attr-defined]
+    return add
+
+
+def _forces() -> list[_core.KindInfo]:
+    return [kind for kind in _core.force_kinds() if kind.name not in _OWN]
+
+
+for _kind in _core.joint_kinds():
+    setattr(JointMethods, _kind.name, _method(_kind))
+for _kind in _forces():
+    setattr(ForceMethods, _kind.name, _method(_kind))
+
+
+def stub() -> str:
+    """The text of methods.pyi."""
+    joints = "\n".join(_stub_method(kind) for kind in _core.joint_kinds())
+    forces = "\n".join(_stub_method(kind) for kind in _forces())
+    return f"{_STUB_HEAD}class JointMethods:\n{joints}\nclass ForceMethods:\n{forces}"
+
+
+_STUB_HEAD = '''\
+"""Written by `./dev stubs`."""
+
+from numpy.typing import ArrayLike
+
+from linkwork.functions import TimeFunctionLike
+from linkwork.modeling.handles import BodyLike, Force, Joint
+from linkwork.modeling.placement import Frames
+
+def stub() -> str: ...
+
+'''
+
+
+def _stub_method(kind: _core.KindInfo) -> str:
+    lines = [
+        f"    def {kind.name}(",
+        "        self,",
+        "        a: BodyLike,",
+        "        b: BodyLike,",
+        "        *,",
+    ]
+    for name, required, _ in _arguments(kind):
+        parameter = kind.parameters.get(name)
+        type_ = "ArrayLike" if parameter is None else "float" if parameter.constant else "TimeFunctionLike"
+        default = _default(kind, name)
+        optional = "" if required else " | None = None" if default is None else f" = {default!r}"
+        lines.append(f"        {name}: {type_}{optional},")
+    if _of_time(kind):
+        lines.append("        breaks: ArrayLike = (),")
+    result = "Joint" if kind.rows else "Force"
+    lines += ['        frames: Frames = "space",', "        name: str | None = None,", f"    ) -> {result}:"]
+    text = textwrap.indent(_documentation(kind), " " * 8).lstrip()
+    return "\n".join([*lines, f'        """{text}\n        """', ""])

@@ -1,0 +1,132 @@
+"""The description of a mechanism: it is built, kept in files, and begun from another state."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Callable, Mapping
+from inspect import isfunction
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork import _core, arguments
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError, OptionError
+from linkwork.modeling.bodies import Bodies
+from linkwork.modeling.builder import ModelBuilder
+
+__all__ = ["Model", "check_model", "model_of"]
+
+
+class Model(ModelBuilder):
+    """A mechanism under construction. SI units, angles in rad.
+
+    Every kind of joint is a method: `revolute`, `spherical`, ... (`help(linkwork.Model)` has them all).
+    Bodies are given by handle or by name. Everything is checked when it is added: bad input is a ModelError
+    that names the object and the value, and leaves the model as it was.
+    """
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Model:
+        """The model in a file: YAML (.yaml, .yml) or JSON (.json); `linkwork schema` says what they may have.
+
+        ModelFileError: what is wrong in it, all at once. FileError: it cannot be read.
+        """
+        from linkwork.modeling import files
+
+        return files.read(arguments.path(path, "model file"), cls).model
+
+    def save(self, path: str | os.PathLike[str], *, simulation: Mapping[str, Any] | None = None) -> None:
+        """Write the model to a file (.yaml, .yml, .json), exactly: what is loaded has the same bits.
+
+        simulation  arguments of `simulate` that the file recommends, such as {"t_end": 2.0, "step": 1e-3}
+
+        ModelError: a Python function in the model, which a file cannot hold. FileError: it cannot be written.
+        """
+        from linkwork.modeling import files
+
+        if simulation is not None and not isinstance(simulation, Mapping):
+            raise OptionError(
+                f"simulation {simulation!r:.80} is no mapping of names to values", code="option"
+            )
+        files.write(self, arguments.path(path, "model file"), {} if simulation is None else simulation)
+
+    def with_initial_state(self, q: ArrayLike, v: ArrayLike, history: ArrayLike = ()) -> Model:
+        """The same mechanism from another state, such as a frame of a result: `result.q[-1], result.v[-1]`.
+
+        q  position and Euler parameters of each body (n, 7)
+        v  velocity (inertial) and angular velocity (body axes) of each body (n, 6)
+        history  history variables of couplers and force elements (h,), such as `result.history[-1]`: full
+                 turns, speeds at which contacts began, see linkwork.System; without, they begin anew
+
+        Joints and forces stay where they are on the bodies. ModelError: another shape, or no possible state.
+        Elements with history variables that are added later make another number of them necessary.
+        """
+        n = self.body_count
+        q, v = (
+            arguments.shaped(q, [(n, 7), (7 * n,)], "model", "q"),
+            arguments.shaped(v, [(n, 6), (6 * n,)], "model", "v"),
+        )
+        out = Model(self._core.gravity, self.name)
+        past = np.asarray(history, dtype=float).ravel().tolist()
+        out._core = self._core.with_initial_state(q.ravel(), v.ravel(), past)
+        out._bodies = Bodies(out, out._core)
+        out._counts, out._signals = self._counts.copy(), self._signals.copy()
+        out._drivers = self._drivers.copy()
+        out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
+        out._shapes = self._shapes.copy()
+        out._functions, out._special = self._functions.copy(), self._special.copy()
+        return out
+
+    def __reduce__(self) -> tuple[Callable[[Mapping[str, Any]], Model], tuple[dict[str, Any]]]:
+        """Copies, also to other processes, are exact. ModelError: a Python function in the model."""
+        from linkwork.modeling import files
+
+        return model_of, (files.record_of(self, {}),)
+
+    def hash(self) -> str:
+        """Equal for models of equal motion, whatever the names; a Python function counts by its name."""
+        core = self._core
+        elements = [*core.joint_arrays().values(), *core.force_arrays().values()]
+        digest = hashlib.blake2b(digest_size=16)
+        for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements, _history(core)):
+            digest.update(np.ascontiguousarray(array).data)
+        for joint, special in self._special.items():
+            digest.update(f"{joint} {special.arguments()}".encode())
+        for function in (*(signal for _, signal in self._signals), *self._characteristics):
+            digest.update(function.fingerprint())
+        for name, own, place in self._user_forces:
+            digest.update(f"{name} {getattr(own, '__qualname__', '')} {place}".encode())
+        return digest.hexdigest()
+
+    def describe(self) -> str:
+        """One line: what the model consists of."""
+        kinds = "".join(f", {count} {kind}" for kind, count in sorted(self._counts.items()))
+        gravity = ", ".join(f"{g:g}" for g in self._core.gravity)
+        equations = f"{self.row_count} constraint equations"
+        return (
+            f"{self.name or 'model'}: {self.body_count} bodies{kinds}; {equations}; gravity ({gravity}) m/s2"
+        )
+
+    def __repr__(self) -> str:
+        return f"<Model {self.describe()}>"
+
+
+def model_of(record: Mapping[str, Any]) -> Model:
+    """From what `linkwork.modeling.files.record_of` made of one."""
+    from linkwork.modeling import files
+
+    return files.from_record(record, Model)
+
+
+def check_model(model: object) -> None:
+    """ModelError: it is no model."""
+    if not isinstance(model, Model):
+        what = f"the function {model.__name__}: call it" if isfunction(model) else f"{model!r:.80}"
+        raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
+
+
+def _history(core: _core.Model) -> Floats:
+    return np.asarray(core.initial_history, dtype=float)

@@ -1,0 +1,1 @@
+"""What a run found, as data: states, quantities of bodies and joints, a summary."""

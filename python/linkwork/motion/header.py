@@ -1,0 +1,207 @@
+"""What a result knows beside its frames: the constant arrays and names of the model, and the manifest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork.arrays import Floats
+from linkwork.modeling.shapes import Shapes
+
+if TYPE_CHECKING:
+    from linkwork import _core
+
+Indices = NDArray[np.integer]
+
+#: The texts of a header, one for each body, joint or force element.
+MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force_kinds")
+
+#: reactions(t (k,), q (k, 7n), multipliers (k, m), history (k, h) where there is any) -> force [N] and
+#: torque [N m] (k, joints, 3).
+Reactions = Callable[..., tuple[Floats, Floats]]
+
+
+def _none(*shape: int) -> Callable[[], Any]:
+    """Gives the default of an array that files of earlier versions do not have."""
+    return lambda: np.zeros(shape)
+
+
+@dataclass(frozen=True, repr=False)
+class Header:
+    """n bodies, J joints, m constraint rows. SI units; ground is body index -1."""
+
+    manifest: Mapping[str, Any]
+    body_names: Sequence[str]
+    joint_names: Sequence[str]
+    joint_kinds: Sequence[str]
+    gravity: Floats  # (3,) inertial
+    mass: Floats  # (n,)
+    inertia: Floats  # (n, 3, 3) about the center of mass, body frame
+    q0: Floats  # (7n,) initial pose
+    v0: Floats  # (6n,) initial velocity
+    joint_rows: NDArray[np.int32]  # (J + 1,) offsets of each joint's constraint rows
+    joint_bodies: NDArray[np.int32]  # (J, 2)
+    joint_frame: Floats  # (J, 2, 3, 3) the joint's axes as columns, in the axes of its two bodies
+    joint_origin: Floats  # (J, 2, 3) the joint's points in its two bodies
+    reaction_unique: NDArray[np.bool_]  # (J,) False where constraints are redundant: shares of least norm
+    redundant_rows: NDArray[np.int32]  # constraint rows that the others imply in every pose
+    joint_first_parameter: Indices = field(
+        default_factory=_none(1)
+    )  # (J + 1,) offsets of each joint's numbers
+    joint_parameters: Floats = field(default_factory=_none(0))  # such as a length; NaN for a function of time
+    force_names: Sequence[str] = ()  # of the F force elements
+    force_kinds: Sequence[str] = ()
+    force_bodies: Indices = field(default_factory=_none(0, 2))  # (F, 2)
+    force_frame: Floats = field(
+        default_factory=_none(0, 2, 3, 3)
+    )  # (F, 2, 3, 3), force_origin (F, 2, 3): as of joints
+    force_origin: Floats = field(default_factory=_none(0, 2, 3))
+    force_first_parameter: Indices = field(default_factory=_none(1))  # (F + 1,)
+    force_parameters: Floats = field(default_factory=_none(0))
+    history_count: int = 0  # history variables; none in files of version 0.1
+    expected_frames: int | None = None
+    shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
+    curves: Mapping[int, Floats] = field(default_factory=dict, compare=False)  # by joint: points (m, 3) in a
+    reactions: Reactions | None = field(default=None, compare=False)
+
+    @classmethod
+    def of(
+        cls,
+        model: _core.Model,
+        dynamics: _core.Dynamics,
+        manifest: Mapping[str, Any],
+        expected_frames: int | None = None,
+        shapes: Shapes | None = None,
+        curves: Mapping[int, Floats] | None = None,
+    ) -> Header:
+        """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
+        joints, forces, rank = model.joint_arrays(), model.force_arrays(), dynamics.rank()
+        return cls(
+            manifest=dict(manifest),
+            body_names=_Listing(model.body_name, model.body_count),
+            joint_names=_Listing(model.joint_name, model.joint_count),
+            joint_kinds=_Listing(model.joint_kind, model.joint_count),
+            gravity=model.gravity,
+            mass=model.mass,
+            inertia=model.inertia,
+            q0=model.q0,
+            v0=model.v0,
+            joint_rows=model.joint_rows,
+            joint_bodies=joints["bodies"],
+            joint_frame=joints["frame"],
+            joint_origin=joints["origin"],
+            reaction_unique=np.array(rank.unique, dtype=bool),
+            redundant_rows=np.array(rank.redundant_rows, dtype=np.int32),
+            **_parameters("joint", joints),
+            force_names=_Listing(model.force_name, len(forces["kind"])),
+            force_kinds=_Listing(lambda index: _kind_names()[forces["kind"][index]], len(forces["kind"])),
+            force_bodies=forces["bodies"],
+            force_frame=forces["frame"],
+            force_origin=forces["origin"],
+            **_parameters("force", forces),
+            history_count=len(dynamics.initial_history),
+            expected_frames=expected_frames,
+            shapes=shapes or Shapes(),
+            curves=curves or {},
+            reactions=dynamics.reactions,
+        )
+
+    def __repr__(self) -> str:
+        return f"<Header: {self.body_count} bodies, {self.joint_count} joints, {self.row_count} equations>"
+
+    def detached(self) -> Header:
+        """The same without the compiled model behind it, so that it can go to another process."""
+        names = {name: list(getattr(self, name)) for name in MODEL_NAMES}
+        return replace(self, reactions=None, **names)  # type: ignore[arg-type]
+
+    def parameters(self, role: Literal["joint", "force"], index: int) -> Floats:
+        """The numbers of a joint or force element, as its kind lists them; none in a file that has none."""
+        first = getattr(self, f"{role}_first_parameter")
+        values: Floats = getattr(self, f"{role}_parameters")
+        return values[int(first[index]) : int(first[index + 1])] if index + 1 < len(first) else values[:0]
+
+    @property
+    def body_count(self) -> int:
+        return len(self.body_names)
+
+    @property
+    def joint_count(self) -> int:
+        return len(self.joint_names)
+
+    @property
+    def row_count(self) -> int:
+        return int(self.joint_rows[-1])
+
+    def frame_shapes(self) -> dict[str, tuple[int, ...]]:
+        """Shape of one frame of every recorded field; `t` comes last, as in the file."""
+        return frame_shapes(self.body_count, self.joint_count, self.row_count, self.history_count)
+
+
+def frame_shapes(bodies: int, joints: int, rows: int, history: int = 0) -> dict[str, tuple[int, ...]]:
+    """As `Header.frame_shapes`, of so many bodies, joints, constraint rows and history variables."""
+    return {
+        "q": (bodies, 7),
+        "v": (bodies, 6),
+        "vdot": (bodies, 6),
+        "lambda": (rows,),
+        "kinetic": (),
+        "potential": (),
+        "work": (),
+        "violation": (3,),
+        "history": (history,),
+        "reaction_force": (joints, 3),
+        "reaction_torque": (joints, 3),
+        "t": (),
+    }
+
+
+def _parameters(role: str, arrays: Mapping[str, Any]) -> dict[str, Any]:
+    """The numbers of all elements one after the other, and where those of each begin."""
+    values = np.where(arrays["signals"] < 0, arrays["parameters"], np.nan)
+    first = np.append(arrays["first_parameter"], len(values))
+    return {f"{role}_first_parameter": first, f"{role}_parameters": values}
+
+
+@cache
+def _kind_names() -> list[str]:
+    from linkwork import _core
+
+    return [kind.name for kind in _core.force_kinds()]
+
+
+def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[str, Floats]:
+    """`frames` as arrays, with reaction_force and reaction_torque (k, joints, 3) computed where missing."""
+    values = {name: np.asarray(field, dtype=float) for name, field in frames.items()}
+    if "reaction_force" in values:
+        return values
+    count = len(values["t"])
+    force = torque = np.zeros((count, header.joint_count, 3))
+    if header.joint_count and count:
+        assert header.reactions is not None, "frames without reactions need the dynamics that compute them"
+        history = [values["history"]] if header.history_count else []
+        q = values["q"].reshape(count, -1)
+        force, torque = header.reactions(values["t"], q, values["lambda"], *history)
+    return {**values, "reaction_force": force, "reaction_torque": torque}
+
+
+class _Listing(Sequence[str]):
+    """Names asked for one by one: a million of them take no memory."""
+
+    def __init__(self, name: Callable[[int], str], count: int) -> None:
+        self._name, self._count = name, count
+
+    def __len__(self) -> int:
+        return self._count
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[str]: ...
+    def __getitem__(self, index: int | slice) -> str | list[str]:
+        places = range(self._count)[index]
+        return self._name(places) if isinstance(places, int) else [self._name(i) for i in places]

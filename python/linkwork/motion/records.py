@@ -1,0 +1,117 @@
+"""What is read from a run, in records: states, the motion of a body, reactions, events, singular poses."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, NoReturn
+
+import numpy as np
+
+from linkwork.arrays import Floats
+
+__all__ = ["BodyResult", "Excess", "Occurrence", "Reaction", "SingularPose", "Snapshot", "rotate"]
+
+
+class Reaction(NamedTuple):
+    """What a joint does to its second body at the joint's point: force [N] and torque [N m] (k, 3)."""
+
+    force: Floats
+    torque: Floats
+
+
+@dataclass(frozen=True)
+class BodyResult:
+    """The motion of one body's center of mass and its rotation; k frames, SI units."""
+
+    name: str
+    position: Floats  # (k, 3) inertial
+    orientation: Floats  # (k, 4) Euler parameters, scalar first
+    velocity: Floats  # (k, 3) inertial
+    omega: Floats  # (k, 3) body-fixed
+    acceleration: Floats  # (k, 3) inertial
+    angular_acceleration: Floats  # (k, 3) body-fixed
+
+    @property
+    def omega_inertial(self) -> Floats:
+        """Angular velocity (k, 3), inertial axes [rad/s]."""
+        return rotate(self.orientation, self.omega)
+
+
+class Snapshot(NamedTuple):
+    """The state of a run at one time, from which another can start."""
+
+    t: float  #: [s]
+    q: Floats  #: (n, 7) position [m] and Euler parameters of each body
+    v: Floats  #: (n, 6) velocity, inertial [m/s], and angular velocity, body axes [rad/s]
+    #: (h,) history variables of springs, stops, contacts and couplers: full turns, speeds at which contacts
+    #: began, see linkwork.System; none: they begin anew
+    history: Sequence[float] | Floats = ()
+    #: of the runs that led there, see `Verdict.before`
+    error: float = 0.0
+
+    @classmethod
+    def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:
+        """From y = (q, v) (13n,)."""
+        split = 7 * (len(y) // 13)
+        return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), history)
+
+    @property
+    def memory(self) -> NoReturn:
+        """AttributeError: the former name of `history`."""
+        raise AttributeError("'memory' is called 'history' now: ask for that")
+
+    @property
+    def y(self) -> Floats:
+        """(q, v) in one (13n,)."""
+        return np.concatenate([np.ravel(self.q), np.ravel(self.v)]).astype(float)
+
+
+class Excess(NamedTuple):
+    """A time in which the constraints were violated by more than the run's limit."""
+
+    level: str  #: "position", "velocity" or "acceleration"
+    t: float  #: when it began [s]
+    largest: float  #: [m or 1, with 1/s or 1/s^2]
+    joint: str  #: of the largest
+
+
+class SingularPose(NamedTuple):
+    """A crossing of, or near, a pose in which equations of loops depend on each other for a moment."""
+
+    t: float  #: nearest to it [s]
+    joints: tuple[str, ...]  #: whose equations they are (the first 16)
+    pivot: float  #: smallest pivot of the factorizations there, relative to the usual one; 0: singular
+    fallback_evaluations: int  #: there, by a rank-revealing factorization
+
+    @property
+    def taken_over(self) -> NoReturn:
+        """AttributeError: the former name of `fallback_evaluations`."""
+        raise AttributeError("'taken_over' is called 'fallback_evaluations' now: ask for that")
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """An event that came: poses q (n, 7) and velocities v (n, 6) before and after it."""
+
+    name: str
+    t: float
+    q_before: Floats
+    v_before: Floats
+    q_after: Floats
+    v_after: Floats
+
+    @classmethod
+    def of(cls, name: str, t: float, before: Floats, after: Floats) -> Occurrence:
+        """From y = (q, v) (13n,) before and after."""
+        split = 7 * (len(before) // 13)
+        parts = [part.reshape(-1, width) for y in (before, after)
+                 for part, width in ((y[:split], 7), (y[split:], 6))]  # fmt: skip
+        return cls(name, t, *parts)
+
+
+def rotate(p: Floats, u: Floats) -> Floats:
+    """A(p) u for Euler parameters p (..., 4) and body vectors u (..., 3), both to (..., 3) inertial."""
+    e0, e = p[..., :1], p[..., 1:]
+    turned: Floats = u + 2 * np.cross(e, np.cross(e, u) + e0 * u)
+    return turned

@@ -1,0 +1,203 @@
+"""Pictures of one aspect of a run: `result.plot("phase.png", "phase")`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from linkwork.arguments import one_of
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError, OptionError
+from linkwork.modeling.coordinates import known_coordinates
+from linkwork.plots import figures
+from linkwork.plots.figures import BODIES, COLORS, JOINTS
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from linkwork.modeling.handles import Named
+    from linkwork.results.result import Result
+
+#: Unit of a coordinate, and of its rate.
+UNITS = {"angle": ("rad", "rad/s"), "displacement": ("m", "m/s")}
+UNITS |= {"angle_a": UNITS["angle"], "angle_b": UNITS["angle"]}
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """Bodies and joints by index; empty: those that tell the most."""
+
+    bodies: Sequence[int]
+    joints: Sequence[int]
+
+
+def plot(
+    result: Result,
+    path: str | os.PathLike[str] | None = None,
+    kind: str = "overview",
+    bodies: Sequence[Named] = (),
+    joints: Sequence[Named] = (),
+) -> Figure:
+    """One figure of a kind in KINDS. OptionError: no such kind. ModelError: no such body or joint."""
+    one_of(kind, KINDS, "plot kind")
+    for what, names in (("bodies", bodies), ("joints", joints)):
+        if not isinstance(names, Iterable) or isinstance(names, str):
+            raise ModelError(f"{what} {names!r:.80} is no list of names, indices or handles", code="names")
+    if not len(result):
+        raise OptionError("the result has no frames: there is nothing to plot", code="empty")
+    chosen = Chosen([result.index("body", it) for it in bodies], [result.index("joint", it) for it in joints])
+    if kind == "overview":
+        return figures.plot(result, path)
+    figure = KINDS[kind](result, chosen)
+    figure.suptitle(figures.title_of(result), fontsize=11)
+    return figures.written(figure, path)
+
+
+def _energy(result: Result, chosen: Chosen) -> Figure:
+    figure, (upper, lower) = _over_time(2)
+    figures.plot_energies(upper, result)
+    figures.plot_energy_error(lower, result)
+    return figure
+
+
+def _violation(result: Result, chosen: Chosen) -> Figure:
+    figure, (ax,) = _over_time(1)
+    figures.plot_violation(ax, result)
+    return figure
+
+
+def _reactions(result: Result, chosen: Chosen) -> Figure:
+    figure, (upper, lower) = _over_time(2)
+    figures.plot_reactions(upper, result, "force", "N", chosen.joints)
+    figures.plot_reactions(lower, result, "torque", "N m", chosen.joints)
+    return figure
+
+
+def _coordinates(result: Result, chosen: Chosen) -> Figure:
+    """Angles and displacements of joints; where there are none, or bodies were chosen, their positions."""
+    motions = _motions(result, chosen)
+    shown = [which for which in UNITS if any(motion.which == which for motion in motions)]
+    if chosen.bodies or not shown:
+        figure, (ax,) = _over_time(1)
+        figures.plot_positions(ax, result, chosen.bodies)
+        return figure
+    figure, axes = _over_time(len(shown))
+    for ax, which in zip(axes, shown, strict=True):
+        figures.style(ax, f"{which} [{UNITS[which][0]}]")
+        for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
+            ax.plot(result.t, motion.value, color=color, label=motion.name)
+            figures.plot_band(ax, result, motion.value, color, partial(_coordinate_error, result, motion))
+        figures.legend(ax, _share(result, motions, chosen))
+    return figure
+
+
+def _coordinate_error(result: Result, motion: _Motion) -> Floats:
+    found: Floats = result.error_of("coordinate", motion.name, motion.which).value
+    return found
+
+
+def _phase(result: Result, chosen: Chosen) -> Figure:
+    """Rates over coordinates, of joints or, where they have none, of the bodies that move most."""
+    motions = [] if chosen.bodies else _motions(result, chosen)
+    if not motions:
+        return _phase_of_bodies(result, chosen)
+    shown = [which for which in UNITS if any(motion.which == which for motion in motions)]
+    figure = figures.new_figure(5.2 * len(shown), 4.8)
+    for ax, which in zip(np.atleast_1d(figure.subplots(1, len(shown))), shown, strict=True):
+        unit, rate_unit = UNITS[which]
+        figures.style(ax, f"rate [{rate_unit}]")
+        ax.set_xlabel(f"{which} [{unit}]")
+        for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
+            _orbit(ax, motion.value, motion.rate, color, motion.name)
+        figures.legend(ax, _share(result, motions, chosen))
+    return figure
+
+
+def _phase_of_bodies(result: Result, chosen: Chosen) -> Figure:
+    figure = figures.new_figure(12.0, 4.4)
+    bodies = chosen.bodies or figures.largest_places(figures.travel_of(result), BODIES)
+    for axis, ax in enumerate(figure.subplots(1, 3)):
+        figures.style(ax, "velocity [m/s]")
+        ax.set_xlabel(f"{'xyz'[axis]} [m]")
+        for color, body in zip(COLORS, bodies, strict=False):
+            motion = result.body(body)
+            _orbit(ax, motion.position[:, axis], motion.velocity[:, axis], color, motion.name)
+        figures.legend(ax)
+    return figure
+
+
+def _orbit(ax: Axes, value: Floats, rate: Floats, color: str, name: str) -> None:
+    """A dot where it starts."""
+    ax.plot(value, rate, color=color, lw=1.2, label=name)
+    ax.plot(value[:1], rate[:1], color=color, marker="o", ms=4, ls="")
+    ax.margins(0.04)
+
+
+def _step(result: Result, chosen: Chosen) -> Figure:
+    """Sizes of steps where every step was recorded, the time between frames otherwise."""
+    figure, (ax,) = _over_time(1)
+    every_step = int(result.statistics.get("steps", -1)) == len(result) - 1
+    figures.style(ax, "step [s]" if every_step else "time between frames [s]")
+    ax.step(result.t[1:], np.diff(result.t), where="pre", color=COLORS[0], lw=1.0)
+    ax.set_yscale("log")
+    if not every_step:
+        ax.set_title("not every step was recorded: record_every=1 does so", fontsize=9, loc="left")
+    return figure
+
+
+KINDS: dict[str, Callable[[Result, Chosen], Figure]] = {
+    "overview": lambda result, chosen: figures.plot(result),
+    "energy": _energy,
+    "violation": _violation,
+    "coordinates": _coordinates,
+    "reactions": _reactions,
+    "phase": _phase,
+    "step": _step,
+}
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """A coordinate of a joint over time."""
+
+    name: str
+    which: str
+    value: Floats
+    rate: Floats
+
+
+def _motions(result: Result, chosen: Chosen) -> list[_Motion]:
+    """Of the joints chosen, or of the first that have coordinates."""
+    kinds = result.header.joint_kinds
+    free = [j for j, kind in enumerate(kinds) if known_coordinates(kind)]
+    joints = chosen.joints or free[:JOINTS]
+    if chosen.joints and not set(joints) & set(free):
+        names = ", ".join(f"'{result.joint_names[j]}'" for j in joints)
+        raise OptionError(
+            f"joint {names} turns about or slides along no single axis: choose another joint, or bodies",
+            code="no_coordinate",
+        )
+    return [
+        _Motion(result.joint_names[j], which, *result.coordinate(j, which))
+        for j in joints
+        for which in known_coordinates(kinds[j])
+    ]
+
+
+def _share(result: Result, motions: Sequence[_Motion], chosen: Chosen) -> str:
+    free = sum(bool(known_coordinates(kind)) for kind in result.header.joint_kinds)
+    shown = len({motion.name for motion in motions})
+    return "" if chosen.joints else figures.share(shown, free, "joints with a coordinate, the first")
+
+
+def _over_time(rows: int) -> tuple[Figure, Sequence[Axes]]:
+    figure = figures.new_figure(8.0, 1.6 + 2.5 * rows)
+    axes = np.atleast_1d(figure.subplots(rows, 1, sharex=True))
+    axes[-1].set_xlabel("time [s]")
+    return figure, list(axes)

@@ -1,0 +1,1 @@
+"""A result: its quantities by name, and the file that holds them."""

@@ -1,0 +1,576 @@
+"""The motion that a run found: quantities by name, computed when asked for."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import rotation
+from linkwork.accuracy.verdict import Verdict
+from linkwork.accuracy.verification import Finer, band, difference
+from linkwork.arguments import one_of
+from linkwork.arguments import path as path_of
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError, OptionError, nearest, warn
+from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
+from linkwork.modeling.handles import Body, Joint, Named
+from linkwork.motion.header import Header, record_reactions
+from linkwork.motion.records import BodyResult, Excess, Reaction, SingularPose, Snapshot, rotate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from linkwork.motion.records import Occurrence
+    from linkwork.view import Page
+
+Frame = Literal["inertial", "joint"]
+
+#: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
+MISSED_TURN = np.pi / 2
+
+
+class Result:
+    """k frames of n bodies, J joints and m constraint rows. SI units; inertial axes unless said otherwise.
+
+    A fresh result holds its frames in memory; a loaded one leaves them in the file until they are asked for.
+    `manifest` says what was run (versions, options, hash of the model), `statistics` what it took
+    (times of mechanisms below 20 bodies are estimated from a part of the evaluations).
+    """
+
+    def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
+                 run: str | None = None, events: Sequence[Occurrence] = ()) -> None:  # fmt: skip
+        """`frames`: the arrays of `Simulation.advance` joined over time, or the fields of a result file."""
+        shapes = header.frame_shapes()
+        count = len(frames["t"])
+        self._frames = {
+            name: np.reshape(field, (count, *shapes[name])) if isinstance(field, np.ndarray) else field
+            for name, field in frames.items()
+        }
+        self._header = header
+        self._run = run or uuid.uuid4().hex
+        self._events = tuple(events)
+        self._places: dict[str, dict[str, int]] = {}
+        self.statistics = dict(statistics)
+        self.t: Floats = self._frames["t"][:]
+        self._finer: Finer | None = None
+
+    # --- what was run ---
+
+    @property
+    def manifest(self) -> dict[str, Any]:
+        """Versions, options and the hash of the model: what is needed to run it again."""
+        return {**self._header.manifest, **self._said()}
+
+    @property
+    def header(self) -> Header:
+        """The constant arrays of the model."""
+        return self._header
+
+    @property
+    def body_names(self) -> Sequence[str]:
+        return self._header.body_names
+
+    @property
+    def joint_names(self) -> Sequence[str]:
+        return self._header.joint_names
+
+    @property
+    def finished(self) -> bool:
+        """False for a run that failed, and for the file of one that was interrupted."""
+        return bool(self.statistics) and not self.statistics.get("failed", False)
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """How accurate the run is, estimated from steps that were taken again: see linkwork.Verdict.
+
+        None: the run did not finish, or had no step.
+        """
+        numbers = self.statistics.get("verdict")
+        return None if numbers is None else Verdict.of(numbers)
+
+    def _said(self) -> dict[str, Any]:
+        """Of the verdict for the manifest."""
+        found = self.statistics.get("verdict")
+        return {"verdict": {name: found[name] for name in ("level", "sentence", "error")}} if found else {}
+
+    @property
+    def events(self) -> tuple[Occurrence, ...]:
+        """The events that came, in order of time."""
+        return self._events
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        end = f" to t = {self.t[-1]:g} s" if len(self) else ""
+        bodies, joints = self._header.body_count, self._header.joint_count
+        return f"<Result: {bodies} bodies, {joints} joints, {len(self)} frames{end}>"
+
+    # --- motion ---
+
+    @property
+    def q(self) -> Floats:
+        """Poses (k, n, 7): position, then Euler parameters."""
+        return self._field("q")
+
+    @property
+    def v(self) -> Floats:
+        """Velocities (k, n, 6): inertial velocity, then body-fixed angular velocity."""
+        return self._field("v")
+
+    @property
+    def position(self) -> Floats:
+        """Centers of mass (k, n, 3) [m]."""
+        return self._field("q", np.s_[:, :, :3])
+
+    @property
+    def orientation(self) -> Floats:
+        """Euler parameters (k, n, 4), scalar first; they turn body axes to inertial."""
+        return self._field("q", np.s_[:, :, 3:])
+
+    @property
+    def velocity(self) -> Floats:
+        """Of the centers of mass (k, n, 3) [m/s]."""
+        return self._field("v", np.s_[:, :, :3])
+
+    @property
+    def omega(self) -> Floats:
+        """Angular velocities in body axes (k, n, 3) [rad/s]."""
+        return self._field("v", np.s_[:, :, 3:])
+
+    @property
+    def omega_inertial(self) -> Floats:
+        """Angular velocities in inertial axes (k, n, 3) [rad/s]."""
+        return rotate(self.orientation, self.omega)
+
+    @property
+    def acceleration(self) -> Floats:
+        """Of the centers of mass (k, n, 3) [m/s2]."""
+        return self._field("vdot", np.s_[:, :, :3])
+
+    @property
+    def angular_acceleration(self) -> Floats:
+        """In body axes (k, n, 3) [rad/s2]."""
+        return self._field("vdot", np.s_[:, :, 3:])
+
+    def body(self, name: Named) -> BodyResult:
+        """The motion of one body, by name, index or handle. ModelError: no such body."""
+        i = self._place("body", name)
+        q, v, vdot = (self._field(field, np.s_[:, i]) for field in ("q", "v", "vdot"))
+        return BodyResult(
+            self.body_names[i], q[:, :3], q[:, 3:], v[:, :3], v[:, 3:], vdot[:, :3], vdot[:, 3:]
+        )
+
+    # --- joints ---
+
+    @property
+    def multipliers(self) -> Floats:
+        """Lagrange multipliers (k, m), joint by joint in the order they were added."""
+        return self._field("lambda")
+
+    @property
+    def unique_reactions(self) -> NDArray[np.bool_]:
+        """Per joint (J,): whether its reaction follows from the motion.
+
+        Where constraints are redundant, only sums over the joints of a loop do. Their reactions are those of
+        the multipliers of least norm sum_i w_i lambda_i^2, w_i the mean of diag(D M^-1 D^T) over the joint's
+        translations or its rotations: equal joints side by side share their load equally. Elastic bodies or
+        play would share it in another way.
+        """
+        return self._header.reaction_unique
+
+    @property
+    def redundant_rows(self) -> NDArray[np.int32]:
+        """Places in `multipliers` of the equations that the others imply in every pose."""
+        return self._header.redundant_rows
+
+    @property
+    def violations(self) -> tuple[Excess, ...]:
+        """The first hundred times in which a `violation_limit` was passed, and the last."""
+        return tuple(
+            Excess(it["level"], it["t"], it["largest"], it["joint"])
+            for it in self.statistics.get("excesses", ())
+        )
+
+    @property
+    def history(self) -> Floats:
+        """History variables (k, h) of couplers and force elements, see linkwork.System."""
+        return self._field("history") if "history" in self._frames else np.zeros((len(self), 0))
+
+    def snapshot(self, frame: int = -1) -> Snapshot:
+        """The state of one frame, for simulate(..., start=...), with its history variables.
+
+        Files of version 0.1 do not have these: full turns and contacts then begin anew.
+        OptionError: there is no such frame.
+        """
+        count = len(self)
+        whole = isinstance(frame, int | np.integer) and not isinstance(frame, bool)
+        if not whole or not -count <= frame < count:
+            raise OptionError(
+                f"frame {frame!r:.80} is none of the {count} of this result: give a whole number from 0 to "
+                f"{count - 1}, or -1 for the last",
+                code="frame",
+            )
+        state = self._field("q", frame), self._field("v", frame)
+        return Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
+
+    def _error_at(self, frame: int) -> float:
+        """The part of the accumulated error that a run has made up to a frame."""
+        verdict = self.verdict
+        if verdict is None or verdict.state is None:
+            return 0.0
+        if not np.isfinite(verdict.state):
+            return verdict.state
+        share = (self.t[frame] - self.t[0]) / ((self.t[-1] - self.t[0]) or 1.0)
+        return float(verdict.before + share * (verdict.state - verdict.before))
+
+    @property
+    def singular_poses(self) -> tuple[SingularPose, ...]:
+        """The first hundred that the run passed, and the last; see `on_singular` in linkwork.options.Options.
+
+        A pose counts where the run evaluated the mechanism near enough to it: large steps may pass unseen.
+        Not known of an unfinished run in a file.
+        """
+        return tuple(
+            SingularPose(it["t"], tuple(it["joints"]), it["pivot"], it["fallback_evaluations"])
+            for it in self.statistics.get("singularity_crossings", ())
+            if not it["rows_changed"]
+        )
+
+    def reactions(self) -> Reaction:
+        """Of all joints, in inertial axes: force and torque (k, J, 3). See `unique_reactions`."""
+        self._need_reactions()
+        return Reaction(self._field("reaction_force"), self._field("reaction_torque"))
+
+    def reaction(self, name: Named, frame: Frame = "inertial") -> Reaction:
+        """Force and torque (k, 3) that a joint exerts on its second body, at the joint's point.
+
+        `frame="joint"` gives the components along the joint's own axes, which move with its first body.
+        `unique_reactions` says whether it follows from the motion.
+        ModelError: no such joint.
+        """
+        one_of(frame, ("inertial", "joint"), "frame")
+        joint = self._place("joint", name)
+        self._need_reactions()
+        force, torque = (
+            self._field(field, np.s_[:, joint]) for field in ("reaction_force", "reaction_torque")
+        )
+        if frame == "inertial":
+            return Reaction(force, torque)
+        axes = self.joint_axes(joint)
+        return Reaction(np.einsum("kij,ki->kj", axes, force), np.einsum("kij,ki->kj", axes, torque))
+
+    def coordinate(self, name: Named, which: str | None = None) -> JointCoordinate:
+        """A joint's free coordinate and its rate (k,): an angle [rad] over full turns, or a shift [m].
+
+        which  "angle" of revolute, cylindrical, screw; "displacement" of translational, cylindrical, screw;
+               "angle_a" and "angle_b", about its two axes, of universal; not needed where there is one
+
+        It is zero where the joint's frames agree; b against a. ModelError: no such joint, or no such
+        coordinate of it. LinkworkWarning: frames too far apart to tell how often the angle went round.
+        """
+        joint, header = self._place("joint", name), self._header
+        kind = header.joint_kinds[joint]
+        which = coordinate_of(kind, header.joint_names[joint], which)
+        ends = []
+        for body in header.joint_bodies[joint].tolist():
+            if body < 0:
+                ends.append((np.tile([0.0, 0, 0, 1, 0, 0, 0], (len(self), 1)), np.zeros((len(self), 6))))
+            else:
+                ends.append((self._field("q", np.s_[:, body]), self._field("v", np.s_[:, body])))
+        found = coordinates_of(which, self.t, ends, header.joint_origin[joint], header.joint_frame[joint])
+        if which != "displacement":
+            _check_turns(f"{which} of '{header.joint_names[joint]}'", self.t, found)
+        return found
+
+    def joint_axes(self, name: Named) -> Floats:
+        """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""
+        joint = self._place("joint", name)
+        first, in_body = self._header.joint_bodies[joint, 0], self._header.joint_frame[joint, 0]
+        if first < 0:
+            return np.broadcast_to(in_body, (len(self), 3, 3))
+        axes: Floats = rotation.matrix(self._field("q", np.s_[:, int(first), 3:])) @ in_body
+        return axes
+
+    # --- samples, for what must stay quick on large results ---
+
+    def recorded(self, name: str, part: Any = np.s_[:]) -> Floats:
+        """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them.
+
+        OptionError: there is no such field.
+        """
+        known = self._header.frame_shapes()
+        one_of(name, known, "field", "unknown_name")
+        if name in ("reaction_force", "reaction_torque"):
+            self._need_reactions()
+        return self._field(name, part)
+
+    def sampled_positions(self, every: int) -> Floats:
+        """Centers of mass (., n, 3) of every so manyth frame [m]. OptionError: not a whole number."""
+        _check_every(every)
+        return self._field("q", np.s_[::every, :, :3])
+
+    def sampled_reactions(self, every: int) -> Reaction:
+        """Reactions (., J, 3) of every so manyth frame. OptionError: not a positive whole number."""
+        _check_every(every)
+        self._need_reactions()
+        force, torque = (
+            self._field(field, np.s_[::every]) for field in ("reaction_force", "reaction_torque")
+        )
+        return Reaction(force, torque)
+
+    def joint_points(self, name: Named) -> Floats:
+        """The joint's point on its first and on its second body (k, 2, 3), inertial [m]."""
+        joint = self._place("joint", name)
+        points = np.empty((len(self), 2, 3))
+        for side, (body, s) in enumerate(
+            zip(self._header.joint_bodies[joint], self._header.joint_origin[joint], strict=True)
+        ):
+            q = self._field("q", np.s_[:, int(body)]) if body >= 0 else None
+            points[:, side] = s if q is None else q[:, :3] + rotate(q[:, 3:], s)
+        return points
+
+    # --- energy and violation ---
+
+    @property
+    def kinetic_energy(self) -> Floats:
+        """(k,) [J]"""
+        return self._field("kinetic")
+
+    @property
+    def potential_energy(self) -> Floats:
+        """Of gravity and springs (k,) [J]."""
+        return self._field("potential")
+
+    @property
+    def energy(self) -> Floats:
+        """Kinetic and potential energy (k,) [J]."""
+        return self.kinetic_energy + self.potential_energy
+
+    @property
+    def work(self) -> Floats:
+        """Done since the start by what has no potential: applied forces, dampers, driven joints (k,) [J]."""
+        return self._field("work")
+
+    @property
+    def energy_error(self) -> Floats:
+        """Energy that the method made or lost (k,) [J]: energy - energy[0] - work."""
+        energy = self.energy
+        return energy - energy[:1] - self.work
+
+    @property
+    def violation(self) -> Floats:
+        """Largest violation of the constraints (k, 3): max abs of Phi, Phi_dot and Phi_ddot."""
+        return self._field("violation")
+
+    # --- errors ---
+
+    @property
+    def verified(self) -> bool:
+        """Whether a second, finer run was made beside this one: simulate(..., verify=True)."""
+        return self._finer is not None
+
+    def error_of(self, what: str, *name: Any, **how: Any) -> Any:
+        """The estimated error of what is recorded, in its shape and unit, from the finer run of `verify`.
+
+        what       the name of a property or method of a result: "position", "energy", "reaction", "body", ...
+        name, how  the arguments of the method: error_of("reaction", "pin").force (k, 3) is that of
+                   reaction("pin").force
+
+        At each time the largest of Richardson's estimates there and at the next frames; NaN after the end of
+        the finer run. OptionError: the run was not verified, or has no such quantity.
+        """
+        if self._finer is None:
+            raise OptionError(
+                "error_of needs a second, finer run: simulate(..., verify=True)", code="not_verified"
+            )
+        ours, finer = (_quantity(result, what, name, how) for result in (self, self._finer.result))
+        return difference(ours, finer, band(self._finer.factor))
+
+    # --- files, pictures, text ---
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write everything to an HDF5 file (replaced only when the new one is complete). FileError."""
+        from linkwork.results import writing
+
+        self._need_reactions()
+        writing.save(
+            path_of(path, "result"), self._header, self._frames, self.statistics, self._run, self._events
+        )
+        if self._finer is not None:
+            writing.add_finer(path_of(path, "result"), self._finer, self.statistics)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Result:
+        """A result file, also of an interrupted run. FileError: missing, damaged, or of another kind."""
+        from linkwork.results import reading
+
+        stored = reading.read(path_of(path, "result"))
+        result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
+        if stored.finer is not None:
+            factor, fields = stored.finer
+            result._finer = Finer(cls(fields, stored.header, {}, run=stored.run), factor)
+        return result
+
+    def plot(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        kind: str = "overview",
+        *,
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
+    ) -> Figure:
+        """A figure of the run, written to `path` when given.
+
+        kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
+                "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
+                coordinates), "step" (sizes of steps)
+        bodies  by name, index or handle; without, those that move most
+        joints  likewise; without, those with the largest reactions, or the first with a coordinate
+
+        Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind.
+        ModelError: no such body or joint. FileError: `path` cannot be written.
+        """
+        from linkwork.plots import kinds
+
+        path = None if path is None else path_of(path, "picture")
+        return kinds.plot(self, path, kind, bodies, joints)
+
+    def index(self, what: Literal["body", "joint"], name: Named) -> int:
+        """Place of a body or a joint in the arrays, by name, index or handle. ModelError: no such one."""
+        return self._place(what, name)
+
+    def movie(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        seconds: float | None = None,
+        frames_per_second: int = 25,
+        size: tuple[int, int] = (960, 640),
+    ) -> None:
+        """Write the motion as a movie, .mp4 or .gif; no display is needed.
+
+        seconds  that it lasts; without, as long as the motion, but between 2 and 20
+        size     width and height [pixels], even
+
+        .mp4 needs imageio-ffmpeg: pip install 'linkwork[movie]'. FileError: another format, or `path` cannot
+        be written. OptionError: there are no frames, or too much to paint.
+        """
+        from linkwork.view import movie
+
+        movie.movie(self, path, seconds=seconds, frames_per_second=frames_per_second, size=size)
+
+    def view(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        other: Result | None = None,
+        *,
+        labels: Sequence[str] = (),
+        limit: float = 16e6,
+    ) -> Page:
+        """The motion as a page that opens in any browser, without a network; written to `path` when given.
+
+        other   a second run that is laid over this one, drawn as a ghost and by dashed lines
+        labels  names of the two runs
+        limit   of the recorded numbers in the page [bytes]; frames beyond are left out evenly, and it says so
+
+        In a notebook the page shows itself; `result.view().open()` shows it in the browser.
+        OptionError: there are no frames, or not two of them fit `limit`. FileError: `path` cannot be written.
+        """
+        from linkwork.view import view
+
+        page = view([self] if other is None else [self, other], labels, limit)
+        if path is not None:
+            page.save(path_of(path, "page"))
+        return page
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """A page on the run: model, method, diagnostics, plots, viewer; written to `path` when given.
+
+        FileError: `path` cannot be written. OptionError: there are no frames.
+        """
+        from linkwork.view.report import report
+
+        page = report(self)
+        if path is not None:
+            page.save(path_of(path, "page"))
+        return page
+
+    def summary(self) -> str:
+        """A few lines of plain text: what ran, how well, what it took."""
+        from linkwork.motion import summary
+
+        return summary.text(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickle: a result can go to another process, with its reactions."""
+        self._need_reactions()
+        return {**self.__dict__, "_header": self._header.detached()}
+
+    # --- how it works ---
+
+    def _field(self, name: str, part: Any = np.s_[:]) -> Floats:
+        values: Floats = self._frames[name][part]
+        return values
+
+    def _need_reactions(self) -> None:
+        """Evaluate the reactions of a result in memory, once."""
+        if "reaction_force" not in self._frames:
+            self._frames.update(record_reactions(self._header, self._frames))
+
+    def _place(self, what: Literal["body", "joint"], name: Named) -> int:
+        """Index of a body or joint given by name, index or handle."""
+        one_of(what, ("body", "joint"), "what")
+        names = self.body_names if what == "body" else self.joint_names
+        if isinstance(name, int | np.integer):
+            if not -len(names) <= name < len(names):
+                raise ModelError(f"no {what} {name}: there are {len(names)}", code="unknown_name")
+            return int(name) % len(names)
+        places = self._places.setdefault(what, {})
+        if not places:
+            places.update({known: place for place, known in enumerate(names)})
+        text = str(name)
+        if isinstance(name, Body | Joint) and isinstance(name, Body) == (what == "body"):
+            text = name.name
+        if text not in places:
+            raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
+        return places[text]
+
+
+#: What `error_of` takes.
+_QUANTITIES = (
+    "q", "v", "position", "orientation", "velocity", "omega", "omega_inertial", "acceleration",
+    "angular_acceleration", "body", "multipliers", "reactions", "reaction", "coordinate", "joint_axes",
+    "joint_points", "kinetic_energy", "potential_energy", "energy", "work", "energy_error", "violation",
+)  # fmt: skip
+
+
+def _quantity(result: Result, what: str, name: tuple[Any, ...], how: Mapping[str, Any]) -> Any:
+    """OptionError: there is none of that name."""
+    if what not in _QUANTITIES:
+        raise OptionError(
+            f"'{what}' is no recorded quantity{nearest(str(what), _QUANTITIES)}", code="unknown_option"
+        )
+    found = getattr(result, what)
+    return found(*name, **how) if callable(found) else found
+
+
+def _check_every(every: object) -> None:
+    if not isinstance(every, int | np.integer) or every < 1:
+        raise OptionError(f"every {every!r:.80} is not a positive whole number of frames", code="every")
+
+
+def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
+    """LinkworkWarning: between frames the mean of their rates misses the angle by up to half a turn."""
+    missed = np.abs(np.diff(angle.value) - np.diff(t) * (angle.rate[1:] + angle.rate[:-1]) / 2)
+    if (missed > MISSED_TURN).any():
+        k = int(np.argmax(missed > MISSED_TURN))
+        warn(
+            f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell how "
+            "often it went round between them: record more frames"
+        )

@@ -1,0 +1,397 @@
+"""Results on disk: HDF5, written while the run goes on, readable however it ends.
+
+    /          attributes `format`, `version`, `run` (an identity), `manifest` (JSON), and after the end
+               `statistics` (JSON)
+    /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
+               violation (k, 3), history (k, h), reaction_force and reaction_torque (k, joints, 3), t (k,)
+    /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
+               of joints, by their index
+    /finer/    of a run that was verified: the fields of /frames/ by a finer run, at the same times, and the
+               attribute `factor` by which the difference is an error
+    /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
+
+The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
+a run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when
+there is none the file is closed with what it has. The reactions are stored, not recomputed: what was recorded
+needs no model to be read, so a mechanism driven by a Python function (which no file can hold) loads like any
+other. A field of no width (the multipliers of a free body) is not stored.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import math
+import os
+import shutil
+import time
+import uuid
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from types import ModuleType, TracebackType
+from typing import Any, Self
+
+import h5py
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork.accuracy.verification import Finer
+from linkwork.arguments import path as path_of
+from linkwork.arrays import Floats
+from linkwork.errors import FileError, cause, unwritable
+from linkwork.motion.header import MODEL_NAMES, Header, record_reactions
+from linkwork.motion.records import Occurrence
+from linkwork.results.shapes import write_shapes
+
+fcntl: ModuleType | None
+try:
+    import fcntl
+except ImportError:  # no such locks on Windows
+    fcntl = None
+
+FORMAT, VERSION = "linkwork result", 3
+
+#: Together with the driver's chunk of frames, a kill loses at most the last second.
+FLUSH_SECONDS = 0.5
+
+#: HDF5's index of chunks splits beyond 64 chunks, and is inconsistent for an instant.
+CHUNKS = 48
+CHUNK_BYTES = (4096, 32 * 2**20)
+
+#: Room kept for HDF5's own records and the closing attributes [bytes].
+MARGIN_BYTES = 256 * 1024
+
+MODEL_ARRAYS = (
+    "gravity",
+    "mass",
+    "inertia",
+    "q0",
+    "v0",
+    "joint_rows",
+    "joint_bodies",
+    "joint_frame",
+    "joint_origin",
+    "reaction_unique",
+    "redundant_rows",
+    "joint_first_parameter",
+    "joint_parameters",
+    "force_bodies",
+    "force_frame",
+    "force_origin",
+    "force_first_parameter",
+    "force_parameters",
+)
+
+
+class ResultWriter:
+    """Appends frames to a result file.
+
+    FileError: before the run, where the path cannot be written or the disk has no room for the expected
+    frames; during it, where the disk is full (the frames so far stay readable).
+    """
+
+    def __init__(self, path: str | os.PathLike[str], header: Header, *, run: str | None = None) -> None:
+        self.path = path_of(path, "result")
+        self._header = header
+        self._frames = 0
+        self._pending: list[Floats] = []
+        self._failure: FileError | None = None
+        self._flushed_at = time.monotonic()
+        self._size = self._reserved = 0  # of the file [bytes]: with all chunks begun so far; made sure of
+        self._fields: dict[str, h5py.Dataset] = {}
+        self._check_room(_frame_bytes(header) * (header.expected_frames or 0) + MARGIN_BYTES)
+        with self._failures():
+            self._begin(run or uuid.uuid4().hex)
+
+    def write(self, chunk: Mapping[str, ArrayLike]) -> None:
+        """Append frames: the arrays of `Simulation.advance`, reactions included or to be computed here."""
+        t = np.asarray(chunk["t"], dtype=float)
+        if not len(t):
+            return
+        if self._failure is not None:
+            raise self._failure
+        values = record_reactions(self._header, chunk)
+        start, end = self._frames, self._frames + len(t)
+        try:
+            self._reserve(start, end)
+        except FileError as error:
+            self._failure = error
+            self.close()
+            raise
+        with self._failures():
+            for name, dataset in self._fields.items():
+                if name != "t":
+                    dataset.resize(end, axis=0)
+                    dataset[start:end] = np.reshape(values[name], (len(t), *dataset.shape[1:]))
+        self._frames = end
+        self._pending.append(t)
+        if time.monotonic() - self._flushed_at > FLUSH_SECONDS:
+            self.flush()
+
+    def write_events(self, occurrences: Sequence[Occurrence]) -> None:
+        """Append events; like that of frames, their `t` grows last."""
+        if not occurrences:
+            return
+        with self._failures():
+            group = self._file.require_group("events")
+            for name, (shape, kind) in _event_fields(self._header.body_count).items():
+                if name not in group:
+                    group.create_dataset(name, (0, *shape), kind, maxshape=(None, *shape))
+                dataset = group[name]
+                start = len(dataset)
+                dataset.resize(start + len(occurrences), axis=0)
+                dataset[start:] = [_event_value(it, name) for it in occurrences]
+
+    def flush(self) -> None:
+        """Bring the frames so far to the file: first the data, then the times that make them count."""
+        self._check_mine()
+        with self._failures():
+            self._file.flush()
+            if self._pending:
+                t = self._fields["t"]
+                start = len(t)
+                t.resize(self._frames, axis=0)
+                t[start:] = np.concatenate(self._pending)
+                self._pending.clear()
+                self._file.flush()
+        self._flushed_at = time.monotonic()
+
+    def close(self, statistics: Mapping[str, Any] | None = None) -> None:
+        """End the file; without `statistics` it is marked as unfinished."""
+        if not self._file:
+            return
+        try:
+            self.flush()
+        except FileError:
+            self._file.close()
+            raise
+        with self._failures():
+            if statistics is not None:
+                self._file.attrs["statistics"] = json.dumps(dict(statistics), default=_plain)
+            self._file.flush()
+            size = self._file.id.get_filesize()
+            self._file.close()
+            if os.path.getsize(self.path) > size:
+                os.truncate(self.path, size)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        try:
+            self.close()
+        except FileError:
+            if error is None:
+                raise
+
+    def _begin(self, run: str) -> None:
+        """Create the file; it takes its name when it can be read: a kill leaves no half of a header."""
+        target = Path(os.path.realpath(self.path))
+        mine = os.access in os.supports_effective_ids
+        if target.exists() and not os.access(target, os.W_OK, effective_ids=mine):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        if _is_being_written(target):
+            raise FileError(
+                f"output '{self.path}': another run is writing it; give each run an output of its own",
+                code="busy",
+            )
+        begun = target.with_name(f".{target.name}.{run}.begun")
+        try:
+            self._file = h5py.File(begun, "w")
+            self._write_header(run)
+            self._file.flush()
+            self._inode = os.stat(begun).st_ino
+            os.replace(begun, target)
+        finally:
+            begun.unlink(missing_ok=True)
+
+    def _write_header(self, run: str) -> None:
+        attributes = {"format": FORMAT, "version": VERSION, "run": run}
+        self._file.attrs.update(attributes)
+        self._file.attrs["manifest"] = json.dumps(dict(self._header.manifest), default=_plain)
+        model = self._file.create_group("model")
+        for name in MODEL_ARRAYS:
+            model[name] = getattr(self._header, name)
+        for name in MODEL_NAMES:
+            model[name] = _encoded(getattr(self._header, name))
+        write_shapes(model, self._header.shapes)
+        for joint, line in self._header.curves.items():
+            model[f"curves/{joint}"] = line
+        frames = self._file.create_group("frames")
+        for name, shape in self._header.frame_shapes().items():
+            if math.prod(shape):
+                chunk = (_chunk_frames(shape, self._header.expected_frames), *shape)
+                self._fields[name] = frames.create_dataset(
+                    name, (0, *shape), "f8", maxshape=(None, *shape), chunks=chunk, fillvalue=math.nan
+                )
+
+    def _reserve(self, start: int, end: int) -> None:
+        """Make sure of the room for the frames start..end before HDF5 is touched.
+
+        Its own failure to write would leave the file half changed, and comes late: HDF5 holds chunks back.
+        """
+        chunks = [dataset.chunks for dataset in self._fields.values()]
+        new = [(-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8 for chunk in chunks]
+        with self._failures():
+            self._size = max(self._size, self._file.id.get_filesize()) + sum(new)
+            needed = (
+                self._size + self._size // 50 + MARGIN_BYTES
+            )  # a chunk's entry in the index takes less than 2 %
+            if needed > self._reserved:
+                self._check_mine()
+                self._check_room(needed - os.stat(self.path).st_blocks * 512)
+                _allocate(self.path, self._reserved, needed)
+                self._reserved = needed
+
+    def _check_mine(self) -> None:
+        """FileError: what has the name of the output by now is another file."""
+        try:
+            mine = os.stat(self.path).st_ino == self._inode
+        except FileNotFoundError:
+            mine = False
+        if not mine:
+            raise FileError(
+                f"output '{self.path}': was removed, or replaced by another file, during the run: its frames "
+                "are lost; give each run an output of its own",
+                code="replaced",
+            )
+
+    def _check_room(self, needed: int) -> None:
+        with self._failures():
+            free = shutil.disk_usage(self.path.parent).free
+        if needed > free:
+            raise FileError(
+                f"output '{self.path}': no room: {_bytes(needed)} needed, {_bytes(free)} free{self._kept()}; "
+                "make room, choose another place, or record fewer frames",
+                code="no_room",
+            )
+
+    @contextmanager
+    def _failures(self) -> Iterator[None]:
+        """What the operating system or HDF5 reports, as one line about this file."""
+        try:
+            yield
+        except (OSError, RuntimeError) as error:
+            raise FileError(
+                f"output '{self.path}': cannot be written: {cause(error, self._kept())}",
+                code="not_writable",
+            ) from error
+
+    def _kept(self) -> str:
+        return f"; the {self._frames} frames so far are kept" if self._frames else ""
+
+
+def save(
+    path: str | os.PathLike[str],
+    header: Header,
+    frames: Mapping[str, Any],
+    statistics: Mapping[str, Any],
+    run: str,
+    events: Sequence[Occurrence] = (),
+) -> None:
+    """Write a whole result: to a file beside, then renamed, so that `path` is never half written."""
+    path = Path(path)
+    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
+    count = len(frames["t"])
+    try:
+        with ResultWriter(beside, header, run=run) as writer:
+            block = max(1, 2**26 // _frame_bytes(header))
+            for start in range(0, count, block):
+                writer.write({name: values[start : start + block] for name, values in frames.items()})
+            writer.write_events(events)
+            writer.close(statistics)
+        os.replace(beside, path)
+    except FileError as error:
+        raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
+    except OSError as error:
+        raise unwritable("output", path, error) from error
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+def add_finer(path: str | os.PathLike[str], finer: Finer, statistics: Mapping[str, Any]) -> None:
+    """To the file of a run that was verified, with what is known by then. FileError."""
+    finer.result.reactions()
+    try:
+        with h5py.File(path, "r+") as file:
+            file.attrs["statistics"] = json.dumps(dict(statistics), default=_plain)
+            group = file.create_group("finer")
+            for name in file["frames"]:
+                group.create_dataset(name, data=finer.result.recorded(name))
+            group.attrs["factor"] = finer.factor
+    except OSError as error:
+        raise unwritable("output", path, error) from error
+
+
+def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
+    """Shape and type of what is kept of one event; `t` comes last."""
+    return {
+        "q": ((2, bodies, 7), "f8"),
+        "v": ((2, bodies, 6), "f8"),
+        "name": ((), h5py.string_dtype()),
+        "t": ((), "f8"),
+    }
+
+
+def _event_value(it: Occurrence, name: str) -> Any:
+    if name in ("q", "v"):
+        return [getattr(it, f"{name}_before"), getattr(it, f"{name}_after")]
+    return getattr(it, name)
+
+
+def _chunk_frames(shape: tuple[int, ...], expected: int | None) -> int:
+    """Frames in a chunk of a field: few chunks in the file, none too small or too large."""
+    width = 8 * math.prod(shape)
+    smallest, largest = (max(1, limit // width) for limit in CHUNK_BYTES)
+    return min(max(smallest, -(-(expected or 0) // CHUNKS)), largest)
+
+
+def _frame_bytes(header: Header) -> int:
+    return 8 * sum(math.prod(shape) for shape in header.frame_shapes().values())
+
+
+def _is_being_written(path: Path) -> bool:
+    """Whether HDF5 holds the lock that a writer has."""
+    if fcntl is None or not path.exists():
+        return False
+    with path.open("rb") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return True
+    return False
+
+
+def _allocate(path: Path, start: int, end: int) -> None:
+    """Give the file its blocks from start to end: writing them cannot fail then, for a quota or a limit."""
+    if not hasattr(os, "posix_fallocate"):
+        return
+    descriptor = os.open(path, os.O_RDWR)
+    try:
+        os.posix_fallocate(descriptor, start, end - start)
+    except OSError as error:
+        if error.errno not in (errno.EOPNOTSUPP, errno.EINVAL):
+            raise
+    finally:
+        os.close(descriptor)
+
+
+def _encoded(names: Any) -> NDArray[np.bytes_]:
+    texts = [name.encode() for name in names]
+    return np.array(texts, dtype=f"S{max(map(len, texts), default=1) or 1}")
+
+
+def _plain(value: Any) -> Any:
+    """JSON for numpy's numbers and arrays, and text for the rest."""
+    return value.tolist() if isinstance(value, np.generic | np.ndarray) else str(value)
+
+
+def _bytes(count: float) -> str:
+    for unit in ("bytes", "kB", "MB", "GB"):
+        if count < 1000:
+            return f"{count:.3g} {unit}"
+        count /= 1000
+    return f"{count:.3g} TB"

@@ -1,0 +1,74 @@
+"""Times at which something that acts on a mechanism is known not to be smooth, as a run meets them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork.errors import ModelError, OptionError, warn
+from linkwork.functions import TimeFunction, check_breaks
+from linkwork.modeling.model import Model
+
+#: Beside a break [units in the last place], where functions are evaluated on either side; as steps do it.
+BESIDE = 4
+
+#: Jumps of a driver that are none, relative to its size and to the way that it makes beside the break.
+ROUNDOFF = 1e-9
+
+#: The same at t = 0 [s].
+LEAST = float(np.finfo(float).tiny)
+
+
+def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list[float]:
+    """Those after the start and not after the end [s], ascending. OptionError: times that are none."""
+    try:
+        times = {*check_breaks(given, "simulate"), *model.compiled().breaks}
+    except ModelError as error:
+        raise OptionError(error.message, code=error.code) from error
+    for _, signal in model.signals:
+        times.update(signal.break_points)
+    return sorted(t for t in times if t_start < t <= t_end)
+
+
+def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool) -> None:
+    """ModelError: the position that a driver demands jumps in the run, which no force can bring about.
+
+    LinkworkWarning: its velocity jumps, and the steps are fixed. With steps that follow tolerances the bodies
+    are struck there.
+    """
+    struck = []
+    for what, signal in model.drivers:
+        for t in signal.break_points:
+            if not t_start < t < t_end:
+                continue
+            level, size = _jump(signal, t)
+            if level == 0:
+                raise ModelError(
+                    f"{what} jumps by {size:.4g} at t = {t:.6g} s: it drives a joint, and no force moves "
+                    "bodies in no time; give it a ramp, such as functions.cycloidal",
+                    code="position_jump",
+                    time=t,
+                )
+            if level == 1:
+                struck.append(f"the rate of {what} jumps by {size:.4g} at t = {t:.6g} s")
+    if struck and not adaptive:
+        more = f", and {len(struck) - 1} more do" if len(struck) > 1 else ""
+        warn(
+            f"{struck[0]}{more}: an impact, which fixed steps smear over some steps; with rtol the bodies "
+            "are struck at that time"
+        )
+
+
+def _jump(signal: TimeFunction, t: float) -> tuple[int, float]:
+    """The lowest derivative that jumps at t, of order 0 or 1, and by how much; (2, 0.0): neither."""
+    beside = max(BESIDE * float(np.finfo(float).eps) * abs(t), LEAST)
+    before, after = signal.evaluate(t - beside), signal.evaluate(t + beside)
+    for level in (0, 1):
+        size = abs(after[level] - before[level])
+        slope = max(abs(before[level + 1]), abs(after[level + 1]))
+        noise = ROUNDOFF * max(abs(after[level]), abs(before[level])) + 8 * beside * slope
+        if math.isfinite(size) and size > noise:
+            return level, size
+    return 2, 0.0

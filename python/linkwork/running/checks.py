@@ -1,0 +1,366 @@
+"""What is looked at before the first step of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from linkwork import _core
+from linkwork.arguments import array, number
+from linkwork.arrays import Floats
+from linkwork.equations import stiffness
+from linkwork.equations.assembly import Assembly, assemble
+from linkwork.equations.system import System
+from linkwork.errors import ModelError, OptionError, warn
+from linkwork.functions import Callback
+from linkwork.integrators import HalfExplicit, Integrator
+from linkwork.modeling.model import Model, check_model
+from linkwork.motion.records import Snapshot
+
+#: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
+RESIDUAL_TOLERANCE = 1e-9
+
+#: Of a coordinate, relative.
+ROUNDOFF = 1e-14
+
+#: Kinds of force elements with history variables, and how they begin at a state without.
+BEGINNING = {
+    **dict.fromkeys(
+        ("rotational_spring_damper", "nonlinear_rotational_spring_damper", "rotational_stop"),
+        "full turns are not in the state: its angle begins within half a turn of zero",
+    ),
+    **dict.fromkeys(
+        ("sphere_plane_contact", "sphere_sphere_contact"),
+        "the speed at which a contact began is not in the state: one that is under way begins anew",
+    ),
+}
+
+#: Accelerations that redundant equations ask for otherwise than the rest, relative to what they are made of.
+CONTRADICTION = 1e-6
+
+#: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
+SMALL_RESIDUAL = 1e-3
+
+#: Times at which functions of time are looked at before a run.
+SAMPLES = 257
+
+#: Of the length of Euler parameters at the start, as in a model.
+UNIT_TOLERANCE = 1e-6
+
+#: How many objects a message lists.
+LISTED = 5
+
+#: Gains times step above which continuous Baumgarte stabilization lowers the order of the integrator.
+ACCURATE_GAIN = 0.1
+
+
+def check_bodies(model: Model) -> None:
+    """ModelError: no model, or nothing to simulate in it."""
+    check_model(model)
+    if not model.body_count:
+        raise ModelError(f"model '{model.name}': has no bodies", code="empty")
+
+
+def check_tables(model: Model, t_end: float) -> None:
+    """OptionError: a function of time is not known from 0 to t_end."""
+    for what, signal in model.signals:
+        first, last = signal.span
+        if first > 0.0 or last < t_end:
+            raise OptionError(
+                f"{what}: is given from {first:g} to {last:g} s, the run goes from 0 to {t_end:g} s; "
+                "extend the table or shorten the run",
+                code="time_function_range",
+            )
+    _check_limits(model, t_end)
+
+
+def _check_limits(model: Model, t_end: float) -> None:
+    """OptionError: a function of time passes the bound of its parameter, such as a negative stiffness.
+
+    Looked for at many times of the run; of the user's own functions, which may be dear or have a memory, at
+    its start only. The run itself looks in every evaluation.
+    """
+    functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist()
+    for what, signal, constant, least_signal, least, than in model.compiled().limited():
+        given = [functions[place] for place in (signal, least_signal) if place >= 0]
+        for t in times[:1] if any(isinstance(it, Callback) for it in given) else times:
+            value = functions[signal].evaluate(t)[0] if signal >= 0 else constant
+            bound = functions[least_signal].evaluate(t)[0] if least_signal >= 0 else least
+            if value < bound:
+                named = f", which is {than}" if than else ""
+                raise OptionError(
+                    f"{what} is {value:g} at t = {t:g} s, and must not be below {bound:g}{named}; correct it",
+                    code="out_of_bounds",
+                )
+
+
+def rank_numbers(dynamics: _core.Dynamics) -> dict[str, int]:
+    """How many constraint equations: in all, independent, redundant, and dependent in the first pose only."""
+    rank = dynamics.rank()
+    return {
+        "equations": rank.rows,
+        "rank": rank.rank,
+        "degrees_of_freedom": rank.degrees_of_freedom,
+        "redundant": len(rank.redundant_rows),
+        "singular_at_start": len(rank.singular_rows),
+    }
+
+
+@dataclass(frozen=True)
+class Residuals:
+    """Of one level, positions or velocities: the largest of each joint (joints,)."""
+
+    level: str  #: "poses" or "velocities"
+    value: Floats  #: [m] or [1], of velocities per second
+    relative: Floats  #: to the size of the mechanism, of velocities to its speed
+    rounding: float  #: what roundoff can make of a relative one
+
+    @property
+    def unit(self) -> str:
+        return "/s" if self.level == "velocities" else ""
+
+
+def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None) -> list[Residuals]:
+    """Of positions and of velocities; without `at` at t = 0."""
+    core = model.compiled()
+    t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
+    found = dynamics.evaluate(t, q, v)
+    lengths, rate, roundoff = dynamics.residual_scales(t, q, v)
+    starts = core.joint_rows[:-1]
+
+    def of(level: str, key: str, scale: Floats) -> Residuals:
+        values = np.abs(found[key])
+        if not len(starts):
+            return Residuals(level, np.zeros(0), np.zeros(0), 0.0)
+        relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > 0)
+        value, part = (np.maximum.reduceat(x, starts) for x in (values, relative))
+        return Residuals(level, value, part, RESIDUAL_TOLERANCE + roundoff)
+
+    return [of("poses", "Phi", lengths), of("velocities", "Phi_dot", lengths * rate)]
+
+
+def joint_residuals(
+    model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
+) -> tuple[Floats, Floats]:
+    """Largest of each joint (joints,), of Phi and of Phi_dot = D v + Phi_t; without `at` at t = 0."""
+    position, velocity = residuals(model, dynamics, at)
+    return position.value, velocity.value
+
+
+def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> Assembly | None:
+    """Correct initial conditions that violate the joints by a little more than rounding; None: nothing to do.
+
+    LinkworkWarning: what was corrected; with `correct` False any violation, which then stays. ModelError: the
+    violation is too large to be an inaccuracy; its `joints` and `residuals` are those that violate it.
+    NotConvergedError: joints contradict each other.
+    """
+    core = model.compiled()
+    small = SMALL_RESIDUAL if correct else np.inf
+    remarks = (_inaccuracy(core, level, level.rounding, small) for level in residuals(model, dynamics))
+    found = "; ".join(filter(None, remarks))
+    if found and not correct:
+        warn(found)
+    if not found or not correct:
+        return None
+    assembly = assemble(model)
+    moved, turned, faster = (
+        float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
+    )
+    changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
+    warn(f"{found}: corrected {changes}")
+    return assembly
+
+
+def start_time(start: Snapshot | None) -> float:
+    """Where a run begins [s]. OptionError: what is no Snapshot."""
+    if start is None:
+        return 0.0
+    if not isinstance(start, Snapshot):
+        raise OptionError(f"start {start!r:.80} is no linkwork.Snapshot(t, q, v)", code="start")
+    t = start.t
+    return number(t, "start: t", code="start")
+
+
+def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
+    """OptionError: the state of another mechanism.
+
+    LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
+    """
+    core, count = model.compiled(), model.body_count
+    q, v = array(start.q, "start: q"), array(start.v, "start: v")
+    if q.size != 7 * count or v.size != 6 * count or not (np.isfinite(q).all() and np.isfinite(v).all()):
+        raise OptionError(
+            f"start: q {q.shape} and v {v.shape} are no finite state of the {count} bodies of model "
+            f"'{model.name}': ({count}, 7) and ({count}, 6) are",
+            code="start",
+        )
+    length = np.linalg.norm(q.reshape(-1, 7)[:, 3:], axis=1)
+    if not (np.abs(length - 1.0) <= UNIT_TOLERANCE).all():
+        body = int(np.argmax(np.abs(length - 1.0)))
+        raise OptionError(
+            f"start: body '{core.body_name(body)}': its Euler parameters have norm {length[body]:g}, not 1: "
+            "divide them by it",
+            code="start",
+            bodies=[core.body_name(body)],
+        )
+    _take_history(core, dynamics, start)
+    remarks = [
+        _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
+    ]
+    if any(remarks):
+        warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
+
+
+def check_history(dynamics: _core.Dynamics, start: Snapshot) -> None:
+    """OptionError: that of another model."""
+    given, known = array(start.history, "start: history"), len(dynamics.initial_history)
+    if given.size and (given.shape != (known,) or not np.isfinite(given).all()):
+        raise OptionError(
+            f"start: its history has {given.size} variables, or one that is not finite, but the springs, "
+            f"stops, contacts and couplers of the model have {known}: start from a run of the same model, or "
+            "leave the history out (start._replace(history=()))",
+            code="start",
+        )
+
+
+def _take_history(core: _core.Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
+    """OptionError: that of another model. LinkworkWarning: there is none."""
+    check_history(dynamics, start)
+    given = array(start.history, "start: history")
+    if not given.size:
+        given = dynamics.beginning_history(start.t, np.ravel(start.q), np.ravel(start.v))
+        if start.t > 0:
+            _warn_of_beginnings(core)
+    dynamics.history = given
+
+
+def _warn_of_beginnings(core: _core.Model) -> None:
+    """LinkworkWarning: what starts otherwise than it went on before."""
+    kinds = [kind.name for kind in _core.force_kinds()]
+    of_force = [BEGINNING.get(kinds[kind]) for kind in core.force_arrays()["kind"]]
+    for what in sorted(set(filter(None, of_force))):
+        names = [core.force_name(place) for place, found in enumerate(of_force) if found == what]
+        warn(f"start: {_listed(len(names), names.__getitem__)}: {what}")
+    laws = [name for name, coordinate in core.joint_forces if coordinate != "displacement"]
+    if laws:
+        turns = BEGINNING["rotational_stop"]
+        warn(f"start: {_listed(len(laws), laws.__getitem__)}: {turns}")
+
+
+def contradictions_at_start(model: Model, dynamics: _core.Dynamics) -> dict[str, float]:
+    """Of redundant equations that ask for other accelerations than the rest: what is left of them [1/s2].
+
+    By the equation in words; such as drivers that agree in position and velocity, and are about to part.
+    """
+    rows = np.asarray(dynamics.rank().redundant_rows, dtype=int)
+    core = model.compiled()
+    if not len(rows):
+        return {}
+    v_dot, _ = dynamics.accelerations(0.0, core.q0, core.v0)
+    found = dynamics.evaluate(0.0, core.q0, core.v0)
+    from scipy.sparse import csr_array  # which takes long to import
+
+    D = csr_array(
+        tuple(found["D"][part] for part in ("data", "indices", "indptr")), (core.row_count, len(v_dot))
+    )
+    left = np.abs(D @ v_dot - found["gamma"])[rows]
+    size = (abs(D) @ np.abs(v_dot) + np.abs(found["gamma"]))[rows]
+    broken = left > CONTRADICTION * size.max(initial=0.0)
+    return {core.describe_row(int(row)): float(x) for row, x in zip(rows[broken], left[broken], strict=True)}
+
+
+def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:
+    """LinkworkWarning: redundant equations contradict the others, by so little that the run went on.
+
+    Two drivers of one joint agree at the start and part later: only one of them was followed.
+    """
+    found = statistics.get("contradiction")
+    if not found:
+        return
+    names = found["joints"]
+    warn(
+        f"redundant equations of {_listed(len(names), names.__getitem__)} are violated by up to "
+        f"{found['largest']:.2g} (m or 1) from t = {found['t']:.6g} s on, where the others hold: joints or "
+        "drivers contradict each other, and not all were followed"
+    )
+
+
+def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
+    """OptionError: Baumgarte gains that the integrator cannot follow; LinkworkWarning: order lost."""
+    options = dynamics.options
+    alpha, beta = options.baumgarte_alpha, options.baumgarte_beta
+    if options.stabilization != "baumgarte" or alpha is None or beta is None:
+        return
+    if isinstance(method, HalfExplicit):  # refuses these gains itself
+        return
+    gains = f"baumgarte_alpha {alpha:g} 1/s and baumgarte_beta {beta:g} 1/s"
+    growth = method.growth(alpha * step, beta * step)
+    if growth > 1 + 1e-9:
+        raise OptionError(
+            f"{gains} are unstable with integrator '{method.name}' and step {step:g} s: a violation grows "
+            f"by the factor {growth:.3g} in each step; use smaller gains, a smaller step, or stabilization "
+            "'sampled_baumgarte'",
+            code="unstable_gains",
+        )
+    if max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
+        lost = f"integrator '{method.name}' loses its order {method.order}"
+        warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}")
+
+
+def check_stiffness(method: Integrator, system: System, step: float) -> None:
+    """OptionError: springs or dampers that are too stiff for an explicit integrator with this step."""
+    growth = getattr(method, "growth", None)
+    if growth is None:
+        return
+    fastest = stiffness.fastest(system)
+    if fastest is None:
+        return
+    limit = stiffness.stable_step(growth, fastest.eigenvalue, step)
+    if limit < step:
+        raise OptionError(
+            f"step {step:g} s is too long for integrator '{method.name}': force elements make body "
+            f"'{fastest.body}' move with eigenvalue {_complex(fastest.eigenvalue)} 1/s at the start, which "
+            f"needs about {limit:.2g} s or less; give such a step, or rtol for steps that follow the motion",
+            code="unstable_step",
+        )
+
+
+def _complex(value: complex) -> str:
+    real = abs(value.imag) < 1e-6 * abs(value)
+    return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
+
+
+def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: float) -> str:
+    """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much.
+
+    Both are relative to the size or speed of the mechanism.
+    """
+    relative, unit = found.relative, found.unit
+    worst = np.argsort(-relative, kind="stable")
+    worst = worst[relative[worst] > rounding]
+    if not len(worst):
+        return ""
+    each = _listed(
+        len(worst), lambda k: f"{core.joint_name(int(worst[k]))} {found.value[worst[k]]:.3g}{unit}"
+    )
+    joints = "1 joint" if len(worst) == 1 else f"{len(worst)} joints"
+    message = f"initial {found.level} do not satisfy {joints} (residual, m or 1): {each}"
+    if relative[worst[0]] <= most:
+        return message
+    names = [core.joint_name(int(joint)) for joint in worst]
+    allowed = most * found.value[worst[0]] / relative[worst[0]]
+    raise ModelError(
+        f"{message}: more than {allowed:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
+        "linkwork.assemble(model).model gives",
+        code=f"inconsistent_{found.level}",
+        joints=names,
+        residuals=dict(zip(names, found.value[worst].tolist(), strict=True)),
+    )
+
+
+def _listed(count: int, item: Callable[[int], str]) -> str:
+    shown = [item(k) for k in range(min(count, LISTED))]
+    return "; ".join(shown) + (f"; and {count - LISTED} more" if count > LISTED else "")

@@ -1,0 +1,186 @@
+"""The estimate of the error of a run: what is taken again, when, and by what."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from linkwork import _core
+from linkwork.accuracy.verdict import (
+    GOOD,
+    Energies,
+    Method,
+    Verdict,
+    estimate,
+    leaping,
+    say,
+    verified,
+    without_steps,
+)
+from linkwork.accuracy.verification import Finer, state_error
+from linkwork.arrays import Floats
+from linkwork.equations.system import System
+from linkwork.errors import AccuracyError, warn
+from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.motion.records import Snapshot
+from linkwork.options import Options
+from linkwork.results.result import Result
+from linkwork.running import callbacks, pulses
+from linkwork.running.schedule import Adaptive, Fixed
+
+__all__ = ["ErrorEstimator", "apply_policy", "strict"]
+
+#: Takes the steps of integrators of the user's own again.
+TRUSTED = "dop853"
+
+#: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
+FIRST_LOOK = 200
+
+
+class ErrorEstimator:
+    """Follows a run, and takes steps of it again."""
+
+    def __init__(
+        self,
+        run: _core.Run,
+        method: Integrator | Any,
+        system: System,
+        options: Options,
+        start: Snapshot | None,
+        plan: Fixed | Adaptive,
+        *,
+        breaks: Sequence[float] = (),
+        stops: bool = False,
+    ) -> None:
+        """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate."""
+        self._run, self._method, self._system = run, method, system
+        self._stops, self._next_look = stops, FIRST_LOOK
+        self._options: Options = {**options, "stabilization": system.options["stabilization"]}
+        self._plan = plan
+        self._before = start.error if start is not None else 0.0
+        self._energies = Energies()
+        self._functions = callbacks.of_model(system.model)
+        self._contents = callbacks.contents(self._functions)
+        self._own = {} if isinstance(method, Integrator) else {"integrator": method}
+        self._own_contents = callbacks.contents(self._own)
+        t_start = start.t if start is not None else 0.0
+        evaluations = plan.evaluations(method, t_start)
+        self._moments = pulses.moments(system.model, t_start, plan.t_end, evaluations)
+        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._moments)}))
+
+    def look(self, frames: Mapping[str, Floats]) -> None:
+        """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""
+        self._energies.add(frames)
+        if not self._stops or self._run.finished or self._run.steps_done < self._next_look:
+            return
+        self._next_look = 2 * self._run.steps_done
+        verdict = self._of(System(self._system.model, **self._options), self._run.statistics())
+        if verdict.error > GOOD:
+            raise AccuracyError(f"{say(verdict, self._system.model.name)}: stopped", code="inaccurate")
+
+    def verdict(self, statistics: Mapping[str, Any]) -> Verdict | None:
+        """Of the run, which is over: the system is used up. None: there was no step."""
+        return self._of(self._system, statistics) if self._run.steps_done else None
+
+    def verify(
+        self, result: Result, output: str | os.PathLike[str] | None, run: Callable[[dict[str, Any]], Result]
+    ) -> None:
+        """Adds a finer run, made by `run` with such arguments, to the result and its file.
+
+        LinkworkWarning: there is none, as a function of the user's remembers calls.
+        """
+        stateful = callbacks.changed(self._contents, self._functions)
+        stateful += callbacks.changed(self._own_contents, self._own)
+        if stateful:
+            return warn(f"verify: no second run was made, as '{stateful[0]}' may remember the calls before")
+        found = run(self._plan.finer(result.t))
+        order = self._resolution().order
+        gain = 2.0**order if isinstance(self._plan, Fixed) else 10.0
+        finer = Finer(found, gain / (gain - 1) if gain > 1 else 2.0)
+        result._finer = finer
+        verdict = result.verdict
+        if verdict is not None:
+            new = verified(verdict, state_error(result, finer), self._resolution())
+            result.statistics["verdict"] = new.numbers()
+        if output is not None:
+            from linkwork.results.writing import add_finer
+
+            add_finer(output, finer, result.statistics)
+            result._finer = Result.load(output)._finer
+
+    def _of(self, system: System, statistics: Mapping[str, Any]) -> Verdict:
+        self._energies.reach(*self._run.energies)
+        stateful = callbacks.changed(self._contents, self._functions)
+        if stateful:
+            names = ", ".join(f"'{name}'" for name in stateful[:3])
+            why = f"no step was taken again, as {names} may remember the calls before"
+            return self._by_balance(why, statistics)
+        try:
+            system = self._strict(system)
+            found = self._run.judge(system.compiled(), *self._compiled())
+        except Exception as error:  # also of the user's functions
+            return self._by_balance(f"no step could be taken again ({error})", statistics)
+        verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
+        return leaping(verdict, self._moments)
+
+    def _strict(self, system: System) -> System:
+        """One without loose tolerances or penalties, whose errors the parts of a step would share."""
+        options = strict(self._options)
+        return system if options == self._options else System(self._system.model, **options)
+
+    def _by_balance(self, why: str, statistics: Mapping[str, Any]) -> Verdict:
+        violation = self._run.relative_violation()
+        return without_steps(why, self._energies, statistics, violation, self._before)
+
+    def _resolution(self) -> Method:
+        order = self._method.order if isinstance(self._method, Integrator) else self._order()
+        if isinstance(self._plan, Adaptive):
+            return Method(order, rtol=self._plan.rtol)
+        return Method(order, step=min(self._plan.step, self._run.t))
+
+    def _compiled(self) -> tuple[Any, bool]:
+        """What takes the steps again, and whether that is another method.
+
+        It is for integrators of the user's own: whoever makes a mistake in a step makes it in its parts, too.
+        """
+        method = self._method
+        if isinstance(method, EmbeddedPair) and isinstance(self._run, _core.AdaptiveSimulation):
+            return method.compiled_pair(), False
+        if isinstance(method, Integrator):
+            return method.compiled(), False
+        return METHODS[TRUSTED].compiled(), True
+
+    def _order(self) -> int:
+        """0 where nobody knows."""
+        order = getattr(self._method, "order", 0)
+        return int(order) if isinstance(order, int) else 0
+
+
+def strict(options: Options) -> Options:
+    """Those with which the equations of motion are solved exactly.
+
+    Penalties leave constraints violated and reactions wrong at any step, loose iterations likewise: the
+    augmented Lagrangian has the same right-hand side without that.
+    """
+    loose = "tolerance" in options or "max_iterations" in options
+    if options.get("formulation") != "penalty" and not loose:
+        return options
+    out = options.copy()
+    out["formulation"] = "augmented_lagrangian"
+    for name in ("penalty", "tolerance", "max_iterations"):
+        out.pop(name, None)  # type: ignore[misc]
+    return out
+
+
+def apply_policy(result: Result, policy: str) -> None:
+    """LinkworkWarning, with "warn", or AccuracyError, with "stop": the run is more than 1 % off."""
+    verdict = result.verdict
+    if verdict is None or verdict.level == "good" or policy == "pass":
+        return
+    message = say(verdict, result.manifest.get("model"))
+    if policy == "warn":
+        return warn(f"{message} (result.verdict says more, on_inaccurate='pass' nothing)")
+    error = AccuracyError(message, code="inaccurate")
+    error.result, error.state = result, result.snapshot()
+    raise error

@@ -1,0 +1,166 @@
+"""Events of a run: what happens when a function of time and state passes through zero."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork import _core
+from linkwork.arguments import UNREADABLE, is_number
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError, OptionError
+from linkwork.modeling.handles import Body
+from linkwork.modeling.model import Model
+
+__all__ = ["Event", "State", "compile_events"]
+
+
+class _Part:
+    """A part of an array of the state, which is assigned in place."""
+
+    def __init__(self, array: str, part: slice, documentation: str) -> None:
+        self._array, self._part, self.__doc__ = array, part, documentation
+
+    def __get__(self, state: object, kind: type | None = None) -> Floats:
+        part: Floats = getattr(state, self._array)[self._part]
+        return part
+
+    def __set__(self, state: object, value: ArrayLike) -> None:
+        getattr(state, self._array)[self._part] = value
+
+
+class BodyState:
+    """Of one body: what is assigned to it, whole or in part, changes the state that it is of."""
+
+    position = _Part("_q", np.s_[:3], "Center of mass (3,), inertial [m].")
+    orientation = _Part("_q", np.s_[3:], "Euler parameters (4,), scalar first.")
+    velocity = _Part("_v", np.s_[:3], "Of the center of mass (3,), inertial [m/s].")
+    omega = _Part("_v", np.s_[3:], "Angular velocity (3,), body axes [rad/s].")
+
+    def __init__(self, q: Floats, v: Floats) -> None:
+        self._q, self._v = q, v
+
+
+class State:
+    """Positions and velocities of all bodies: q (n, 7) and v (n, 6) as in `Result`, or `body(name)`."""
+
+    q = _Part("_q", np.s_[:], "Poses (n, 7): position, then Euler parameters.")
+    v = _Part("_v", np.s_[:], "Velocities (n, 6): inertial velocity, then body-fixed angular velocity.")
+
+    def __init__(self, model: Model, y: Floats) -> None:
+        """`y` (13n,) = (q, v); the state is a view of it."""
+        split = 7 * model.body_count
+        self._model = model
+        self._q, self._v = y[:split].reshape(-1, 7), y[split:].reshape(-1, 6)
+
+    def body(self, name: str | Body) -> BodyState:
+        """The state of one body, by name or handle. ModelError: no such body."""
+        name = name.name if isinstance(name, Body) else name
+        place = self._model.compiled().find_body(name)
+        if place < 0:
+            self._model.find(name)  # says what is near
+            raise ModelError("the ground has no state", code="unknown_name")
+        return BodyState(self._q[place], self._v[place])
+
+
+@dataclass(frozen=True)
+class Event:
+    """A function of (t [s], state) that passes through zero; adaptive runs only.
+
+    direction  1: rising, -1: falling, 0: both
+    terminal   the run ends there
+    change     change(t, state) gives the state other values in place, an impact for example. The state then
+               goes to the constraints with the least change in the metric of the masses: joints answer an
+               impulse on one body with impulses of their own. The run goes on from there, or ends there where
+               `change` returns True
+    tolerance  of the time [s], beside roundoff
+
+    A step is looked at in four places: an event between two of which the function returns to its sign is
+    not seen; `step` in `simulate` limits them. A value of zero at the start of the run is no event. Events
+    that come after ever shorter times, like the bounces of a ball, end the run with a StepSizeError; so does
+    what a change has stopped and a force pushes through zero again.
+    """
+
+    function: Callable[[float, State], float]
+    name: str = ""
+    direction: int = 0
+    terminal: bool = False
+    change: Callable[[float, State], bool | None] | None = None
+    tolerance: float = 1e-12
+
+    @property
+    def label(self) -> str:
+        """Its name, or that of its function."""
+        return (
+            self.name
+            if isinstance(self.name, str) and self.name
+            else str(getattr(self.function, "__name__", "event"))
+        )
+
+    def _check(self) -> None:
+        who = f"event '{self.label}'"
+        if not isinstance(self.name, str):
+            raise OptionError(f"event: name {self.name!r:.80} is no text", code="event")
+        if isinstance(self.direction, bool) or not isinstance(self.direction, int) or abs(self.direction) > 1:
+            raise OptionError(f"{who}: direction {self.direction!r:.80} is not -1, 0 or 1", code="event")
+        if not isinstance(self.terminal, bool | np.bool_):
+            raise OptionError(f"{who}: terminal {self.terminal!r:.80} is not True or False", code="event")
+        if not is_number(self.tolerance) or self.tolerance < 0:
+            raise OptionError(
+                f"{who}: tolerance {self.tolerance!r:.80} must be zero or positive [s]", code="event"
+            )
+
+    def compiled(self, model: Model) -> _core.Event:
+        """The same event of a run of `model` in the compiled module.
+
+        OptionError: what is no function, or no direction, tolerance, or answer to whether it is terminal.
+        """
+        self._check()
+        for what, given in (("function", self.function), ("change", self.change)):
+            if not callable(given) and not (given is None and what == "change"):
+                raise OptionError(
+                    f"event '{self.label}': {what} {given!r} is no function of (t, state)", code="event"
+                )
+
+        def function(t: float, y: Floats) -> float:
+            value = self.function(t, State(model, y))
+            try:
+                return float(value)
+            except UNREADABLE as error:
+                raise OptionError(
+                    f"event '{self.label}': its function returned {value!r}, no number (t = {t:g} s)",
+                    code="event",
+                ) from error
+
+        def change(t: float, y: Floats) -> tuple[ArrayLike, bool]:
+            changed = np.array(y)
+            assert self.change is not None
+            ends = self.change(t, State(model, changed))
+            if not isinstance(ends, bool | np.bool_ | None):
+                raise OptionError(
+                    f"event '{self.label}': change must alter the state in place and return nothing, or True "
+                    "to end the run",
+                    code="event",
+                )
+            return changed, bool(ends)
+
+        return _core.Event(
+            self.label,
+            function,
+            int(self.direction),
+            bool(self.terminal),
+            None if self.change is None else change,
+            self.tolerance,
+        )
+
+
+def compile_events(events: object, model: Model) -> list[tuple[str, _core.Event]]:
+    """Label and compiled event of each. OptionError: something that is no Event."""
+    listed = list(events) if isinstance(events, Iterable) else [] if events is None else [events]
+    for event in listed:
+        if not isinstance(event, Event):
+            raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
+    return [(event.label, event.compiled(model)) for event in listed]

@@ -1,0 +1,269 @@
+"""Progress of a long run: one line on a terminal or in a notebook, lines in a log, or the user's function.
+
+`simulate` reports through `reporting(...)`, a series of tasks through `counting(...)`; whether anything is
+shown, and where, is decided here. The log is that of logger "linkwork.running.progress", level INFO.
+"""
+
+from __future__ import annotations
+
+import logging
+import sys
+import time
+import uuid
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+from linkwork.errors import OptionError
+
+if TYPE_CHECKING:
+    from rich.progress import Progress
+
+#: What `simulate(progress=...)` takes: None or True shows a line, False shows nothing.
+ProgressOption = Callable[["ProgressInfo"], object] | bool | None
+
+#: What a series of tasks takes: None shows a line, False shows nothing.
+ShowOption = Literal[False] | None
+
+log = logging.getLogger(__name__)
+
+#: A run is silent for this long [s]: most are over by then.
+SILENT_SECONDS = 2.0
+
+#: Between two lines in a log, and between two updates in a notebook [s].
+LOG_SECONDS, NOTEBOOK_SECONDS = 10.0, 0.5
+
+
+@dataclass(frozen=True)
+class ProgressInfo:
+    """Where a run stands."""
+
+    #: simulated time and its end [s]
+    t: float
+    t_end: float
+    #: steps done, and in all (0 when not known)
+    steps_done: int
+    steps_total: int
+    #: wall time since the start [s]
+    elapsed: float
+    #: mean step since the last report [s], and the largest violation of a position constraint [m or 1] at the
+    #: last frame; None before anything is known
+    step: float | None = None
+    violation: float | None = None
+    #: where the run began [s]
+    t_start: float = 0.0
+
+    @property
+    def fraction(self) -> float:
+        """Share of the run that is done, 0 to 1."""
+        if self.steps_total > 0:
+            return min(self.steps_done / self.steps_total, 1.0)
+        span = self.t_end - self.t_start
+        return min((self.t - self.t_start) / span, 1.0) if span > 0 else 1.0
+
+    @property
+    def rate(self) -> float:
+        """Steps per second of wall time."""
+        return self.steps_done / self.elapsed if self.elapsed > 0 else 0.0
+
+    @property
+    def remaining(self) -> float | None:
+        """Estimated wall time to the end [s]; None before anything is known."""
+        return self.elapsed * (1 / self.fraction - 1) if self.fraction > 0 else None
+
+
+class Report(Protocol):
+    """What `reporting` hands to the run."""
+
+    def __call__(self, t: float, steps_done: int, violation: float | None = None) -> None: ...
+
+
+def check_progress(progress: ProgressOption) -> None:
+    """OptionError: nothing that says where progress is shown."""
+    if not (callable(progress) or progress is None or isinstance(progress, bool)):
+        raise OptionError(
+            f"progress {progress!r} is neither None, True or False, nor a function of ProgressInfo",
+            code="progress",
+        )
+
+
+@contextmanager
+def reporting(
+    progress: ProgressOption, t_end: float, steps_total: int = 0, t_start: float = 0.0
+) -> Iterator[Report]:
+    """Give the run its `report(t, steps_done, violation)`; a line that was shown is cleared at the end.
+
+    `progress`: None = automatic (a line where the run takes more than two seconds and standard error is a
+    terminal or the program a notebook), False = nothing, or a function that is called with a ProgressInfo at
+    every report. The log is written in any case, every ten seconds, where its level allows.
+    """
+    started = time.monotonic()
+    before = t_start, 0
+    with _shown(progress is None or progress is True) as show:
+
+        def report(t: float, steps_done: int, violation: float | None = None) -> None:
+            nonlocal before
+            taken = steps_done - before[1]
+            step = (t - before[0]) / taken if taken > 0 and before[1] > 0 else None
+            before = t, steps_done
+            elapsed = time.monotonic() - started
+            info = ProgressInfo(t, t_end, steps_done, steps_total, elapsed, step, violation, t_start)
+            show(info.elapsed, info.fraction, lambda: describe(info))
+            if callable(progress):
+                progress(info)
+
+        yield report
+
+
+@contextmanager
+def counting(show: ShowOption, total: int) -> Iterator[Callable[[int, str], None]]:
+    """Give a series of tasks its `report(done, what)`, called as each begins; shown as by `reporting`."""
+    started = time.monotonic()
+    with _shown(show is None) as shown:
+
+        def report(done: int, what: str) -> None:
+            fraction, elapsed = min(done / total, 1.0), time.monotonic() - started
+            shown(elapsed, fraction, lambda: what + _left(elapsed, fraction))
+
+        yield report
+
+
+def describe(info: ProgressInfo) -> str:
+    """The numbers of the line: simulated time, rate, remaining time, step, violation."""
+    left = "" if info.remaining is None else f", {_duration(info.remaining)} left"
+    step = "" if info.step is None else f", step {info.step:.3g} s"
+    violation = "" if info.violation is None else f", violation {info.violation:.0e}"
+    return f"t = {info.t:.4g} of {info.t_end:g} s, {_quantity(info.rate)} steps/s{left}{step}{violation}"
+
+
+def _left(elapsed: float, fraction: float) -> str:
+    return f", {_duration(elapsed * (1 / fraction - 1))} left" if 0 < fraction < 1 else ""
+
+
+class _Display(Protocol):
+    """Where a line is shown; `seconds` pass between two updates."""
+
+    seconds: float
+
+    def show(self, fraction: float, text: str) -> None: ...
+    def close(self) -> None: ...
+
+
+@contextmanager
+def _shown(wanted: bool) -> Iterator[Callable[[float, float, Callable[[], str]], None]]:
+    """show(elapsed, fraction, text) on all displays that there are; the text is made when it is needed."""
+    displays = [*(_screens() if wanted else []), *([_Log()] if log.isEnabledFor(logging.INFO) else [])]
+    due = {display: max(SILENT_SECONDS, display.seconds) for display in displays}
+
+    def show(elapsed: float, fraction: float, text: Callable[[], str]) -> None:
+        for display, when in due.items():
+            if elapsed >= when:
+                display.show(fraction, text())
+                due[display] = elapsed + display.seconds
+
+    try:
+        yield show
+    finally:
+        for display in displays:
+            display.close()
+
+
+def _screens() -> list[_Display]:
+    """A terminal, a notebook, or nothing that anybody looks at."""
+    if sys.stderr is not None and sys.stderr.isatty():
+        return [_Terminal()]
+    return [_Notebook()] if _in_notebook() else []
+
+
+class _Terminal:
+    """One line, which goes away at the end."""
+
+    seconds = 0.0
+
+    def __init__(self) -> None:
+        self._progress: Progress | None = None
+
+    def show(self, fraction: float, text: str) -> None:
+        if self._progress is None:
+            self._progress = _terminal_progress()
+            self._progress.start()
+            self._progress.add_task("", total=1.0)
+        self._progress.update(self._progress.task_ids[0], completed=fraction, description=text)
+
+    def close(self) -> None:
+        if self._progress is not None:
+            self._progress.stop()
+
+
+class _Notebook:
+    """One output that is replaced, and empty at the end."""
+
+    seconds = NOTEBOOK_SECONDS
+
+    def __init__(self) -> None:
+        self._name = uuid.uuid4().hex
+        self._shown = False
+
+    def show(self, fraction: float, text: str) -> None:
+        self._display(f"{100 * fraction:3.0f} %  {text}")
+
+    def close(self) -> None:
+        if self._shown:
+            self._display("")
+
+    def _display(self, text: str) -> None:
+        from IPython.display import display
+
+        display({"text/plain": text}, raw=True, display_id=self._name, update=self._shown)
+        self._shown = True
+
+
+class _Log:
+    """A record now and then."""
+
+    seconds = LOG_SECONDS
+
+    def show(self, fraction: float, text: str) -> None:
+        log.info("%.0f %%, %s", 100 * fraction, text)
+
+    def close(self) -> None:
+        pass
+
+
+def _terminal_progress() -> Progress:
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
+
+    return Progress(
+        BarColumn(bar_width=24),
+        TaskProgressColumn(),
+        TextColumn("{task.description}"),
+        console=Console(stderr=True),
+        transient=True,
+    )
+
+
+def _in_notebook() -> bool:
+    """Whether an IPython kernel runs this: nobody has it who did not import IPython before."""
+    ipython: Any = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return getattr(shell, "kernel", None) is not None
+
+
+def _duration(seconds: float) -> str:
+    """Seconds as people say them: 8 s, 3 min 20 s, 2 h 5 min."""
+    whole = round(seconds)
+    if whole < 60:
+        return f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60} s"
+    return f"{whole // 3600} h {whole % 3600 // 60} min"
+
+
+def _quantity(value: float) -> str:
+    """A rate with three digits: 950, 12.3k, 4.56M."""
+    for limit, unit in ((1e6, "M"), (1e3, "k")):
+        if value >= limit:
+            return f"{value / limit:.3g}{unit}"
+    return f"{value:.3g}"

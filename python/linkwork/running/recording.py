@@ -1,0 +1,220 @@
+"""The frames of a run on their way to memory or to a file."""
+
+from __future__ import annotations
+
+import math
+import os
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork import _core
+from linkwork.arrays import Floats
+from linkwork.equations.system import System
+from linkwork.errors import FileError, LinkworkError, OptionError, warn
+from linkwork.integrators import Integrator
+from linkwork.modeling.model import Model
+from linkwork.motion.header import Header, frame_shapes
+from linkwork.motion.records import Occurrence, Snapshot
+from linkwork.results.result import Result
+from linkwork.running.interrupts import Interrupts
+from linkwork.running.progress import Report
+
+if TYPE_CHECKING:
+    from linkwork.running.estimation import ErrorEstimator
+
+__all__ = ["PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
+
+Frames = Mapping[str, Floats]
+
+#: An integrator of the user's own: step(system, t, y, h) -> y at t + h, y (13n,).
+PythonStep = Callable[[System, float, Floats, float], ArrayLike]
+
+#: A piece of a run, between two looks at signals and progress: wall time [s], frames, bytes.
+PIECE_SECONDS, PIECE_FRAMES, PIECE_BYTES = 0.1, 500, 2**26
+
+
+class Recorder(Protocol):
+    """Where frames go."""
+
+    def write(self, frames: Frames) -> None: ...
+    def note(self, occurrences: Sequence[Occurrence]) -> None: ...
+    def abandon(self) -> Result | None: ...
+    def result(self, statistics: Mapping[str, Any]) -> Result: ...
+
+
+class _Memory:
+    def __init__(self, header: Header) -> None:
+        self._header = header
+        self._pieces: list[Frames] = []
+        self._occurrences: list[Occurrence] = []
+
+    def write(self, frames: Frames) -> None:
+        if len(frames["t"]):
+            self._pieces.append(frames)
+
+    def note(self, occurrences: Sequence[Occurrence]) -> None:
+        self._occurrences.extend(occurrences)
+
+    def abandon(self) -> Result | None:
+        return self.result({}) if self._pieces else None
+
+    def result(self, statistics: Mapping[str, Any]) -> Result:
+        joined = {name: np.concatenate([piece[name] for piece in self._pieces]) for name in self._pieces[0]}
+        return Result(joined, self._header, statistics, events=self._occurrences)
+
+
+class _File:
+    def __init__(self, path: str | os.PathLike[str], header: Header) -> None:
+        from linkwork.results.writing import ResultWriter
+
+        self._writer = ResultWriter(path, header)
+
+    def write(self, frames: Frames) -> None:
+        self._writer.write(frames)
+
+    def note(self, occurrences: Sequence[Occurrence]) -> None:
+        self._writer.write_events(occurrences)
+
+    def abandon(self) -> Result | None:
+        try:
+            self._writer.close()
+        except FileError as error:
+            if error.code == "replaced":
+                return None
+            raise
+        return Result.load(self._writer.path)
+
+    def result(self, statistics: Mapping[str, Any]) -> Result:
+        self._writer.close(statistics)
+        return Result.load(self._writer.path)
+
+
+def recorder(output: str | os.PathLike[str] | None, header: Header) -> Recorder:
+    """To a file, or to memory. FileError: the file cannot be written."""
+    if output is None:
+        return _Memory(header)
+    return _File(output, header)
+
+
+def frame_bytes(model: Model) -> int:
+    """Of one recorded frame."""
+    shapes = frame_shapes(model.body_count, model.joint_count, model.row_count)
+    return 8 * sum(math.prod(shape) for shape in shapes.values())
+
+
+def record(
+    run: _core.Run,
+    pieces: Iterator[Frames],
+    to: Recorder,
+    report: Report,
+    labels: Sequence[str],
+    estimator: ErrorEstimator,
+    *,
+    warns: bool = False,
+) -> float:
+    """Write the pieces as they come, and close the file however the run ends; the time they took [s].
+
+    `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run
+    has passed a singular pose. AccuracyError: `estimator` stops the run.
+    """
+    spent, before, warned = 0.0, time.perf_counter(), 0
+    violation: float | None = None
+    try:
+        for frames in pieces:
+            spent += time.perf_counter() - before
+            to.note(_occurrences(run, labels))
+            to.write(frames)
+            estimator.look(frames)
+            if len(frames["t"]):
+                violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
+            report(run.t, run.steps_done, violation)
+            if warns:
+                warned = _warn_of_singular_poses(run.statistics(), warned)
+            before = time.perf_counter()
+    except BaseException as error:
+        _abandon(run, to, labels, error)
+        raise
+    return spent
+
+
+def _abandon(run: _core.Run, to: Recorder, labels: Sequence[str], error: BaseException) -> None:
+    """Keep what there is, and say in the error how far the run came."""
+    try:
+        to.note(_occurrences(run, labels))
+        to.write(run.take_frames())
+    finally:
+        result = to.abandon()
+        if isinstance(error, LinkworkError):
+            error.state, error.result = Snapshot.of(run.t, run.last_state, run.history), result
+            if result is not None:
+                result.statistics.update(run.statistics(), failed=True)
+        elif isinstance(error, Exception):  # of the user's own function
+            error.add_note(f"linkwork: in the step after t = {run.t:.6g} s")
+
+
+def _warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
+    """How many there have been; LinkworkWarning: more than `warned`."""
+    count: int = statistics["singular_poses"]
+    if count > warned:
+        last = [it for it in statistics["singularity_crossings"] if not it["rows_changed"]][-1]
+        names = ", ".join(f"'{name}'" for name in last["joints"])
+        warn(
+            f"singular pose at t = {last['t']:.6g} s: the equations of {names} depend on each other for a "
+            "moment, where the motion could go on in several ways"
+        )
+    return count
+
+
+def _occurrences(run: _core.Run, labels: Sequence[str]) -> list[Occurrence]:
+    if not isinstance(run, _core.AdaptiveSimulation):
+        return []
+    return [Occurrence.of(labels[event], *rest) for event, *rest in run.take_occurrences()]
+
+
+def pieces(
+    run: _core.Run, interrupts: Interrupts, method: Integrator | PythonStep, system: System
+) -> Iterator[Frames]:
+    """The frames as they come."""
+    if isinstance(run, _core.Simulation) and not isinstance(method, Integrator):
+        return _python_pieces(run, interrupts, method, system)
+    return _compiled_pieces(run, interrupts, frame_bytes(system.model))
+
+
+def _compiled_pieces(run: _core.Run, interrupts: Interrupts, frame_bytes: int) -> Iterator[Frames]:
+    """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
+    most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
+    while not run.finished:
+        with interrupts.computing():
+            frames = run.advance(most_frames, PIECE_SECONDS)
+        yield frames
+
+
+def _python_pieces(
+    run: _core.Simulation, interrupts: Interrupts, step: PythonStep, system: System
+) -> Iterator[Frames]:
+    """The user's own integrator; meanwhile `system.derivative` has the sampled correction in it."""
+    finished = False
+    while not finished:
+        with interrupts.computing():
+            finished = _steps(run, step, system, time.perf_counter() + PIECE_SECONDS)
+        yield run.take_frames()
+
+
+def _steps(run: _core.Simulation, step: PythonStep, system: System, until: float) -> bool:
+    """Steps until that wall time; True at the end of the run."""
+    while time.perf_counter() < until:
+        t, y, h = run.begin_step()
+        if h == 0.0:
+            return True
+        reached = np.asarray(step(system, t, y, h), dtype=float)
+        if reached.shape != y.shape:
+            raise OptionError(
+                f"integrator {step!r}: returned shape {reached.shape}, y has {y.shape} (t = {t:g} s)",
+                code="integrator",
+            )
+        run.accept(reached)
+    return False

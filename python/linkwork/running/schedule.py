@@ -1,0 +1,296 @@
+"""When a run steps and what it keeps: with a fixed step, or with steps that follow tolerances."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from linkwork import _core
+from linkwork.arguments import array
+from linkwork.equations.system import System
+from linkwork.errors import OptionError
+from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.motion.records import Snapshot
+from linkwork.options import check_number
+from linkwork.running import checks
+from linkwork.running.recording import PythonStep
+
+__all__ = ["Adaptive", "Fixed", "plan"]
+
+#: Frames recorded where nothing is said about them, and the memory they may take [bytes].
+FRAMES, FRAME_BYTES = 1000, 2**30
+
+#: Of a run with steps that follow tolerances, where something must be assumed.
+ADAPTIVE_EVALUATIONS = 5e4
+
+#: Beyond, a run is refused by the driver.
+MOST_STEPS = 1e15
+
+#: Times that are one, relative to the step.
+SAME_TIME = 1e-9
+
+#: Where only the other tolerance is given; the smallest rtol that double precision holds.
+USUAL_RTOL, USUAL_RATIO, LEAST_RTOL = 1e-6, 1e-3, 1e-13
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """A run with a fixed step [s]."""
+
+    t_end: float
+    step: float
+    record_every: int
+
+    usual_integrator: ClassVar[str] = "rk4"
+
+    def expected_frames(self, run: _core.Run) -> int:
+        return run.steps_total // self.record_every + 2
+
+    def finer(self, times: NDArray[np.float64]) -> dict[str, Any]:
+        """Arguments of a run with half the step and frames at the same times."""
+        return {"step": self.step / 2, "record_every": 2 * self.record_every}
+
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.step
+
+    def evaluations(self, method: Any, t_start: float) -> float:
+        """About so many."""
+        return self.least_steps(t_start) * max(1, len(getattr(method, "A", ())))
+
+    def chosen(self) -> dict[str, Any]:
+        return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
+
+    def check(self, method: Integrator | PythonStep, system: System) -> None:
+        """OptionError: gains or force elements that are too stiff for the integrator at this step."""
+        if isinstance(method, Integrator):
+            checks.check_gains(method, system.compiled(), self.step)
+            checks.check_stiffness(method, system, self.step)
+
+    def run(
+        self,
+        method: Integrator | PythonStep,
+        system: System,
+        events: Sequence[_core.Event],
+        start: Snapshot | None = None,
+        breaks: Sequence[float] = (),
+    ) -> _core.Simulation:
+        """OptionError: events, for which there is no interpolant."""
+        if events:
+            raise OptionError(
+                "events are located by an interpolant, which runs with a fixed step do not have: give rtol",
+                code="conflict",
+            )
+        compiled = method.compiled() if isinstance(method, Integrator) else None
+        return _core.Simulation(
+            system.compiled(),
+            compiled,
+            t_end=self.t_end,
+            step=self.step,
+            record_every=self.record_every,
+            **_from(start),
+        )
+
+    def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
+        """Those at which no step ends: all of them, for all that is known."""
+        return breaks
+
+    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+        """How many steps contain break points, inside or at their ends, where the last stage may be."""
+        steps = {math.ceil((t - t_start) / self.step - SAME_TIME) for t in breaks}
+        return {"steps_with_breaks": len(steps)} if steps else {}
+
+
+@dataclass(frozen=True)
+class Adaptive:
+    """A run with steps that follow tolerances; `record_every` 0: frames at `times`."""
+
+    t_end: float
+    rtol: float
+    atol: float
+    largest_step: float
+    record_every: int
+    times: NDArray[np.float64]
+
+    usual_integrator: ClassVar[str] = "dopri5"
+
+    def expected_frames(self, run: _core.Run) -> int | None:
+        return None if self.record_every else len(self.times) + 1
+
+    def finer(self, times: NDArray[np.float64]) -> dict[str, Any]:
+        """Arguments of a run with a tenth of the tolerances and frames at these times."""
+        largest = self.largest_step if math.isfinite(self.largest_step) else None
+        rtol = max(self.rtol / 10, LEAST_RTOL)
+        return {"rtol": rtol, "atol": self.atol / 10, "step": largest, "times": np.unique(times)}
+
+    def least_steps(self, t_start: float) -> float:
+        return (self.t_end - t_start) / self.largest_step
+
+    def evaluations(self, method: Any, t_start: float) -> float:
+        """Nobody knows: as of a run of some thousand steps."""
+        return ADAPTIVE_EVALUATIONS
+
+    def chosen(self) -> dict[str, Any]:
+        return {
+            "t_end": self.t_end,
+            "rtol": self.rtol,
+            "atol": self.atol,
+            "largest_step": self.largest_step if math.isfinite(self.largest_step) else None,
+            "record_every": self.record_every or None,
+        }
+
+    def check(self, method: Integrator | PythonStep, system: System) -> None:
+        """OptionError: an integrator without an error estimate."""
+        if not isinstance(method, EmbeddedPair):
+            able = ", ".join(
+                f"'{name}'" for name, known in METHODS.items() if isinstance(known, EmbeddedPair)
+            )
+            name = getattr(method, "name", "of your own")
+            raise OptionError(
+                f"rtol and atol need an error estimate, which integrator '{name}' does not have: choose from "
+                f"{able}, or give a fixed step without rtol and atol",
+                code="conflict",
+            )
+
+    def run(
+        self,
+        method: Integrator | PythonStep,
+        system: System,
+        events: Sequence[_core.Event],
+        start: Snapshot | None = None,
+        breaks: Sequence[float] = (),
+    ) -> _core.AdaptiveSimulation:
+        assert isinstance(method, EmbeddedPair)
+        return _core.AdaptiveSimulation(
+            system.compiled(),
+            method.compiled_pair(),
+            t_end=self.t_end,
+            rtol=self.rtol,
+            atol=self.atol,
+            largest_step=self.largest_step,
+            record_every=self.record_every,
+            times=self.times.tolist(),
+            events=list(events),
+            breaks=list(breaks),
+            **_from(start),
+        )
+
+    def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
+        """Those at which no step ends: none."""
+        return ()
+
+    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+        """None: steps end at each."""
+        return {}
+
+
+def _from(start: Snapshot | None) -> _Start:
+    return {} if start is None else {"t_start": start.t, "start": start.y}
+
+
+class _Start(TypedDict, total=False):
+    t_start: float
+    start: NDArray[np.float64]
+
+
+def plan(
+    t_end: float,
+    step: float | None,
+    rtol: float | None,
+    atol: float | None,
+    record_every: int | None,
+    times: ArrayLike | None,
+    frame_bytes: int,
+    t_start: float = 0.0,
+) -> Fixed | Adaptive:
+    """The arguments of `simulate` as a schedule. OptionError: a value that makes no sense, or a conflict."""
+    check_number("t_end", t_end, positive=False, unit="s")
+    if step is not None:
+        check_number("step", step, positive=True, unit="s")
+    if record_every is not None:
+        _check_record_every(record_every)
+    most_frames = min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
+    if rtol is None and atol is None:
+        return _fixed(t_end, step, record_every, times, most_frames, t_start)
+    return _adaptive(t_end, step, rtol, atol, record_every, times, most_frames, t_start)
+
+
+def _fixed(
+    t_end: float,
+    step: float | None,
+    record_every: int | None,
+    times: ArrayLike | None,
+    most_frames: int,
+    t_start: float,
+) -> Fixed:
+    if step is None:
+        raise OptionError("step is missing: give a step [s], or rtol for steps that follow it", code="step")
+    if times is not None:
+        raise OptionError(
+            "times needs steps that follow tolerances: give rtol, or record_every instead of times",
+            code="conflict",
+        )
+    if t_start > t_end:
+        raise OptionError(f"the start, at {t_start:g} s, is after t_end {t_end:g} s", code="start")
+    if t_start < t_end and step > (t_end - t_start) * (1 + SAME_TIME):
+        raise OptionError(
+            f"step {step:g} s is longer than the run, from {t_start:g} to {t_end:g} s: give a step of "
+            f"{t_end - t_start:g} s or less",
+            code="step",
+        )
+    every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
+    return Fixed(t_end, step, int(every))
+
+
+def _adaptive(
+    t_end: float,
+    step: float | None,
+    rtol: float | None,
+    atol: float | None,
+    record_every: int | None,
+    times: ArrayLike | None,
+    most_frames: int,
+    t_start: float,
+) -> Adaptive:
+    rtol = USUAL_RTOL if rtol is None else rtol
+    check_number("rtol", rtol, positive=True)
+    if rtol < LEAST_RTOL:
+        raise OptionError(
+            f"rtol {rtol:g} is below {LEAST_RTOL:g}: double precision holds no more; give a larger one",
+            code="rtol",
+        )
+    if rtol >= 1:
+        raise OptionError(
+            f"rtol {rtol:g} allows errors as large as the motion: give 1e-3 or less", code="rtol"
+        )
+    atol = USUAL_RATIO * rtol if atol is None else atol
+    check_number("atol", atol, positive=True)
+    if times is not None and record_every is not None:
+        raise OptionError("times and record_every both say what is recorded: give one", code="conflict")
+    if record_every is None and times is None:
+        times = np.linspace(t_start, t_end, most_frames + 1)
+    asked = np.zeros(0) if times is None else _checked_times(times, t_start, t_end)
+    return Adaptive(t_end, rtol, atol, math.inf if step is None else step, int(record_every or 0), asked)
+
+
+def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np.float64]:
+    asked = np.atleast_1d(array(times, "times"))
+    if asked.ndim != 1 or not len(asked) or not np.isfinite(asked).all() or (np.diff(asked) <= 0).any():
+        raise OptionError("times must be finite and ascending, one at least", code="times")
+    if asked[0] < t_start or asked[-1] > t_end:
+        raise OptionError(
+            f"times go from {asked[0]:g} to {asked[-1]:g} s, the run from {t_start:g} to {t_end:g} s",
+            code="times",
+        )
+    return asked
+
+
+def _check_record_every(given: Any) -> None:
+    if isinstance(given, bool) or not isinstance(given, int | np.integer) or not 1 <= given < 2**63:
+        raise OptionError(
+            f"record_every {given!r} is not a positive whole number of steps", code="record_every"
+        )

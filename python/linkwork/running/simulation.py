@@ -1,0 +1,295 @@
+"""One run: from a model to its motion."""
+
+from __future__ import annotations
+
+import errno
+import logging
+import os
+import textwrap
+import time
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Unpack
+
+from numpy.typing import ArrayLike
+
+from linkwork import _core, integrators
+from linkwork.arguments import path as path_of
+from linkwork.equations.assembly import Assembly
+from linkwork.equations.system import System
+from linkwork.errors import OptionError, unwritable
+from linkwork.integrators import HalfExplicit, Integrator
+from linkwork.modeling.model import Model
+from linkwork.motion.header import Header
+from linkwork.motion.records import Snapshot
+from linkwork.options import TABLE, Options, Policy, check_name, names
+from linkwork.options.types import IntegratorName, described
+from linkwork.results.result import Result
+from linkwork.running import breakpoints, checks, duration, estimation, recording, schedule
+from linkwork.running.events import Event, compile_events
+from linkwork.running.interrupts import Interrupts
+from linkwork.running.manifest import manifest
+from linkwork.running.progress import ProgressOption, check_progress, reporting
+from linkwork.running.recording import PythonStep
+
+__all__ = ["PythonStep", "simulate"]
+
+log = logging.getLogger(__name__)
+
+
+def simulate(
+    model: Model,
+    t_end: float,
+    step: float | None = None,
+    integrator: IntegratorName | Integrator | PythonStep | None = None,
+    *,
+    rtol: float | None = None,
+    atol: float | None = None,
+    record_every: int | None = None,
+    times: ArrayLike | None = None,
+    events: Event | Iterable[Event] = (),
+    breaks: ArrayLike = (),
+    start: Snapshot | None = None,
+    output: str | os.PathLike[str] | None = None,
+    progress: ProgressOption = None,
+    assemble: bool = True,
+    on_inaccurate: Policy = "warn",
+    verify: bool = False,
+    **options: Unpack[Options],
+) -> Result:  # Long: 20 lines are its arguments.
+    """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
+
+    t_end         end of the simulated time [s]
+    step          [s] fixed, not longer than the run, or with rtol or atol the largest (None: no limit). What
+                  would take hours is told before the first step by a LinkworkWarning, what would take more
+                  than a month is refused
+    integrator    how steps are taken. A name in linkwork.integrators.METHODS, a method as data, or
+                  step(system, t, y, h); None: "rk4", or "dopri5" with rtol or atol
+    rtol          relative tolerance: steps that follow it (bs32, dopri5, tsit5, dop853). The error of each
+                  step is at most rtol * size + atol, for each body's position [m], rotation (size 1 rad),
+                  velocity [m/s] and angular velocity [rad/s]. Without it 1e-6 where atol is given
+    atol          absolute tolerance [m, rad, m/s, rad/s], without it rtol / 1000
+    record_every  steps between frames. The last state is always recorded. With adaptive steps 1 keeps every
+                  step: numpy.diff(result.t) are their sizes
+    times         frames at these times (adaptive steps only), interpolated where no step ends: output never
+                  limits a step. Without record_every and times: at most about 1000 frames, evenly
+    events        what happens when functions of the state pass through zero (adaptive steps only), see
+                  linkwork.Event; result.events lists what came
+    breaks        times [s] at which something is not smooth, beside those that functions of time and forces
+                  declare: steps that follow tolerances end there; of fixed ones the summary says how many
+                  contain one
+    start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot(frame)` or the
+                  `state` of an error. The work and multistep methods begin anew; with a fixed step other
+                  methods go on to the last bit. Where a state has no history variables (of a file of
+                  version 0.1), full turns and contacts under way begin anew: a LinkworkWarning names them
+    output        an HDF5 file that is written while the run goes on; the result then reads from it
+    progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
+                  of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
+    assemble      correct initial poses and velocities that violate the joints a little. Up to 1/1000 of the
+                  size and speed of the mechanism as by linkwork.assemble, larger violations are refused;
+                  False: the run starts from them as they are, with a warning
+    on_inaccurate what an estimated error of more than 1 % means to the run. "pass", "warn" or "stop", see
+                  `Result.verdict`; "stop" looks after it ever doubled the number of its steps, too
+    verify        a second run at half the step, or a tenth of the tolerances: `Result.error_of` then tells
+                  the error of whatever was recorded, and plots have error bands
+    options       by name; what is left out, or None, has its default
+
+    Redundant constraint equations are found and left out of the solution; the reactions that they leave open
+    are those of least norm, see `Result.unique_reactions`.
+
+    Singular poses, where equations of loops depend on each other for a moment and the motion could go on in
+    several ways, are taken in one leap by collocation; `Result.singular_poses` lists them.
+
+    OptionError: a choice that does not exist or cannot be honored. SingularSystemError: a singular pose with
+    on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
+    run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
+    written. ViolationError: on_violation="stop", or joints and drivers contradict each other. AccuracyError:
+    on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`. ModelError:
+    initial poses or velocities do not satisfy the joints, see `assemble`.
+    LinkworkWarning: they were corrected; the run is inaccurate; redundant equations contradict the others a
+    little.
+    Ctrl-C ends the run; what `output` has by then stays readable.
+    """
+    started = time.perf_counter()
+    checks.check_bodies(model)
+    t_start = checks.start_time(start)
+    plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
+    check_progress(progress)
+    _check_choices(on_inaccurate, assemble=assemble, verify=verify)
+    given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
+             "record_every": record_every, "breaks": breaks, "assemble": assemble,
+             "on_inaccurate": on_inaccurate, **options}  # fmt: skip
+    prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
+    _check_folder(output)
+    duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
+    result, estimator = _carried_out(prepared, output, progress, started)
+    if verify:
+        again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
+                                 "start": start, "assemble": assemble}  # fmt: skip
+        estimator.verify(result, output, lambda finer: simulate(
+            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
+            **estimation.strict(options),
+        ))  # fmt: skip
+    estimation.apply_policy(result, on_inaccurate)
+    return result
+
+
+_OPTIONS_LINE = "    options       by name; what is left out, or None, has its default\n"
+simulate.__doc__ = (
+    simulate.__doc__ or ""
+).replace(  # the table of the compiled module is the one text of options
+    _OPTIONS_LINE,
+    _OPTIONS_LINE
+    + "".join(
+        textwrap.fill(
+            f"{it.name:<17} {described(it)}", 110, initial_indent=" " * 8, subsequent_indent=" " * 26
+        )
+        + "\n"
+        for it in TABLE.values()
+    ),
+)
+
+
+@dataclass(frozen=True)
+class _Prepared:
+    """A run before its first step."""
+
+    plan: schedule.Fixed | schedule.Adaptive
+    method: Integrator | PythonStep
+    system: System
+    options: Options
+    start: Snapshot | None
+    breaks: Sequence[float]  # [s], in the run
+    given: Mapping[str, Any]  # as the user wrote it
+    run: _core.Run
+    chosen: Mapping[str, Any]  # options with none left open
+    facts: Mapping[str, Any]  # for the manifest
+
+    @property
+    def t_start(self) -> float:
+        return checks.start_time(self.start)
+
+    def header(self) -> Header:
+        model = self.system.model
+        return Header.of(
+            model.compiled(), self.system.compiled(), self.facts, self.plan.expected_frames(self.run),
+            model.shapes, model.curves,
+        )  # fmt: skip
+
+
+def _prepared(
+    model: Model,
+    plan: schedule.Fixed | schedule.Adaptive,
+    given: Mapping[str, Any],
+    options: Options,
+    watched: Sequence[tuple[str, _core.Event]],
+    start: Snapshot | None,
+) -> _Prepared:
+    """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
+    t_start = checks.start_time(start)
+    checks.check_tables(model, plan.t_end)
+    breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
+    breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
+    method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
+    system, assembly = _system(model, method, options, plan, given["assemble"], start)
+    run = plan.run(method, system, [event for _, event in watched], start, breaks)
+    chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
+    facts = {
+        **manifest(model, given, chosen),
+        "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start)},
+        "constraints": checks.rank_numbers(system.compiled()),
+        "assembled": assembly and str(assembly),
+        "events": [label for label, _ in watched],
+    }
+    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts)
+
+
+def _carried_out(
+    it: _Prepared, output: str | os.PathLike[str] | None, progress: ProgressOption, started: float
+) -> tuple[Result, estimation.ErrorEstimator]:
+    """The result, with what the run took since `started` [s], and who can take steps of it again."""
+    recorder = recording.recorder(output, it.header())
+    model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
+    spent = {"setup_seconds": time.perf_counter() - started}
+    log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
+    with (
+        Interrupts() as interrupts,
+        reporting(progress, plan.t_end, run.steps_total, t_start) as report,
+    ):
+        pieces = recording.pieces(run, interrupts, it.method, it.system)
+        labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
+        estimator = estimation.ErrorEstimator(
+            run, it.method, it.system, it.options, it.start, plan, breaks=it.breaks,
+            stops=it.given["on_inaccurate"] == "stop",
+        )  # fmt: skip
+        spent["driver_seconds"] = recording.record(
+            run, pieces, recorder, report, labels, estimator, warns=warns
+        )
+        statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
+        driven = time.perf_counter()
+        verdict = estimator.verdict(statistics)
+        spent["verdict_seconds"] = time.perf_counter() - driven
+    seconds = time.perf_counter() - started
+    log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
+    found = {"verdict": verdict.numbers()} if verdict is not None else {}
+    result = recorder.result({**statistics, "seconds": seconds, **spent, **found})
+    checks.warn_of_contradiction(result.statistics)
+    return result, estimator
+
+
+def _check_choices(on_inaccurate: object, **switches: object) -> None:
+    """OptionError: a policy that does not exist, or a switch that is neither True nor False."""
+    check_name("on_inaccurate", on_inaccurate, names()["on_inaccurate"])
+    for name, choice in switches.items():
+        if not isinstance(choice, bool):
+            raise OptionError(f"{name} {choice!r:.80} is not True or False", code=name)
+
+
+def _system(
+    model: Model,
+    method: Integrator | PythonStep,
+    options: Options,
+    plan: schedule.Fixed | schedule.Adaptive,
+    assemble: bool,
+    start: Snapshot | None,
+) -> tuple[System, Assembly | None]:
+    """The model with its method and a consistent initial state, and what it took to make it so."""
+    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
+        options = {**options, "stabilization": "projection"}  # no acceleration to which to add a correction
+    system = System(model, **options)
+    plan.check(method, system)
+    if start is not None:
+        checks.check_start(model, system.compiled(), start)
+        return system, None
+    assembly = checks.consistent(model, system.compiled(), correct=assemble)
+    return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
+
+
+def _check_folder(output: str | os.PathLike[str] | None) -> None:
+    """FileError: there is no folder for it, which is told before how long the run would take."""
+    if output is not None and not path_of(output, "result").absolute().parent.is_dir():
+        raise unwritable("output", output, FileNotFoundError(errno.ENOENT, "no folder"))
+
+
+def _listed(chosen: Mapping[str, Any]) -> str:
+    """The method in words, for the log."""
+    names = ("formulation", "stabilization", "integrator", "linear_solver")
+    sizes = [f"{name} {chosen[name]:g}" for name in ("step", "rtol") if chosen.get(name)]
+    return ", ".join([*(str(chosen[name]) for name in names), *sizes])
+
+
+def _method(integrator: Any) -> Integrator | PythonStep:
+    """OptionError: no integrator at all."""
+    method = integrators.named(integrator) if isinstance(integrator, str) else integrator
+    if not isinstance(method, Integrator) and not callable(method):
+        raise OptionError(
+            f"integrator {method!r} is no name, no method as data, and no function step(system, t, y, h)",
+            code="integrator",
+        )
+    return method  # type: ignore[no-any-return]
+
+
+def _name(method: Integrator | PythonStep) -> str:
+    if isinstance(method, Integrator):
+        return method.name
+    return str(getattr(method, "__qualname__", type(method).__name__))
