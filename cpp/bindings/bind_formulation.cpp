@@ -377,6 +377,7 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
 
 }  // namespace
 
+// Long: one statement a property or method of Dynamics.
 void bind_formulation(py::module_& module) {
   bind_information(module);
   bind_options(module);

@@ -226,6 +226,7 @@ void bind_fixed_steps(py::module_& module) {
            py::arg("y"));
 }
 
+// Long: one statement a method, and what a run is made from by name.
 void bind_adaptive_steps(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,

@@ -16,6 +16,7 @@ TimeFunctionPtr python_callback(py::object value, py::object rate, py::object ac
 
 }  // namespace
 
+// Long: one statement a function that Python may call.
 void bind_time_functions(py::module_& module) {
   py::class_<TimeFunction, std::shared_ptr<TimeFunction>>(module, "TimeFunction",
                                                           "A quantity as a function of time [s], with two derivatives.")

@@ -10,33 +10,26 @@
 
 #include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/row_selection.hpp"
+#include "mechanisms.hpp"
 #include "spqr_rank.hpp"
-#include "support.hpp"
 
 using namespace support;
 
 namespace {
 
-Body at(const Vec3<double>& position) {
-  Body body;
-  body.position = position;
-  return body;
-}
-
 void join(Model& model, const std::string& kind, int i, int j, const Vec3<double>& P) {
-  const Mat3<double> I = Mat3<double>::Identity();
-  model.add_joint(kind, kind + std::to_string(model.joints().size()), i, j, place(model, i, j, P, P, I, I));
+  support::join(model, kind, kind + std::to_string(model.joints().size()), i, j, P);
 }
 
 /// Posts on the ground joined by beams with hinges: of each loop three equations are redundant.
 Model ladder(int loops) {
   Model model;
   for (int k = 0; k <= loops; ++k) {
-    model.add_body("post" + std::to_string(k), at({1.0 * k, 0.5, 0.0}));
+    model.add_body("post" + std::to_string(k), body_at({1.0 * k, 0.5, 0.0}));
     join(model, "revolute", ground, k, {1.0 * k, 0, 0});
   }
   for (int k = 0; k < loops; ++k) {
-    const int beam = model.add_body("beam" + std::to_string(k), at({k + 0.5, 1.0, 0.0}));
+    const int beam = model.add_body("beam" + std::to_string(k), body_at({k + 0.5, 1.0, 0.0}));
     join(model, "revolute", k, beam, {1.0 * k, 1, 0});
     join(model, "revolute", k + 1, beam, {k + 1.0, 1, 0});
   }
@@ -49,7 +42,8 @@ Model plates(int n, const std::string& kind) {
   Random random(7);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
-      model.add_body("plate" + std::to_string(model.bodies().size()), at({1.0 * i, 1.0 * j, 0.1 * random.number()}));
+      model.add_body("plate" + std::to_string(model.bodies().size()),
+                     body_at({1.0 * i, 1.0 * j, 0.1 * random.number()}));
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       if (i + 1 < n) join(model, kind, n * i + j, n * (i + 1) + j, {i + 0.5, 1.0 * j, 0.2 * random.number()});
@@ -62,7 +56,7 @@ Model plates(int n, const std::string& kind) {
 Model legs(int n) {
   Model model;
   Random random(8);
-  const int frame = model.add_body("frame", at({0, 0, 1}));
+  const int frame = model.add_body("frame", body_at({0, 0, 1}));
   for (int k = 0; k < n; ++k) {
     const Vec3<double> foot = random.vec3(), knee = random.vec3(), hip = random.vec3();
     const int lower = model.add_body("lower" + std::to_string(k), at(0.5 * (foot + knee)));

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "linkwork/linear/backends/cholmod_view.hpp"
 #include "linkwork/math/types.hpp"
 
 namespace support {
@@ -23,17 +24,8 @@ inline std::vector<int> spqr_dependent_columns(const Eigen::SparseMatrix<double>
   cholmod_common common;
   cholmod_l_start(&common);
   common.print = 0;
-  cholmod_sparse view{};
-  view.nrow = static_cast<std::size_t>(A.rows());
-  view.ncol = static_cast<std::size_t>(A.cols());
-  view.nzmax = static_cast<std::size_t>(A.nonZeros());
-  view.p = A.outerIndexPtr();
-  view.i = A.innerIndexPtr();
-  view.x = A.valuePtr();
-  view.itype = CHOLMOD_LONG;
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = view.packed = 1;
+  cholmod_sparse view = linkwork::sparse_view(A.rows(), A.cols(), A.nonZeros(), A.outerIndexPtr(), A.innerIndexPtr(),
+                                              A.valuePtr(), CHOLMOD_LONG);
   auto* qr = SuiteSparseQR_factorize<double>(SPQR_ORDERING_DEFAULT, tolerance * largest, &view, &common);
   if (!qr) throw std::bad_alloc();
   // Columns with a pivot among the singletons are live; SPQR marks the dead ones of the rest.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "linkwork/assembly/system.hpp"
+#include "linkwork/math/error.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/model/model.hpp"
 
@@ -210,6 +211,17 @@ auto first_difference(F f, double h) {
 template <class F>
 auto second_difference(F f, double h) {
   return ((16.0 * (f(h) + f(-h)) - (f(2 * h) + f(-2 * h)) - 30.0 * f(0.0)) / (12.0 * h * h)).eval();
+}
+
+/// Code of the OptionError that a call throws, or "none".
+template <class Call>
+std::string error_code(Call call) {
+  try {
+    call();
+  } catch (const OptionError& error) {
+    return error.code();
+  }
+  return "none";
 }
 
 }  // namespace support

@@ -3,7 +3,6 @@
 #include "allocation_counter.hpp"
 #include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
-#include "linkwork/math/brent.hpp"
 #include "linkwork/math/error.hpp"
 #include "support.hpp"
 
@@ -44,85 +43,7 @@ Model pendulum() {
   return model;
 }
 
-template <class Call>
-std::string error_code(Call call) {
-  try {
-    call();
-  } catch (const OptionError& error) {
-    return error.code();
-  }
-  return "none";
-}
-
 }  // namespace
-
-TEST_CASE("Brent's method finds zeros to its tolerance in few evaluations") {
-  struct Problem {
-    double (*f)(double);
-    double a, b, zero;
-    int most;
-  };
-  const Problem problems[] = {
-      {[](double x) { return x - 0.3; }, 0, 1, 0.3, 4},
-      {[](double x) { return std::cos(x) - x; }, 0, 1, 0.73908513321516064, 10},
-      {[](double x) { return std::exp(x) - 2; }, -5, 10, std::log(2.0), 20},
-      {[](double x) { return std::pow(x - 1, 3); }, 0, 3, 1, 150},
-      {[](double x) { return x < 0.7 ? -1.0 : 1.0; }, 0, 1, 0.7, 60},
-      {[](double x) { return 1e-300 * (x * x - 2); }, 0, 2, std::sqrt(2.0), 15},
-  };
-  for (const Problem& problem : problems) {
-    CAPTURE(problem.zero);
-    int evaluations = 0;
-    const auto f = [&](double x) { return evaluations += 1, problem.f(x); };
-    const double zero = brent(f, problem.a, problem.f(problem.a), problem.b, problem.f(problem.b), 1e-13);
-    CHECK(std::abs(zero - problem.zero) < (problem.most > 100 ? 1e-4 : 2e-13));
-    CHECK(evaluations <= problem.most);
-  }
-}
-
-TEST_CASE("a zero at an end of the bracket is found") {
-  const auto f = [](double x) { return x; };
-  CHECK(brent(f, 0.0, 0.0, 1.0, 1.0, 1e-12) == doctest::Approx(0.0));
-  CHECK(brent(f, -1.0, -1.0, 0.0, 0.0, 1e-12) == 0.0);
-}
-
-TEST_CASE("the controller keeps a step whose error is 0.9 of the tolerance to the k-th power") {
-  for (const int k : {3, 5, 8}) {
-    StepController controller(k);
-    const double error = std::pow(0.9, k);
-    double h = 1.0;
-    for (int step = 0; step < 200; ++step) h = controller.after_accepted(1.0, error);
-    CHECK(std::abs(h - std::pow(0.9, 1.0 - 0.3)) < 1e-12);  // e^(-0.7/k) e^(0.4/k) = 0.9^-0.3
-  }
-}
-
-TEST_CASE("the controller does not let the step grow right after a rejection, and shrinks it for what is no number") {
-  StepController controller(5);
-  CHECK(controller.after_rejected(1.0, 32.0) == doctest::Approx(0.45));
-  CHECK(controller.after_accepted(1.0, 1e-9) == 1.0);
-  CHECK(controller.after_accepted(1.0, 1e-9) == 5.0);
-  for (const double error : {double(NAN), double(INFINITY)}) CHECK(controller.after_rejected(1.0, error) == 0.1);
-}
-
-TEST_CASE("an error of a rotation is measured by its angle, whatever its axis, and a change of length like one") {
-  Random random(9);
-  Model model;
-  model.add_body("body", random_body(random));
-  const System system(model);
-  const Tolerances tolerances{1e-6, 1e-9};
-  const ErrorMeasure measure(system, tolerances);
-  const double angle = 1e-7;
-  for (int trial = 0; trial < 20; ++trial) {
-    VectorXd y = VectorXd::Zero(14), dy = VectorXd::Zero(14);
-    const Vec4<double> p = random.unit_quaternion();
-    y.segment<4>(3) = p;
-    const Vec3<double> axis = random.vec3().normalized();
-    dy.segment<4>(3) = quaternion_product<double>(p, exponential(angle * axis)) - p;
-    CHECK(measure.of_change(y, y, dy).value == doctest::Approx(angle / 1.001e-6).epsilon(1e-6));
-    dy.segment<4>(3) = 1e-3 * p;
-    CHECK(measure.of_change(y, y, dy).value == doctest::Approx(2e-3 / 1.001e-6).epsilon(1e-9));
-  }
-}
 
 TEST_CASE("projection takes positions and velocities to the constraints along M^-1 D^T") {
   const Model model = pendulum();

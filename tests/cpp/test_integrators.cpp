@@ -324,21 +324,6 @@ TEST_CASE("an integrator of the user's own gets the same steps and states as a b
   CHECK((last(own.v, 6) - last(built_in.v, 6)).norm() < 1e-14);
 }
 
-namespace {
-
-/// Code of the error that a call throws, or "none".
-template <class Call>
-std::string error_code(Call call) {
-  try {
-    call();
-  } catch (const OptionError& error) {
-    return error.code();
-  }
-  return "none";
-}
-
-}  // namespace
-
 TEST_CASE("a tableau that is implicit, inconsistent or misshapen is refused") {
   const auto code = [](const ButcherTableau& method) { return error_code([&] { make_runge_kutta(method); }); };
   CHECK(code(rk4()) == "none");

@@ -2,17 +2,11 @@
 
 #include "linkwork/constraints/rank.hpp"
 #include "linkwork/constraints/redundancy_watch.hpp"
-#include "support.hpp"
+#include "mechanisms.hpp"
 
 using namespace support;
 
 namespace {
-
-Body at(const Vec3<double>& position) {
-  Body body;
-  body.position = position;
-  return body;
-}
 
 void hinge(Model& model, const std::string& name, int i, int j, const Vec3<double>& P, const Vec3<double>& on_ground) {
   const Mat3<double> I = Mat3<double>::Identity();
@@ -24,7 +18,7 @@ void hinge(Model& model, const std::string& name, int i, int j, const Vec3<doubl
 /// On two hinges about z; the upper one is `off` on the ground, in sizes of the door.
 Model door(double size, const Vec3<double>& off) {
   Model model;
-  Body body = at({0.5 * size, 0, 0.5 * size});
+  Body body = body_at({0.5 * size, 0, 0.5 * size});
   body.inertia *= size * size;
   model.add_body("door", body);
   const Vec3<double> low{0, 0, 0}, high{0, 0, size};
@@ -38,9 +32,9 @@ Model four_bar(bool flat) {
   const Vec3<double> A{0, 0, 0}, B = flat ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0},
                                  C = flat ? Vec3<double>{3, 0, 0} : Vec3<double>{2, 1.5, 0}, D{2, 0, 0};
   Model model;
-  model.add_body("crank", at(0.5 * (A + B)));
-  model.add_body("coupler", at(0.5 * (B + C)));
-  model.add_body("rocker", at(0.5 * (C + D)));
+  model.add_body("crank", body_at(0.5 * (A + B)));
+  model.add_body("coupler", body_at(0.5 * (B + C)));
+  model.add_body("rocker", body_at(0.5 * (C + D)));
   hinge(model, "A", ground, 0, A, A);
   hinge(model, "B", 0, 1, B, B);
   hinge(model, "C", 1, 2, C, C);

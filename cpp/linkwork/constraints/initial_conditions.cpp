@@ -13,12 +13,14 @@ namespace {
 
 constexpr double exact = 1e-15, roundoff = 1e-12;  // violations, relative to the size of the mechanism
 constexpr double least_damping = 1e-10, most_damping = 1e8;
-constexpr double stationary = 1e-9;      // part of the violation that a step should take away
-constexpr double longest_step = 0.5;     // relative to the extent of the mechanism, or rad
-constexpr double least_delassus = 1e-2;  // of a row of rotations, of its usual one
-constexpr double nearest = 1e-11;        // displacement that is none
-constexpr double shortest_part = 1e-4;   // of a step along the constraints
-constexpr double nudge = 0.05;           // [rad, or relative to the length of a body], off a saddle
+constexpr double stationary = 1e-9;                            // part of the violation that a step should take away
+constexpr double longest_step = 0.5;                           // relative to the extent of the mechanism, or rad
+constexpr double sufficient_decrease = 1e-4;                   // part of the expected one (Armijo's condition)
+constexpr double least_factor = 1e-3, less = 4.0, more = 8.0;  // of the damping against the violation
+constexpr double least_delassus = 1e-2;                        // of a row of rotations, of its usual one
+constexpr double nearest = 1e-11;                              // displacement that is none
+constexpr double shortest_part = 1e-4;                         // of a step along the constraints
+constexpr double nudge = 0.05;  // [rad, or relative to the length of a body], off a saddle
 constexpr int most_descents = 300, most_approaches = 100, most_nudges = 4, most_refinements = 40;
 constexpr double most_velocity_damping = 1e-8, least_velocity_damping = 1e-13;
 
@@ -112,7 +114,7 @@ bool InitialConditions::descend(VectorXd& q) {
     const double now = relative(at_.Phi), f = merit();
     if (now <= exact || (now <= roundoff && now > 0.5 * last)) return true;
     last = now;
-    for (;; c *= 8.0) {
+    for (;; c *= more) {
       const double mu = std::max(least_damping, c * now);
       if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return now <= roundoff;
       const double expected = f - mu * mu * (lambda_.array().square() * delassus_.array()).sum();
@@ -121,9 +123,9 @@ bool InitialConditions::descend(VectorXd& q) {
       VectorXd next = q;
       displace(system(), part * x_, next);
       evaluate(next, rest_);
-      if (merit() < f - 1e-4 * part * expected || now <= roundoff) {
+      if (merit() < f - sufficient_decrease * part * expected || now <= roundoff) {
         q = next;
-        c = std::max(1e-3, c / 4.0);
+        c = std::max(least_factor, c / less);
         break;
       }
       evaluate(q, rest_);

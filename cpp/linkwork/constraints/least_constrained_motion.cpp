@@ -27,12 +27,10 @@ std::string text_of(Vec3<double> direction) {
 }  // namespace
 
 std::string describe_least_constrained_motion(const System& system, const Evaluation& at, int body) {
-  using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>>;
   const MatrixXd K = system.massless_directions(body);
   MatrixXd held = MatrixXd::Zero(K.cols(), K.cols());  // K^T D^T D K
   for (const int index : system.body_blocks(body)) {
-    const ConstraintBlock& block = system.blocks()[index];
-    const MatrixXd DK = Rows(at.D.data() + block.offset, block.rows, 6) * K;
+    const MatrixXd DK = block_of(at, system.blocks()[index]) * K;
     held += DK.transpose() * DK;
   }
   const Eigen::JacobiSVD<MatrixXd> svd(held, Eigen::ComputeFullV);

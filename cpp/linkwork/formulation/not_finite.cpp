@@ -78,6 +78,15 @@ int force_not_finite(const System& system, double t, const VectorXd& y) {
   return -1;
 }
 
+/// Empty where all are finite.
+std::string name_of_force_not_finite(const System& system, double t, const VectorXd& y) {
+  const Model& model = system.model();
+  if (const int force = force_not_finite(system, t, y); force >= 0) return model.force_names().name(force);
+  if (const int force = user_force_not_finite(system, t, y); force >= 0) return model.user_force_name(force);
+  if (const int force = joint_force_not_finite(system, t, y); force >= 0) return model.joint_forces()[force].name;
+  return "";
+}
+
 }  // namespace
 
 void throw_not_finite(const System& system, const VectorXd& y, double t, int stage) {
@@ -102,13 +111,8 @@ void throw_not_finite(const System& system, const VectorXd& y, double t, int sta
                                "; see what drives it, or use a smaller step",
                            details);
     }
-    int force = force_not_finite(system, t, y);
-    if (force >= 0) details.forces = {model.force_names().name(force)};
-    else if (force = user_force_not_finite(system, t, y); force >= 0)
-      details.forces = {model.user_force_name(static_cast<std::size_t>(force))};
-    else if (force = joint_force_not_finite(system, t, y); force >= 0)
-      details.forces = {model.joint_forces()[force].name};
-    if (force >= 0) {
+    if (const std::string force = name_of_force_not_finite(system, t, y); !force.empty()) {
+      details.forces = {force};
       throw NotFiniteError("not_finite",
                            "force '" + details.forces.front() + "' became infinite or undefined" + when +
                                "; see its parameters and its functions of time, or use a smaller step",

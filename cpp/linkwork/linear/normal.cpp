@@ -39,8 +39,7 @@ class NormalSolver final : public AssembledSolver {
   }
 
  private:
-  static constexpr double singular_pivot =
-      1e-15;  // masses and penalties mix: small pivots are legitimate
+  static constexpr double singular_pivot = 1e-15;  // masses and penalties mix: small pivots are legitimate
 
   void assemble(const Evaluation& at, const VectorXd& e) {
     const Stopwatch watch(assemble_time_);

@@ -16,7 +16,8 @@ int number_in(const std::string& name, const std::string& prefix) {
   const char* last = name.data() + name.size() - 1;
   int number = -1;
   const auto [end, error] = std::from_chars(name.data() + begin, last, number);
-  return error == std::errc() && end == last && *last == ']' ? number : -1;
+  const bool one = error == std::errc() && end == last && *last == ']';
+  return one && name.compare(begin, name.size() - 1 - begin, std::to_string(number)) == 0 ? number : -1;  // no "01"
 }
 
 }  // namespace

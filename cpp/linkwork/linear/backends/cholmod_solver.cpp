@@ -59,17 +59,9 @@ class Cholmod final : public LinearSolver {
 
  private:
   static cholmod_sparse view(const SparseMatrix& matrix) {
-    cholmod_sparse A{};
-    A.nrow = A.ncol = static_cast<std::size_t>(matrix.size);
-    A.nzmax = matrix.value.size();
-    A.p = const_cast<int*>(matrix.column_begin.data());
-    A.i = const_cast<int*>(matrix.row.data());
-    A.x = const_cast<double*>(matrix.value.data());
+    cholmod_sparse A = sparse_view(matrix.size, matrix.size, matrix.value.size(), matrix.column_begin.data(),
+                                   matrix.row.data(), matrix.value.data(), CHOLMOD_INT);
     A.stype = 1;  // upper triangle
-    A.itype = CHOLMOD_INT;
-    A.xtype = CHOLMOD_REAL;
-    A.dtype = CHOLMOD_DOUBLE;
-    A.sorted = A.packed = 1;
     return A;
   }
 

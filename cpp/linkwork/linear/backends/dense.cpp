@@ -33,6 +33,8 @@ class DenseCholesky final : public LinearSolver {
   std::optional<std::int64_t> factor_bytes() const override { return bytes_of(matrix_) + bytes_of(llt_.matrixLLT()); }
 
  private:
+  static constexpr double singular_pivot = 1e-15;
+
   Pivot smallest_pivot() const {
     Pivot smallest;
     for (Eigen::Index k = 0; k < matrix_.rows(); ++k) {
@@ -47,7 +49,7 @@ class DenseCholesky final : public LinearSolver {
     MatrixXd U = matrix_;
     for (Eigen::Index k = 0; k < U.rows(); ++k) {
       const double d = U(k, k) - U.col(k).head(k).squaredNorm();
-      if (!(d > 1e-15 * matrix_(k, k))) return {0.0, static_cast<int>(k)};
+      if (!(d > singular_pivot * matrix_(k, k))) return {0.0, static_cast<int>(k)};
       U(k, k) = std::sqrt(d);
       for (Eigen::Index c = k + 1; c < U.cols(); ++c)
         U(k, c) = (U(k, c) - U.col(k).head(k).dot(U.col(c).head(k))) / U(k, k);

@@ -80,18 +80,9 @@ class Spqr final : public LinearSolver {
   std::optional<std::int64_t> factor_bytes() const override { return static_cast<std::int64_t>(common_.memory_inuse); }
 
  private:
-  cholmod_sparse view(const SparseMatrix& matrix) {
-    cholmod_sparse A{};
-    A.nrow = A.ncol = static_cast<std::size_t>(matrix.size);
-    A.nzmax = scaled_.size();
-    A.p = begin_.data();
-    A.i = row_.data();
-    A.x = scaled_.data();
-    A.itype = CHOLMOD_LONG;
-    A.xtype = CHOLMOD_REAL;
-    A.dtype = CHOLMOD_DOUBLE;
-    A.sorted = A.packed = 1;
-    return A;
+  cholmod_sparse view(const SparseMatrix& matrix) const {
+    return sparse_view(matrix.size, matrix.size, scaled_.size(), begin_.data(), row_.data(), scaled_.data(),
+                       CHOLMOD_LONG);
   }
 
   cholmod_common common_{};

@@ -33,6 +33,7 @@ LINKWORK_INLINE void note_pivots(const Front& front, const Data& data, int k0, i
 
 /// LDL^T of `depth` columns from k0 on and of the right-hand side. The panel is left with unit L, below 1/d on its
 /// diagonal, and D^-1 L^-1 of the right-hand side; the scratch memory with L D.
+// Long: what it works on are registers from its first line to its last.
 template <int depth>
 void eliminate(const Front& front, const Data& data, int k0, const double* b, SmallestPivot& smallest) {
   const std::ptrdiff_t stride = front.stride();

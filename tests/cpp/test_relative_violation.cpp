@@ -1,0 +1,43 @@
+#include "linkwork/integration/relative_violation.hpp"
+
+#include "mechanisms.hpp"
+
+using namespace support;
+
+namespace {
+
+/// A rod of `length` from the ground to the center of a body that hangs `off` too low; all in units of `unit`.
+double violation(double length, double off, double unit) {
+  Model model;
+  Body body = body_at({0, 0, -(length + off) * unit});
+  body.inertia *= unit * unit;
+  model.add_body("bob", body);
+  const Mat3<double> I = Mat3<double>::Identity();
+  Attachment<double> at{Vec3<double>(0, 0, 0.5 * unit), Vec3<double>(0, 0, 0.5 * unit), I, I};
+  model.add_joint("distance", "rod", ground, 0, at, {{length * unit, -1}});
+  const System system(model);
+  VectorXd y = VectorXd::Zero(system.q_size() + system.v_size() + 1);
+  y.head(system.q_size()) = model.initial_q();
+  return RelativeViolation(system).largest(0.0, y, system.initial_history());
+}
+
+}  // namespace
+
+TEST_CASE("a rod that is too short by e counts as e over the size of the mechanism, in any unit of length") {
+  for (const double unit : {1.0, 1e-3, 1e3}) {
+    CHECK(violation(2.0, 1e-4, unit) == doctest::Approx(1e-4 / 0.5).epsilon(1e-6));  // the arm to the joint is 0.5
+    CHECK(violation(2.0, 0.0, unit) < 1e-15);
+  }
+}
+
+TEST_CASE("a state on the constraints violates nothing, one whose body is displaced does by its displacement") {
+  const System system(four_bar());
+  RelativeViolation relative(system);
+  VectorXd y = VectorXd::Zero(system.q_size() + system.v_size() + 1);
+  y.head(system.q_size()) = system.model().initial_q();
+  CHECK(relative.largest(0.0, y, system.initial_history()) < 1e-15);
+  y[0] += 1e-3;
+  const double found = relative.largest(0.0, y, system.initial_history());
+  CHECK(found <= 1e-3 / relative.length());
+  CHECK(found >= 0.3e-3 / relative.length());  // the hinges share it
+}
