@@ -59,6 +59,31 @@ def test_frames_beside_a_pose_have_the_accelerations_of_the_branch() -> None:
     assert np.abs(result.angular_acceleration[near, 0, 2] - expected).max() <= 1e-6 * 9.81
 
 
+@pytest.mark.parametrize("after", [-2e-3, -1e-5, 1e-5, 3e-4, 2e-3])
+@pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 1e-4}, {"rtol": 1e-10}], ids=str)
+@pytest.mark.parametrize("load", [False, True])
+def test_a_run_may_end_beside_a_pose(load: bool, options: dict[str, float], after: float) -> None:
+    """As if it went on: with a load of the user's own, which nobody asks for values beyond the end."""
+    t_end = 0.70845001 + after
+    model = mechanisms.four_bar(1)
+    asked = [0.0]
+
+    def no_load(t: float, _angle: float, _rate: float) -> float:
+        asked.append(t)
+        return 0.0
+
+    if load:
+        model.joint_force("pin 0", no_load)
+    result = lw.simulate(model, t_end, progress=False, **options)
+    assert max(asked) <= t_end
+    assert np.abs(result.energy_error).max() <= 1e-8 * 21.0
+    assert len(result.singular_poses) == (after > 0)
+    theta = 2 * np.arctan2(result.orientation[-1, 0, 3], result.orientation[-1, 0, 0])
+    expected = -1.2 * 9.81 * np.cos(theta)
+    tolerance = 5e-3 if load and abs(after) < 1e-4 else 1e-6  # between the pose and the end
+    assert abs(result.angular_acceleration[-1, 0, 2] - expected) <= tolerance * 9.81
+
+
 def flat_parallelogram(rocker: float) -> lw.Model:
     """Crank and rocker of 1 m on one line, the crank at 3 rad/s: D v = 0 with any rate of the rocker."""
     model = lw.Model(gravity=(0, -9.81, 0))

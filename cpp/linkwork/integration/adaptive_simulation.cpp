@@ -502,7 +502,7 @@ void AdaptiveSimulation::record_if_due() {
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
   if (!due && !last) return;
   with_time(t_, NAN, [&] {
-    if (leapt_ && !stop_ && crossing_.last().is_cut()) record_in_leap(t_, y_);
+    if (leapt_ && !stop_) record_in_leap(t_, y_);
     else if (finished_) recorder_.record(t_, y_);
     else recorder_.record_in_step(t_, y_);
   });

@@ -21,7 +21,6 @@ struct Leap {
   std::vector<double> poses = {};  ///< singular ones, times from t
 
   double end() const { return t + h; }
-  bool is_cut() const { return followed < h; }
 };
 
 /// Takes a run through singular poses.

@@ -144,8 +144,8 @@ void Simulation::evaluate_and_record() {
   if (!leaping_) monitor_violation(t());
   evaluated_ = true;
   if (!integrator_) add_work();
-  leapt_ = false;
   if (recording_due()) record();
+  leapt_ = false;
 }
 
 /// StepSizeError: an angle has turned so far that full turns cannot be counted.
@@ -158,8 +158,8 @@ void Simulation::accept_state() {
 }
 
 void Simulation::record() {
-  if (!leaping_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t(), y_);
-  if (!leaping_) return recorder_.record_in_step(t(), y_);
+  if (!leapt_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t(), y_);
+  if (!leapt_) return recorder_.record_in_step(t(), y_);
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
   crossing_.interpolate(crossing_.theta(t()), v_dot, lambda);
   recorder_.record(t(), y_, v_dot, lambda);
