@@ -46,7 +46,7 @@ BLOCK_BYTES, BLOCK_SHARE = (8192, 2**24), 1 / 64
 SLAB_BYTES = 2**24
 
 #: In /digests.
-COLUMNS, CHUNK_ROWS = 4, 1024
+COLUMNS, CHUNK_ROWS = 4, 512
 
 
 class Row(NamedTuple):
@@ -237,11 +237,12 @@ def _row(before: Row, frames: int, events: int, fields: Any, event_digest: int) 
 
 
 def _joined(*numbers: int) -> int:
-    return zlib.crc32(np.array(numbers, dtype="<u8"))
+    return _crc(np.array(numbers, dtype="<u8"))
 
 
 def _crc(values: Any, start: int = 0) -> int:
-    return zlib.crc32(values if isinstance(values, bytes) else np.ascontiguousarray(values), start)
+    buffer: Any = values if isinstance(values, bytes) else np.ascontiguousarray(values)
+    return zlib.crc32(buffer, start)
 
 
 def _of_events(occurrences: Sequence[Occurrence], start: int) -> int:

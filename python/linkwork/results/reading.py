@@ -167,7 +167,7 @@ def _as_it_is(file: h5py.File, size: int, notes: dict[str, Any]) -> _Content:
     """Without digests, or trusting them."""
     count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], size))
     finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
-    statistics = renamed_statistics(json.loads(file.attrs.get("statistics", "{}")))
+    statistics = renamed_statistics(json.loads(file.attrs.get("statistics") or "{}"))
     return _Content(count, _read_events(file), statistics, finer, notes)
 
 
@@ -177,7 +177,7 @@ def _compared(file: h5py.File, header: Header, start: int, size: int) -> _Conten
     rows = _or_none(lambda: digests.rows(file[digests.BLOCKS], size)) or []
     whole = digests.whole_frames(file["frames"], rows, start, size)
     last = rows[whole - 1] if whole else digests.Row(0, 0, start, start)
-    text, finer_digest = _or_none(lambda: str(file.attrs["statistics"])), 0
+    text, finer_digest = _or_none(lambda: str(file.attrs["statistics"])) or None, 0
     finer = None
     if "finer" in file:
         finer_digest = _or_none(lambda: int(file["finer"].attrs[digests.DIGEST])) or 0

@@ -1,7 +1,7 @@
 """Results on disk: HDF5, written while the run goes on, readable however it ends.
 
-    /          attributes `format`, `version`, `run` (an identity), `manifest` (JSON), and after the end
-               `statistics` (JSON)
+    /          attributes `format`, `version`, `run` (an identity), `manifest` (JSON), and
+               `statistics` (JSON), empty before the end
     /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
                violation (k, 3), history (k, h), reaction_force and reaction_torque (k, joints, 3), t (k,)
     /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
@@ -63,9 +63,6 @@ CHUNK_BYTES = (4096, 32 * 2**20)
 
 #: Room kept for HDF5's own records and the closing attributes [bytes].
 MARGIN_BYTES = 256 * 1024
-
-#: An attribute that gives way to those of the end: HDF5 would move others there, and a cut file lose them.
-ROOM, ROOM_BYTES = "room", np.zeros(64, np.uint8)
 
 MODEL_ARRAYS = (
     "gravity",
@@ -250,7 +247,7 @@ class ResultWriter:
         rows = digests.CHUNK_ROWS, digests.COLUMNS
         self._file.create_dataset(digests.BLOCKS, (0, rows[1]), "u8", maxshape=(None, rows[1]), chunks=rows)
         start = self._file.attrs[digests.DIGEST] = digests.head(self._file)
-        self._file.attrs[ROOM] = ROOM_BYTES
+        self._file.attrs.update({"statistics": "", digests.CLOSING: 0})
         self._blocks = digests.Blocks(start, list(self._fields))
 
     def _reserve(self, start: int, end: int) -> None:
@@ -356,12 +353,14 @@ def add_finer(path: str | os.PathLike[str], finer: Finer, statistics: Mapping[st
 def _write_statistics(
     file: h5py.File, statistics: Mapping[str, Any], last: digests.Row, finer: int = 0
 ) -> None:
-    """With the digest that makes them count."""
+    """With the digest that makes them count.
+
+    In the place that is kept for them: HDF5 would move other attributes to the end of the file to make room
+    for new ones, and a cut file would lose those.
+    """
     text = json.dumps(dict(statistics), default=_plain)
-    del file.attrs[ROOM]
-    file.attrs["statistics"] = text
-    file.attrs[digests.CLOSING] = digests.closing(text, last, finer)
-    file.attrs[ROOM] = ROOM_BYTES
+    file.attrs.modify("statistics", text)
+    file.attrs.modify(digests.CLOSING, digests.closing(text, last, finer))
 
 
 def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
