@@ -102,6 +102,7 @@ class ResultWriter:
         self._flushed_at = time.monotonic()
         self._size = self._reserved = 0  # of the file [bytes]: with all chunks begun so far; made sure of
         self._fields: dict[str, h5py.Dataset] = {}
+        self._chunks: dict[str, tuple[int, ...]] = {}
         self._check_room(_frame_bytes(header) * (header.expected_frames or 0) + MARGIN_BYTES)
         with self._failures():
             self._begin(run or uuid.uuid4().hex)
@@ -114,9 +115,7 @@ class ResultWriter:
         if self._failure is not None:
             raise self._failure
         recorded = record_reactions(self._header, chunk)
-        values = {
-            name: np.reshape(recorded[name], (len(t), *it.shape[1:])) for name, it in self._fields.items()
-        }
+        values = {name: np.reshape(recorded[name], (len(t), *it[1:])) for name, it in self._chunks.items()}
         start, end = self._frames, self._frames + len(t)
         try:
             self._reserve(start, end)
@@ -241,6 +240,7 @@ class ResultWriter:
         for name, shape in self._header.frame_shapes().items():
             if math.prod(shape):
                 chunk = (_chunk_frames(shape, self._header.expected_frames), *shape)
+                self._chunks[name] = chunk
                 self._fields[name] = frames.create_dataset(
                     name, (0, *shape), "f8", maxshape=(None, *shape), chunks=chunk, fillvalue=math.nan
                 )
@@ -255,8 +255,10 @@ class ResultWriter:
 
         Its own failure to write would leave the file half changed, and comes late: HDF5 holds chunks back.
         """
-        chunks = [dataset.chunks for dataset in self._fields.values()]
-        new = [(-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8 for chunk in chunks]
+        new = [
+            (-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8
+            for chunk in self._chunks.values()
+        ]
         with self._failures():
             self._size = max(self._size, self._file.id.get_filesize()) + sum(new)
             needed = (
