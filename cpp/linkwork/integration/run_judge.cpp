@@ -42,7 +42,6 @@ class RunJudge {
         kept_.push_back(step);
       }
     look_again();
-    for (const KeptStep& state : row_changes_) out_.corrections.raise(judge_.judge_state(state));
     out_.diagonal = judge_.diagonal();
     return std::move(out_);
   }
