@@ -13,10 +13,13 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType, TracebackType
-from typing import Self
+from typing import Any, Self
 
 #: What Python does by itself: only that is replaced while a run goes on.
-BY_ITSELF = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
+BY_ITSELF: dict[signal.Signals, Any] = {
+    signal.SIGINT: signal.default_int_handler,
+    signal.SIGTERM: signal.SIG_DFL,
+}
 
 
 class Terminated(KeyboardInterrupt):
