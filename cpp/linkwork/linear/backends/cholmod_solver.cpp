@@ -8,7 +8,7 @@
 #include <new>
 
 #include "linkwork/linear/backends/cholmod_view.hpp"
-#include "linkwork/linear/backends/shared_state.hpp"
+#include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <new>
 
-#include "linkwork/linear/backends/shared_state.hpp"
+#include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
 namespace {
