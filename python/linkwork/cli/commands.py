@@ -299,5 +299,30 @@ def convert(source: str, target: str, as_json: bool, assemble: bool, **options: 
     convert_and_show(source, target, as_json, assemble, options)
 
 
+@linkwork.command(cls=base.Command)
+@click.argument("source", type=click.Path(), metavar="FILE")
+@click.option(
+    "--output",
+    "target",
+    type=click.Path(),
+    metavar="FILE",
+    help="The new file; without it run.repaired.h5 beside run.h5. An existing one is not replaced.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+def repair(source: str, target: str | None, as_json: bool) -> None:
+    """Write what is whole of a damaged result file, or of that of an interrupted run, to a new one.
+
+    \b
+    linkwork repair run.h5
+    linkwork repair run.h5 --output whole.h5 --json
+
+    The frames before the first that is not as it was written; what is missing is listed, and the new file
+    knows it, too. Of a file in which nothing is missing none is written.
+    """
+    from linkwork.cli.repairing import repair_and_show
+
+    repair_and_show(source, target, as_json)
+
+
 def _short(mechanism: Mechanism) -> str:
     return str(mechanism.description).split(". ")[0].rstrip(".")

@@ -1,7 +1,8 @@
 """Result files as they are read: see `writing` for what is in them.
 
 A file is readable whatever ended the run, and also when its end is missing (a copy that broke off, a machine
-that lost power): the frames before the first gap count.
+that lost power) or anything in it is another than was written: the frames before the first gap count, and the
+manifest says what is `missing`. Everything is compared with its digest before anything is given out.
 """
 
 from __future__ import annotations
@@ -10,11 +11,11 @@ import io
 import json
 import math
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
 
 import h5py
 import numpy as np
@@ -25,12 +26,19 @@ from linkwork.errors import FileError, cause
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import MODEL_NAMES, Header
 from linkwork.motion.records import Occurrence
+from linkwork.results import digests
 from linkwork.results.shapes import read_shapes
 from linkwork.results.writing import FORMAT, MODEL_ARRAYS, VERSION
 
 #: In HDF5's message about a file of another kind, and what is said instead.
 NO_SIGNATURE = "file signature not found"
 NO_HDF5 = "is no HDF5 file; give one that a run has written"
+
+#: Files of earlier versions have none; their manifest says so.
+FIRST_WITH_DIGESTS = 4
+NO_DIGESTS = "none in the file of an earlier version that this was read from: damage there goes unseen"
+
+Found = TypeVar("Found")
 
 
 @dataclass(frozen=True)
@@ -80,37 +88,144 @@ class StoredRun:
     finer: tuple[float, dict[str, StoredField]] | None  #: see `verification`
 
 
-def read(path: str | os.PathLike[str]) -> StoredRun:
+class _Content(NamedTuple):
+    """What is whole of a file beside its header."""
+
+    frames: int
+    events: list[Occurrence]
+    statistics: dict[str, Any]
+    finer: tuple[float, int] | None  #: factor and frames
+    notes: dict[str, Any]  #: for the manifest
+
+
+#: Of a file that a run began and did not end.
+NO_END = "the end of the run: it was interrupted, or what says how it ended is lost"
+
+
+def read(path: str | os.PathLike[str], *, trusted: bool = False) -> StoredRun:
     """The result in a file, finished or not; the frames stay on disk until asked for.
+
+    trusted  the file was written a moment ago: its digests are not compared
 
     FileError: no such file, one of another kind, or one that is damaged before the first frame.
     """
     path = Path(path)
-    with _opened(path) as file:
-        if file.attrs.get("format") != FORMAT:
-            raise FileError(
-                f"result '{path}': is not a result file of linkwork; give one that a run has written",
-                code="not_a_result",
-            )
-        if file.attrs["version"] > VERSION:
-            raise FileError(
-                f"result '{path}': has version {file.attrs['version']}, this linkwork reads up to {VERSION}; "
-                "update linkwork",
-                code="not_a_result",
-            )
+    with _failures(path), _damaged(path), _open(path) as file:
+        has_digests = _check_kind(path, file)
+        size = path.stat().st_size
+        if has_digests and not trusted:
+            start = _check_head(path, file, size)
+            header = _read_header(file)
+            content = _compared(file, header, start, size)
+        else:
+            header = _read_header(file)
+            content = _as_it_is(file, size, {} if has_digests else {"digests": NO_DIGESTS})
         run = str(file.attrs["run"])
-        header = _read_header(file)
-        count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], path.stat().st_size))
-        statistics = renamed_statistics(json.loads(file.attrs.get("statistics", "{}")))
-        events = _read_events(file)
-        finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
-    shapes = header.frame_shapes().items()
-    fields = {name: StoredField(path, run, name, (count, *shape)) for name, shape in shapes}
-    if finer is None:
-        return StoredRun(run, header, statistics, fields, events, None)
-    factor, count = finer
-    second = {name: StoredField(path, run, name, (count, *shape), "finer") for name, shape in shapes}
-    return StoredRun(run, header, statistics, fields, events, (factor, second))
+    if content.notes:
+        missing = [*header.manifest.get("missing", ()), *content.notes.get("missing", ())]
+        notes = content.notes | ({"missing": missing} if missing else {})
+        header = replace(header, manifest={**header.manifest, **notes})
+    return _stored(path, run, header, content)
+
+
+def _stored(path: Path, run: str, header: Header, content: _Content) -> StoredRun:
+    def fields(group: str, count: int) -> dict[str, StoredField]:
+        shapes = header.frame_shapes().items()
+        return {name: StoredField(path, run, name, (count, *shape), group) for name, shape in shapes}
+
+    finer = None if content.finer is None else (content.finer[0], fields("finer", content.finer[1]))
+    return StoredRun(run, header, content.statistics, fields("frames", content.frames), content.events, finer)
+
+
+def _check_kind(path: Path, file: h5py.File) -> bool:
+    """Whether it has digests. FileError: it is no result, or none that this linkwork knows."""
+    if file.attrs.get("format") != FORMAT:
+        raise FileError(
+            f"result '{path}': is not a result file of linkwork; give one that a run has written",
+            code="not_a_result",
+        )
+    version = int(file.attrs["version"])
+    if version > VERSION:
+        raise FileError(
+            f"result '{path}': has version {version}, this linkwork reads up to {VERSION}; update linkwork",
+            code="not_a_result",
+        )
+    if version < 1:
+        raise _damage(path, f"version {version}")
+    return version >= FIRST_WITH_DIGESTS or digests.DIGEST in file.attrs
+
+
+def _check_head(path: Path, file: h5py.File, size: int) -> int:
+    """The digest of the head, from which the others start. FileError: it is not what was written."""
+    start = int(file.attrs[digests.DIGEST])
+    if digests.head(file, size) != start:
+        raise _damage(path, "the model or the manifest is not what was written")
+    return start
+
+
+def _as_it_is(file: h5py.File, size: int, notes: dict[str, Any]) -> _Content:
+    """Without digests, or trusting them."""
+    count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], size))
+    finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
+    statistics = renamed_statistics(json.loads(file.attrs.get("statistics") or "{}"))
+    return _Content(count, _read_events(file), statistics, finer, notes)
+
+
+def _compared(file: h5py.File, header: Header, start: int, size: int) -> _Content:
+    """What agrees with its digest, and what does not."""
+    missing: list[str] = []
+    rows = _or_none(lambda: digests.rows(file[digests.BLOCKS], size)) or []
+    whole = digests.whole_frames(file["frames"], rows, start, size)
+    last = rows[whole - 1] if whole else digests.Row(0, 0, start, start)
+    text, finer_digest = _or_none(lambda: str(file.attrs["statistics"])) or None, 0
+    finer = None
+    if "finer" in file:
+        finer_digest = _or_none(lambda: int(file["finer"].attrs[digests.DIGEST])) or 0
+        finer = _or_none(lambda: _read_finer(file["finer"], start, finer_digest, size))
+        if finer is None:
+            missing.append("the second, finer run")
+    closed = text is not None and _or_none(lambda: int(file.attrs[digests.CLOSING])) == digests.closing(
+        text, last, finer_digest
+    )
+    events = _whole_events(file, rows, start, last.events, size, missing)
+    if not closed:
+        missing.append(_lost_end(file["frames"], last.frames, whole < len(rows), text))
+    statistics = renamed_statistics(json.loads(text)) if closed and text is not None else {}
+    return _Content(last.frames, events, statistics, finer, {"missing": missing} if missing else {})
+
+
+def _lost_end(frames: h5py.Group, whole: int, more: bool, statistics: str | None) -> str:
+    """Frames that are there or should be, but are not whole; without them what says how the run ended."""
+    if len(frames["t"]) > whole or (more and statistics is not None):
+        after = f" after t = {float(frames['t'][whole - 1]):g} s" if whole else ""
+        return f"the frames{after} from number {whole} on, and the statistics"
+    return NO_END if statistics is None else "the statistics"
+
+
+def _whole_events(
+    file: h5py.File, rows: list[digests.Row], start: int, count: int, size: int, missing: list[str]
+) -> list[Occurrence]:
+    """The first `count`, or fewer and a word on that in `missing`."""
+    events = (_or_none(lambda: _read_events(file, size)) or []) if count else []
+    whole = min(count, digests.whole_events(events, rows, start))
+    if whole < count:
+        missing.append(f"the events from number {whole} on, of {count}")
+    return events[:whole]
+
+
+def _read_finer(group: h5py.Group, start: int, digest: int, size: int) -> tuple[float, int] | None:
+    """None: it is not what was written."""
+    if digests.of_finer(group, start, size) != digest:
+        return None
+    return float(group.attrs["factor"]), len(group["t"])
+
+
+def _or_none(find: Callable[[], Found]) -> Found | None:
+    """What a damaged file may have lost; HDF5, JSON and numpy each have their own words for it."""
+    try:
+        return find()
+    except Exception:
+        return None
 
 
 def _read_header(file: h5py.File) -> Header:
@@ -129,10 +244,13 @@ def _read_header(file: h5py.File) -> Header:
     return Header(manifest=manifest, shapes=read_shapes(model), curves=curves, **values)
 
 
-def _read_events(file: h5py.File) -> list[Occurrence]:
+def _read_events(file: h5py.File, limit: float = math.inf) -> list[Occurrence]:
+    """ValueError: they are larger than `limit` [bytes]."""
     if "events" not in file or "t" not in file["events"]:
         return []
     group = file["events"]
+    for dataset in group.values():
+        digests.check_size(dataset, limit)
     t = group["t"][()]
     names = group["name"].asstr()[: len(t)]
     return [
@@ -175,10 +293,31 @@ def _chunk_end(dataset: h5py.Dataset, start: int) -> float:
 
 
 @contextmanager
-def _opened(path: Path) -> Iterator[h5py.File]:
+def _damaged(path: Path) -> Iterator[None]:
+    """FileError: whatever is raised by what is read from the file, once that is open."""
     try:
-        with _open(path) as file:
-            yield file
+        yield
+    except (FileError, OSError, RuntimeError, KeyError):  # told by `_failures`
+        raise
+    except Exception as error:
+        raise _damage(path, cause(error)) from error
+
+
+def _damage(path: Path, what: str) -> FileError:
+    return FileError(f"result '{path}': is damaged: {what}; copy it again, or run again", code="not_readable")
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[h5py.File]:
+    with _failures(path), _open(path) as file:
+        yield file
+
+
+@contextmanager
+def _failures(path: Path) -> Iterator[None]:
+    """FileError: what the operating system or HDF5 says."""
+    try:
+        yield
     except FileNotFoundError as error:
         raise FileError(f"result '{path}': no such file; check the path", code="not_found") from error
     except BlockingIOError as error:
@@ -189,9 +328,7 @@ def _opened(path: Path) -> Iterator[h5py.File]:
         why = NO_HDF5 if NO_SIGNATURE in str(error) else cause(error)
         raise FileError(f"result '{path}': cannot be read: {why}", code="not_readable") from error
     except KeyError as error:
-        raise FileError(
-            f"result '{path}': is damaged: {cause(error)}; copy it again, or run again", code="not_readable"
-        ) from error
+        raise _damage(path, cause(error)) from error
 
 
 def _open(path: Path) -> h5py.File:

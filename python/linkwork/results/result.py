@@ -83,8 +83,13 @@ class Result:
 
     @property
     def finished(self) -> bool:
-        """False for a run that failed, and for the file of one that was interrupted."""
-        return bool(self.statistics) and not self.statistics.get("failed", False)
+        """False for a run that failed, and for a file that is damaged or of a run that was interrupted."""
+        return bool(self.statistics) and not self.statistics.get("failed", False) and not self.missing
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """What a file had lost when it was read; its digests tell. The frames that are there are whole."""
+        return tuple(self._header.manifest.get("missing", ()))
 
     @property
     def verdict(self) -> Verdict | None:
@@ -409,10 +414,18 @@ class Result:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
-        """A result file, also of an interrupted run. FileError: missing, damaged, or of another kind."""
+        """A result file, also of an interrupted run, or what is whole of a damaged one: see `missing`.
+
+        FileError: there is no such file, it is damaged from the beginning, or of another kind.
+        """
+        return cls._read(path, trusted=False)
+
+    @classmethod
+    def _read(cls, path: str | os.PathLike[str], *, trusted: bool) -> Result:
+        """`trusted`: written a moment ago, so that its digests need not be compared."""
         from linkwork.results import reading
 
-        stored = reading.read(path_of(path, "result"))
+        stored = reading.read(path_of(path, "result"), trusted=trusted)
         result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
         if stored.finer is not None:
             factor, fields = stored.finer

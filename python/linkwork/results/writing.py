@@ -1,7 +1,7 @@
 """Results on disk: HDF5, written while the run goes on, readable however it ends.
 
-    /          attributes `format`, `version`, `run` (an identity), `manifest` (JSON), and after the end
-               `statistics` (JSON)
+    /          attributes `format`, `version`, `run` (an identity), `manifest` (JSON), and
+               `statistics` (JSON), empty before the end
     /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
                violation (k, 3), history (k, h), reaction_force and reaction_torque (k, joints, 3), t (k,)
     /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
@@ -9,6 +9,7 @@
     /finer/    of a run that was verified: the fields of /frames/ by a finer run, at the same times, and the
                attribute `factor` by which the difference is an error
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
+    /digests   of all this, see `digests`; not in files of versions 1 to 3
 
 The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
 a run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when
@@ -42,6 +43,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause, unwritable
 from linkwork.motion.header import MODEL_NAMES, Header, record_reactions
 from linkwork.motion.records import Occurrence
+from linkwork.results import digests
 from linkwork.results.shapes import write_shapes
 
 fcntl: ModuleType | None
@@ -50,7 +52,7 @@ try:
 except ImportError:  # no such locks on Windows
     fcntl = None
 
-FORMAT, VERSION = "linkwork result", 3
+FORMAT, VERSION = "linkwork result", 4
 
 #: Together with the driver's chunk of frames, a kill loses at most the last second.
 FLUSH_SECONDS = 0.5
@@ -111,7 +113,10 @@ class ResultWriter:
             return
         if self._failure is not None:
             raise self._failure
-        values = record_reactions(self._header, chunk)
+        recorded = record_reactions(self._header, chunk)
+        values = {
+            name: np.reshape(recorded[name], (len(t), *it.shape[1:])) for name, it in self._fields.items()
+        }
         start, end = self._frames, self._frames + len(t)
         try:
             self._reserve(start, end)
@@ -123,8 +128,9 @@ class ResultWriter:
             for name, dataset in self._fields.items():
                 if name != "t":
                     dataset.resize(end, axis=0)
-                    dataset[start:end] = np.reshape(values[name], (len(t), *dataset.shape[1:]))
+                    dataset[start:end] = values[name]
         self._frames = end
+        self._blocks.add_frames(values, len(t))
         self._pending.append(t)
         if time.monotonic() - self._flushed_at > FLUSH_SECONDS:
             self.flush()
@@ -142,11 +148,13 @@ class ResultWriter:
                 start = len(dataset)
                 dataset.resize(start + len(occurrences), axis=0)
                 dataset[start:] = [_event_value(it, name) for it in occurrences]
+        self._blocks.add_events(occurrences)
 
     def flush(self) -> None:
-        """Bring the frames so far to the file: first the data, then the times that make them count."""
+        """Bring the frames so far to the file: first data and digests, then the times that count."""
         self._check_mine()
         with self._failures():
+            self._write_digests()
             self._file.flush()
             if self._pending:
                 t = self._fields["t"]
@@ -156,6 +164,15 @@ class ResultWriter:
                 self._pending.clear()
                 self._file.flush()
         self._flushed_at = time.monotonic()
+
+    def _write_digests(self) -> None:
+        self._blocks.seal()
+        rows = self._blocks.take_rows()
+        if rows:
+            dataset = self._file[digests.BLOCKS]
+            start = len(dataset)
+            dataset.resize(start + len(rows), axis=0)
+            dataset[start:] = rows
 
     def close(self, statistics: Mapping[str, Any] | None = None) -> None:
         """End the file; without `statistics` it is marked as unfinished."""
@@ -168,7 +185,7 @@ class ResultWriter:
             raise
         with self._failures():
             if statistics is not None:
-                self._file.attrs["statistics"] = json.dumps(dict(statistics), default=_plain)
+                _write_statistics(self._file, statistics, self._blocks.last)
             self._file.flush()
             size = self._file.id.get_filesize()
             self._file.close()
@@ -227,6 +244,11 @@ class ResultWriter:
                 self._fields[name] = frames.create_dataset(
                     name, (0, *shape), "f8", maxshape=(None, *shape), chunks=chunk, fillvalue=math.nan
                 )
+        rows = digests.CHUNK_ROWS, digests.COLUMNS
+        self._file.create_dataset(digests.BLOCKS, (0, rows[1]), "u8", maxshape=(None, rows[1]), chunks=rows)
+        start = self._file.attrs[digests.DIGEST] = digests.head(self._file)
+        self._file.attrs.update({"statistics": "", digests.CLOSING: 0})
+        self._blocks = digests.Blocks(start, list(self._fields))
 
     def _reserve(self, start: int, end: int) -> None:
         """Make sure of the room for the frames start..end before HDF5 is touched.
@@ -317,13 +339,28 @@ def add_finer(path: str | os.PathLike[str], finer: Finer, statistics: Mapping[st
     finer.result.reactions()
     try:
         with h5py.File(path, "r+") as file:
-            file.attrs["statistics"] = json.dumps(dict(statistics), default=_plain)
             group = file.create_group("finer")
             for name in file["frames"]:
                 group.create_dataset(name, data=finer.result.recorded(name))
             group.attrs["factor"] = finer.factor
+            digest = digests.of_finer(group, file.attrs[digests.DIGEST])
+            group.attrs[digests.DIGEST] = digest
+            _write_statistics(file, statistics, digests.last_row(file), digest)
     except OSError as error:
         raise unwritable("output", path, error) from error
+
+
+def _write_statistics(
+    file: h5py.File, statistics: Mapping[str, Any], last: digests.Row, finer: int = 0
+) -> None:
+    """With the digest that makes them count.
+
+    In the place that is kept for them: HDF5 would move other attributes to the end of the file to make room
+    for new ones, and a cut file would lose those.
+    """
+    text = json.dumps(dict(statistics), default=_plain)
+    file.attrs.modify("statistics", text)
+    file.attrs.modify(digests.CLOSING, digests.closing(text, last, finer))
 
 
 def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
