@@ -6,8 +6,10 @@ here they are answered like other values that make no sense.
 
 from __future__ import annotations
 
+import contextlib
 import math
 import os
+import stat
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -17,10 +19,16 @@ import numpy as np
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
-__all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "whole"]
+__all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "target",
+           "whole"]  # fmt: skip
 
 #: A shape (size,) of an array; None stands for any length.
 ArrayShape = tuple[int | None, ...]
+
+#: What is no file, by the type of its mode.
+KINDS = {
+    stat.S_IFCHR: "device", stat.S_IFBLK: "device", stat.S_IFIFO: "pipe", stat.S_IFSOCK: "socket",
+}  # fmt: skip
 
 #: What NumPy and Python raise for what is not made of numbers.
 UNREADABLE = (TypeError, ValueError, OverflowError)
@@ -85,6 +93,21 @@ def path(given: Any, what: str) -> Path:
     except TypeError:
         pass
     raise FileError(f"{what} {given!r:.80} is no path of a file: give its name", code="path")
+
+
+def target(given: Any, what: str) -> Path:
+    """A file to be written. FileError: it is no path, or no file is there: a device would be replaced,
+    and a pipe waits for a reader."""
+    found = path(given, what)
+    with contextlib.suppress(OSError):
+        kind = os.stat(found).st_mode
+        if not stat.S_ISREG(kind) and not stat.S_ISDIR(kind):
+            raise FileError(
+                f"{what} '{found}': is no regular file but a {KINDS.get(stat.S_IFMT(kind), 'special file')}; "
+                "choose another place",
+                code="not_writable",
+            )
+    return found
 
 
 def shaped(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:

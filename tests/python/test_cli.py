@@ -6,6 +6,7 @@ import json
 import os
 import resource
 import signal
+import stat
 import subprocess
 import sys
 import time
@@ -16,9 +17,10 @@ from typing import Any
 import h5py
 import pytest
 from commands import running
-from linkwork import Result
+from linkwork import FileError, Result, simulate
 from linkwork.cli import run
 from linkwork.integrators import METHODS
+from linkwork.mechanisms import MECHANISMS
 from linkwork.options import TABLE, names
 
 COMMAND = [sys.executable, "-c", "from linkwork.cli import main; main()"]
@@ -344,17 +346,43 @@ main()
     assert "shoulder 0.00025/s: corrected" in done.stderr
 
 
-def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(
+    number: signal.Signals, code: int, tmp_path: Path
+) -> None:
     file = tmp_path / "run.h5"
     words = ["run", "spatial_slider_crank", "--t-end", "1e5", "--output", str(file), "--record-every", "100"]
     with running([*COMMAND, *words]) as command:
         wait_for_frames(file)
-        command.send_signal(signal.SIGINT)
+        command.send_signal(number)
         out, err = command.communicate(timeout=60)  # the run itself would take hours
-    assert (command.returncode, out, err.count("\n")) == (130, "", 1)
+    assert (command.returncode, out, err.count("\n")) == (code, "", 1)
     assert err.startswith("error: interrupted")
     result = Result.load(file)
     assert len(result) > 1 and not result.finished
+
+
+@pytest.mark.parametrize("kind", ["device", "pipe"])
+def test_an_output_that_is_no_file_is_left_alone(kind: str, tmp_path: Path) -> None:
+    """Not even by a link to it: as root a device would be replaced, and a pipe would wait for a reader."""
+    place = tmp_path / "run.h5"
+    if kind == "pipe":
+        os.mkfifo(place)
+    else:
+        place.symlink_to(os.devnull)
+    for words in (
+        ["run", "pendulum", "--t-end", "0.1", "--output"],
+        ["compare", "pendulum", "--t-end", "0.1", "--csv"],
+    ):
+        done = linkwork(*words, str(place))
+        assert done.returncode == 1 and f"is no regular file but a {kind}" in done.stderr, done.stderr
+    with pytest.raises(FileError, match="no regular file"):
+        simulate(MECHANISMS["pendulum"].function(), 0.01, 1e-3, output=place)
+    result = simulate(MECHANISMS["pendulum"].function(), 0.01, 1e-3)
+    for write in (result.save, result.view):
+        with pytest.raises(FileError, match="no regular file"):
+            write(place)
+    assert not place.is_file() and stat.S_ISCHR(os.stat(os.devnull).st_mode)
 
 
 def wait_for_frames(path: Path) -> None:

@@ -145,3 +145,17 @@ def test_drivers_that_part_for_a_millisecond_only_are_told(height: float, way: d
         lw.simulate(model, 1.0, progress=False, **way)
     assert caught.value.joints == ["first", "second"]
     assert start <= caught.value.time <= start + 2 * half
+
+
+def test_accelerations_are_right_in_the_evaluation_in_which_rows_change() -> None:
+    """Along the motion of a planetary gear, whose loops turn; beside a System that begins at each state."""
+    model = lw.mechanisms.named("planetary_gear").function()
+    result = lw.simulate(model, 0.2, 1e-3, progress=False)
+    along = lw.System(model)
+    for frame in range(0, len(result.t), 2):
+        state = result.snapshot(frame)
+        found, _ = along.accelerations(state.t, state.q, state.v)
+        fresh, _ = lw.System(model.with_initial_state(state.q, state.v)).accelerations(
+            state.t, state.q, state.v
+        )
+        assert np.abs(found - fresh).max() <= 1e-6 * np.abs(fresh).max(), state.t

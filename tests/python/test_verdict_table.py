@@ -62,22 +62,6 @@ def test_frames_inside_of_long_steps_are_judged_as_their_interpolant_gives_them(
     assert verdicts.difference(ends, verdicts.exact(model, 1.0, ends.t)).max() < ends.verdict.error
 
 
-@pytest.mark.parametrize(
-    ("seed", "how"),
-    [
-        (60138, {"step": 0.04}),
-        (60146, {"step": 1e-3, "integrator": "ab3", "formulation": "penalty", "stabilization": "baumgarte",
-                 "baumgarte_alpha": 5.0, "baumgarte_beta": 5.0}),
-    ],
-)  # fmt: skip
-def test_a_choice_of_redundant_rows_that_was_kept_too_long_is_told(seed: int, how: dict[str, Any]) -> None:
-    """For a few steps the rows that count hold the mechanism weakly: it comes off the others by 1 %."""
-    model = verdicts.mechanism(seed)[1].model
-    result, said = runs(model, record_every=1, **how)
-    true = verdicts.difference(result, verdicts.exact(model, 1.0, result.t)).max()
-    assert true > 0.01 and said and result.verdict is not None and result.verdict.error > true
-
-
 def runs(model: lw.Model, t_end: float = 1.0, **how: Any) -> tuple[lw.Result, list[str]]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")

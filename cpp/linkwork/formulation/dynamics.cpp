@@ -233,17 +233,10 @@ void Dynamics::find_solution(const ConstVector& a, const ConstVector& b, Mutable
   if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
   if (!formulation_->factorized()) {
     const Stopwatch watch(statistics_.factorize_time, clocked_);
-    return formulation_->factorize_and_solve(at_, a, kept(b), v_dot, lambda);
+    return formulation_->factorize_and_solve(at_, a, b, v_dot, lambda);
   }
   const Stopwatch watch(statistics_.solve_time, clocked_);
-  formulation_->solve(a, kept(b), v_dot, lambda);
-}
-
-ConstVector Dynamics::kept(const ConstVector& b) {
-  if (dropped().empty()) return b;
-  kept_b_ = b;
-  dropped().take_from(kept_b_);
-  return kept_b_;
+  formulation_->solve(a, b, v_dot, lambda);
 }
 
 void Dynamics::accelerations(MutableVector v_dot, MutableVector lambda) {

@@ -140,7 +140,6 @@ class Dynamics {
   friend class Busy;
   void look_for_switches();
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
-  ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   void check_masses() const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
@@ -160,7 +159,7 @@ class Dynamics {
   bool switched_ = false;
   std::function<void()> observer_;
   DynamicsStatistics statistics_;
-  VectorXd held_u_, b_, kept_b_, x_, lambda_, v_dot_;
+  VectorXd held_u_, b_, x_, lambda_, v_dot_;
   int clocked_ = 1;
   bool traces_ = false, held_ = false;
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0

@@ -45,12 +45,19 @@ void WatchedFormulation::factorize(const Evaluation& at) {
 }
 
 void WatchedFormulation::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
-  active().solve(a, b, v_dot, lambda);
+  active().solve(a, kept(b), v_dot, lambda);
 }
 
 void WatchedFormulation::factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b,
                                              MutableVector v_dot, MutableVector lambda) {
-  if (!attempt([&] { formulation_->factorize_and_solve(at, a, b, v_dot, lambda); })) solve(a, b, v_dot, lambda);
+  if (!attempt([&] { formulation_->factorize_and_solve(at, a, kept(b), v_dot, lambda); })) solve(a, b, v_dot, lambda);
+}
+
+ConstVector WatchedFormulation::kept(const ConstVector& b) {
+  if (dropped_.empty()) return b;
+  kept_b_ = b;
+  dropped_.take_from(kept_b_);
+  return kept_b_;
 }
 
 /// False where `factorize` was not the last word: a solution that it found is none.

@@ -36,6 +36,7 @@ class WatchedFormulation final : public Formulation {
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override;
   void require_accuracy(double relative) override { formulation_->require_accuracy(relative); }
   void factorize(const Evaluation& at) override;
+  /// Whatever b has in rows that are left out.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override;
   void factorize_and_solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector v_dot,
                            MutableVector lambda) override;
@@ -88,6 +89,7 @@ class WatchedFormulation final : public Formulation {
   PoseExamination examine_here(double pivot) const;
   bool inspect();
   void leave_out(std::vector<int> rows);
+  ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
   Formulation& active() { return fallback_ ? *tolerant_ : *formulation_; }
 
@@ -101,6 +103,7 @@ class WatchedFormulation final : public Formulation {
   MinimumNorm minimum_norm_;
   LeastSingularValue least_singular_value_;
   SingularWatch watch_;
+  VectorXd kept_b_;
   double pivot_ = 1.0, smallest_pivot_ = 1.0;
   std::int64_t factorizations_ = 0;
   bool rank_needed_ = false, watched_ = false, watching_ = true, looking_ = false;

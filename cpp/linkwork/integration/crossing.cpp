@@ -221,6 +221,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double pose = starting_ ? 0.0 : std::min(foreseen(t), foreseen_by_least(t));
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
+  search.base = search.least;
   if (!try_lengths(search, y)) return false;
   declined_ = 0.0;
   leap_ = std::move(search.best);
@@ -247,46 +248,50 @@ bool Crossing::look_ahead(Search& search) {
 
 /// False where no leap was found.
 bool Crossing::try_lengths(Search& search, const VectorXd& y) {
-  bool any_converged = false, ahead = false;
-  double base = search.least;
-  std::vector<double> tried;
-  for (int k = 0, failures = 0; k < most_attempts && std::isfinite(search.least); ++k) {
-    leap_.h = failures < 2 ? best_length(search)
-                           : allowed_length(search, other_lengths[failures - 2] * std::min(base, search.most));
-    if (std::find(tried.begin(), tried.end(), leap_.h) != tried.end()) {
-      failures = std::max(failures + 1, 2);
+  for (int k = 0; k < most_attempts && !search.done && std::isfinite(search.least); ++k) {
+    const double other = other_lengths[std::max(search.failures - 2, 0)] * std::min(search.base, search.most);
+    leap_.h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
+    if (std::find(search.tried.begin(), search.tried.end(), leap_.h) != search.tried.end()) {
+      search.failures = std::max(search.failures + 1, 2);
       continue;
     }
-    tried.push_back(leap_.h);
-    Quality quality = attempt();
-    any_converged = any_converged || quality.converged;
-    if (!quality.converged) {
-      failures += 1;
-      if (failures == 1 && !ahead && !(ahead = look_ahead(search))) failures += 1;
+    search.tried.push_back(leap_.h);
+    const Quality quality = attempt();
+    if (quality.converged) {
+      weigh(search, quality);
       continue;
     }
-    ahead = true;
-    failures = 1;
-    if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
-    search.poses = leap_.poses = poses_in_leap(0.5);
-    if (search.poses.empty()) break;
-    const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
-    const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
-    const bool good = quality.good() && clear, over = search.poses.front() <= leap_.h || leap_.h >= search.most;
-    quality.roundoff = precision * std::pow(search.usual / (reach * nearest * leap_.h), 2);
-    const double error = quality.error();
-    if (good || (over && quality.fair() && nearest >= least_margin && error < search.error)) {
-      search.best = leap_;
-      search.error = error;
-    }
-    if (good) break;
-    if (beyond) search.least = 2.0 * last;
-    else if (!quality.good()) search.least = base = std::max(0.6 * std::min(base, leap_.h), least_part * search.usual);
+    search.failures += 1;
+    if (search.failures > 1 || search.ahead) continue;
+    search.ahead = look_ahead(search);
+    if (!search.ahead) search.failures = 2;
   }
   if (search.error < INFINITY) return true;
   const bool moves = size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0;
-  if (starting_ && !any_converged && moves && in_pose_) throw_no_branch(search.t);
+  if (starting_ && !search.any_converged && moves && in_pose_) throw_no_branch(search.t);
   return false;
+}
+
+/// A leap that converged: the best so far, or what the next one should be.
+void Crossing::weigh(Search& search, Quality quality) {
+  search.any_converged = search.ahead = true;
+  search.failures = 1;
+  if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
+  search.poses = leap_.poses = poses_in_leap(0.5);
+  search.done = search.poses.empty();
+  if (search.done) return;
+  const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
+  const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
+  const bool over = search.poses.front() <= leap_.h || leap_.h >= search.most;
+  quality.roundoff = precision * std::pow(search.usual / (reach * nearest * leap_.h), 2);
+  search.done = quality.good() && clear;
+  if (search.done || (over && quality.fair() && nearest >= least_margin && quality.error() < search.error)) {
+    search.best = leap_;
+    search.error = quality.error();
+  }
+  if (beyond) search.least = 2.0 * last;
+  else if (!quality.good())
+    search.least = search.base = std::max(0.6 * std::min(search.base, leap_.h), least_part * search.usual);
 }
 
 /// In or near a singular pose nothing can be projected; accelerations, for a beginning, are what the watch makes of

@@ -96,6 +96,10 @@ class Crossing final : public Interpolant {
     double least;               ///< length to begin with
     Leap best = {};
     double error = INFINITY;  ///< of it
+    double base = 0.0;        ///< of other lengths
+    std::vector<double> tried = {};
+    int failures = 0;  ///< since the last that converged
+    bool any_converged = false, ahead = false, done = false;
   };
 
   bool starts_near(double t, const VectorXd& y);
@@ -116,6 +120,7 @@ class Crossing final : public Interpolant {
   double largest_rate(const ConstVector& v) const;
   int parts_to(double t) const;
   bool try_lengths(Search& search, const VectorXd& y);
+  void weigh(Search& search, Quality quality);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
   static double allowed_length(const Search& search, double h);

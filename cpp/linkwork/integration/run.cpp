@@ -95,7 +95,6 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
     return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
   };
   const double before = energy();
-  const VectorXd y_before = y_;
   const Model& model = system.model();
   std::vector<int> joints;
   for (const int row : dynamics_.dropped().rows())
@@ -107,7 +106,6 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
   projection().positions(t, y_);
   projection().velocities(t, y_);
   dynamics_.evaluate(t, y_);
-  sampling_.correct(y_before, y_);
   y_[y_.size() - 1] += energy() - before;
   contradiction_ = {};  // so near to where they were redundant it could not be told from this
   forget();

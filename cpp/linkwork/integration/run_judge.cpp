@@ -20,7 +20,6 @@ class RunJudge {
         every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
         judge_(dynamics, std::move(take), sampling.breaks()) {
     out_.corrections = sampling.corrections();
-    row_changes_ = sampling.row_changes();
     judge_.divide_parts(sampling.steps() <= few_steps ? few_divisions : usual_divisions);
     out_.parts = sampling.parts();
     for (RunPart& part : sampling.broken()) out_.parts.push_back(std::move(part));
@@ -42,7 +41,6 @@ class RunJudge {
         kept_.push_back(step);
       }
     look_again();
-    for (const KeptStep& state : row_changes_) out_.corrections.raise(judge_.judge_state(state));
     out_.diagonal = judge_.diagonal();
     return std::move(out_);
   }
@@ -79,7 +77,6 @@ class RunJudge {
   StepJudge judge_;
   RunErrors out_;
   std::vector<const KeptStep*> kept_;
-  std::vector<KeptStep> row_changes_;
 };
 
 }  // namespace

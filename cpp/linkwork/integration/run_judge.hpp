@@ -14,7 +14,7 @@ struct RunErrors {
   /// By how much the errors of the worst steps are larger than what a first look said of them, at least 1: where
   /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
   double resolved = 1.0;
-  StateDifference corrections;  ///< of the run, and those that it would have made where it left out other rows
+  StateDifference corrections;  ///< see StepSampling
   double diagonal = 0.0;        ///< see StepJudge
 };
 

@@ -104,21 +104,6 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside) {
   return out;
 }
 
-StateDifference StepJudge::judge_state(const KeptStep& state) {
-  StateDifference out;
-  try {
-    dynamics_.set_history(state.history);
-    dynamics_.evaluate(state.t, state.y);
-    leave_out(state.left_out);
-    y_ = state.y;
-    projection_.positions(state.t, y_);
-    projection_.velocities(state.t, y_);
-    if (y_.allFinite()) out.raise(dynamics_.system(), state.y, y_);
-  } catch (const Error&) {  // it is too far from them: the steps say so
-  }
-  return out;
-}
-
 void StepJudge::take_again(const KeptStep& step) {
   const std::vector<Span> parts = parts_of(step);
   const double end_of_first = step.t + take_.share * step.h;

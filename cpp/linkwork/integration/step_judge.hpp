@@ -57,8 +57,6 @@ class StepJudge {
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
   /// more step.
   StepError judge(const KeptStep& step, bool reactions, bool inside = false);
-  /// How far a state is from one on the constraints, with other rows left out than the run did before.
-  StateDifference judge_state(const KeptStep& state);
   /// Diagonal of the box around the centers of mass at the steps that were judged [m].
   double diagonal() const { return (high_ - low_).matrix().norm(); }
 

@@ -115,22 +115,9 @@ void StepSampling::expect(std::int64_t steps) {
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
   const VectorXd& history = dynamics.history();
   if (history.size() > 0) look_for_contacts(history, y);
-  const bool other_rows = left_out_ != dynamics.dropped().rows();
-  if (other_rows && last_.kept()) note_rows(dynamics, y);
   balance(dynamics, y);
   if (history.size() > 0) history_ = history;
-  if (other_rows) left_out_ = dynamics.dropped().rows();
-}
-
-/// Of many the last ones.
-void StepSampling::note_rows(const Dynamics& dynamics, const VectorXd& y) {
-  const std::size_t place = count_of_row_changes_++ % most_outliers;
-  if (place == row_changes_.size()) row_changes_.emplace_back();
-  KeptStep& now = row_changes_[place];
-  now.t = last_.t + last_.h;
-  now.y = y;
-  now.history = dynamics.history();
-  now.left_out = dynamics.dropped().rows();
+  if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
 
 /// A variable that was zero is the speed of a contact that has begun. Of many the last ones are kept.

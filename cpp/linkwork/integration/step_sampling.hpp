@@ -80,10 +80,6 @@ class StepSampling {
   /// The run found its state y off by so much, and went on from another one.
   void correct(const VectorXd& y, const VectorXd& corrected) { corrections_.raise(system_, y, corrected); }
 
-  /// States in which other redundant rows were left out than in the step before, which was held by few of them: y at t,
-  /// with the rows from there on.
-  const std::vector<KeptStep>& row_changes() const { return row_changes_; }
-
   /// The parts with what is to be taken again of them: of short runs less than what was kept.
   std::vector<RunPart> parts() const;
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
@@ -107,7 +103,6 @@ class StepSampling {
   };
 
   void look_for_contacts(const VectorXd& now, const VectorXd& y);
-  void note_rows(const Dynamics& dynamics, const VectorXd& y);
   void balance(const Dynamics& dynamics, const VectorXd& y);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
@@ -129,8 +124,6 @@ class StepSampling {
   double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
   EnergyRange energies_;
   StateDifference corrections_;
-  std::vector<KeptStep> row_changes_;
-  std::size_t count_of_row_changes_ = 0;
   double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   std::vector<Balanced> worst_;

@@ -1,6 +1,7 @@
 """The command `linkwork`. Errors are lines on standard error: `error: what, which, which value`.
 
-Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130 interrupted.
+Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130 interrupted,
+143 asked to end (SIGTERM).
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import click
 from linkwork.cli import shells
 from linkwork.cli.commands import linkwork
 from linkwork.errors import LinkworkError
+from linkwork.running.interrupts import Terminated
 
 __all__ = ["main"]
 
@@ -45,7 +47,7 @@ def run(words: list[str], debug: bool) -> int:
     except click.ClickException as error:
         return _complain(_sentence(error), 2)
     except (KeyboardInterrupt, click.Abort) as stop:
-        return _complain(str(stop) or "interrupted", 130)
+        return _complain(str(stop) or "interrupted", 143 if isinstance(stop, Terminated) else 130)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1

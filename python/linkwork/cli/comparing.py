@@ -44,7 +44,7 @@ def compare_and_show(
         comparison = compare(mechanism.function(**parameters), **given)
     except KeyboardInterrupt as stop:
         kept = f"; '{given['resume']}' has the runs so far" if "resume" in given else ""
-        raise KeyboardInterrupt(f"interrupted{kept}") from stop
+        raise type(stop)(f"interrupted{kept}") from stop
     if html is not None:
         comparison.to_html(html)
     if csv is not None:

@@ -40,7 +40,7 @@ def simulate_and_show(
     try:
         result = lw.simulate(model, **settings, output=output)
     except KeyboardInterrupt as stop:
-        raise KeyboardInterrupt(
+        raise type(stop)(
             f"interrupted; '{output}' has the frames so far" if output else "interrupted"
         ) from stop
     if plot is not None:

@@ -11,9 +11,9 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from linkwork.arguments import target
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import ERRORS, Outcome
@@ -325,7 +325,7 @@ def _written(text: str, path: str | os.PathLike[str] | None) -> str:
     """To a file beside, then renamed, so that `path` is never half written."""
     if path is None:
         return text
-    path = Path(path)
+    path = target(path, "output")
     beside = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         beside.write_text(text, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Ctrl-C during a run: honored where nothing can be lost, and never lost itself.
+"""Ctrl-C during a run, or a request to end: honored where nothing can be lost, and never lost itself.
 
 Python raises KeyboardInterrupt wherever it happens to be: inside the callback of a weak reference (h5py has
 many) it is swallowed, inside the writing of a chunk it leaves half of it. So during a run the key is
@@ -13,29 +13,39 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType, TracebackType
-from typing import Self
+from typing import Any, Self
+
+#: What Python does by itself: only that is replaced while a run goes on.
+BY_ITSELF: dict[signal.Signals, Any] = {
+    signal.SIGINT: signal.default_int_handler,
+    signal.SIGTERM: signal.SIG_DFL,
+}
+
+
+class Terminated(KeyboardInterrupt):
+    """SIGTERM, as a scheduler or a shutting down machine sends it, ends a run like ctrl-C."""
 
 
 class Interrupts:
-    """Holds SIGINT while it is entered; a handler of the user's own, and other threads, are left alone."""
+    """Holds both signals while it is entered; handlers of the user's own and other threads are left alone."""
 
     def __init__(self) -> None:
-        self._pressed = False
+        self._pressed: type[KeyboardInterrupt] | None = None
         self._computing = False
-        self._holding = False
+        self._held: list[signal.Signals] = []
 
     def __enter__(self) -> Self:
-        main = threading.current_thread() is threading.main_thread()
-        if main and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-            signal.signal(signal.SIGINT, self._handle)
-            self._holding = True
+        if threading.current_thread() is threading.main_thread():
+            self._held = [number for number, usual in BY_ITSELF.items() if signal.getsignal(number) is usual]
+            for number in self._held:
+                signal.signal(number, self._handle)
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        if self._holding:
-            signal.signal(signal.SIGINT, signal.default_int_handler)
+        for number in self._held:
+            signal.signal(number, BY_ITSELF[number])
         if error is None:
             self.check()
 
@@ -50,11 +60,11 @@ class Interrupts:
             self._computing = False
 
     def check(self) -> None:
-        """KeyboardInterrupt, when the key was pressed."""
-        if self._pressed:
-            raise KeyboardInterrupt
+        """KeyboardInterrupt, when the key was pressed; Terminated."""
+        if self._pressed is not None:
+            raise self._pressed
 
     def _handle(self, number: int, frame: FrameType | None) -> None:
-        again, self._pressed = self._pressed, True
+        again, self._pressed = self._pressed, Terminated if number == signal.SIGTERM else KeyboardInterrupt
         if self._computing or again:
-            raise KeyboardInterrupt
+            raise self._pressed

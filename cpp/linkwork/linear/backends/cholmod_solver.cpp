@@ -8,6 +8,7 @@
 #include <new>
 
 #include "linkwork/linear/backends/cholmod_view.hpp"
+#include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
 namespace {
@@ -29,6 +30,7 @@ class Cholmod final : public LinearSolver {
   }
 
   void analyze(const SparseMatrix& pattern) override {
+    const SharedState held;
     release();
     cholmod_sparse A = view(pattern);
     factor_ = cholmod_analyze(&A, &common_);
@@ -36,6 +38,7 @@ class Cholmod final : public LinearSolver {
   }
 
   Pivot factorize(const SparseMatrix& matrix) override {
+    const SharedState held;
     cholmod_sparse A = view(matrix);
     cholmod_factorize(&A, factor_, &common_);
     if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
@@ -44,6 +47,7 @@ class Cholmod final : public LinearSolver {
   }
 
   void solve(Eigen::Ref<MatrixXd> x) override {
+    const SharedState held;
     cholmod_dense B = dense_view(x);
     cholmod_solve2(CHOLMOD_A, factor_, &B, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_, &common_);
     x = Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(

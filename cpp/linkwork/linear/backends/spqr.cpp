@@ -6,6 +6,7 @@
 #include <new>
 
 #include "linkwork/linear/backends/cholmod_view.hpp"
+#include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
 namespace {
@@ -42,6 +43,7 @@ class Spqr final : public LinearSolver {
   }
 
   void analyze(const SparseMatrix& pattern) override {
+    const SharedState held;
     begin_.assign(pattern.column_begin.begin(), pattern.column_begin.end());
     row_.assign(pattern.row.begin(), pattern.row.end());
     SuiteSparseQR_free<double>(&qr_, &common_);
@@ -52,6 +54,7 @@ class Spqr final : public LinearSolver {
   }
 
   Pivot factorize(const SparseMatrix& matrix) override {
+    const SharedState held;
     if (!VectorXd::Map(matrix.value.data(), static_cast<Eigen::Index>(matrix.value.size())).allFinite())
       return {-1.0, -1};
     scale_ = equilibration(matrix);
@@ -65,6 +68,7 @@ class Spqr final : public LinearSolver {
   }
 
   void solve(Eigen::Ref<MatrixXd> x) override {
+    const SharedState held;
     x.array().colwise() *= scale_.array();
     cholmod_dense B = dense_view(x);
     cholmod_dense* y = SuiteSparseQR_qmult<double>(SPQR_QTX, qr_, &B, &common_);

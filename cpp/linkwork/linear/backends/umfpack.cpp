@@ -5,6 +5,8 @@
 
 #include <new>
 
+#include "linkwork/linear/shared_state.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -19,6 +21,7 @@ class Umfpack final : public LinearSolver {
   ~Umfpack() override { release(); }
 
   void analyze(const SparseMatrix& pattern) override {
+    const SharedState held;
     release();
     check(umfpack_di_symbolic(pattern.size, pattern.size, pattern.column_begin.data(), pattern.row.data(), nullptr,
                               &symbolic_, control_, info_));
@@ -28,6 +31,7 @@ class Umfpack final : public LinearSolver {
   }
 
   Pivot factorize(const SparseMatrix& A) override {
+    const SharedState held;
     umfpack_di_free_numeric(&numeric_);
     const int status =
         umfpack_di_numeric(A.column_begin.data(), A.row.data(), A.value.data(), symbolic_, &numeric_, control_, info_);
@@ -38,6 +42,7 @@ class Umfpack final : public LinearSolver {
   }
 
   void solve(Eigen::Ref<MatrixXd> x) override {
+    const SharedState held;
     for (Eigen::Index column = 0; column < x.cols(); ++column) {
       check(umfpack_di_wsolve(UMFPACK_A, matrix_->column_begin.data(), matrix_->row.data(), matrix_->value.data(),
                               solution_.data(), x.col(column).data(), numeric_, control_, info_,

@@ -7,6 +7,8 @@
 
 #include <new>
 
+#include "linkwork/linear/shared_state.hpp"
+
 namespace linkwork::block {
 
 /// CHOLMOD's choice: AMD, and METIS for large graphs.
@@ -33,6 +35,7 @@ std::vector<int> fill_reducing_order(const NumberLists& graph) {
   A.itype = CHOLMOD_INT;
   A.xtype = CHOLMOD_PATTERN;
   A.sorted = A.packed = 1;
+  const SharedState held;
   cholmod_factor* factor = cholmod_analyze(&A, &common);
   if (!factor) throw std::bad_alloc();
   const int* permutation = static_cast<const int*>(factor->Perm);
