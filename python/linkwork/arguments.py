@@ -6,7 +6,6 @@ here they are answered like other values that make no sense.
 
 from __future__ import annotations
 
-import contextlib
 import math
 import os
 import stat
@@ -19,14 +18,13 @@ import numpy as np
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
-__all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "target",
-           "whole"]  # fmt: skip
+__all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "whole"]
 
 #: A shape (size,) of an array; None stands for any length.
 ArrayShape = tuple[int | None, ...]
 
 #: What is no file, by the type of its mode.
-KINDS = {
+SPECIAL = {
     stat.S_IFCHR: "device", stat.S_IFBLK: "device", stat.S_IFIFO: "pipe", stat.S_IFSOCK: "socket",
 }  # fmt: skip
 
@@ -85,29 +83,28 @@ def one_of(given: Any, known: Iterable[str], what: str, code: str = "unknown_opt
 
 
 def path(given: Any, what: str) -> Path:
-    """FileError: it is no path."""
+    """Of a file to be read or written. FileError: it is no path; or neither a file nor a folder is there: a
+    device would be replaced, and a pipe waits for ever."""
     try:
         found = os.fspath(given)
         if isinstance(found, str) and found and "\0" not in found:
+            _refuse_special(found, what)
             return Path(found)
     except TypeError:
         pass
     raise FileError(f"{what} {given!r:.80} is no path of a file: give its name", code="path")
 
 
-def target(given: Any, what: str) -> Path:
-    """A file to be written. FileError: it is no path, or no file is there: a device would be replaced,
-    and a pipe waits for a reader."""
-    found = path(given, what)
-    with contextlib.suppress(OSError):
-        kind = os.stat(found).st_mode
-        if not stat.S_ISREG(kind) and not stat.S_ISDIR(kind):
-            raise FileError(
-                f"{what} '{found}': is no regular file but a {KINDS.get(stat.S_IFMT(kind), 'special file')}; "
-                "choose another place",
-                code="not_writable",
-            )
-    return found
+def _refuse_special(found: str, what: str) -> None:
+    try:
+        kind = stat.S_IFMT(os.stat(found).st_mode)
+    except OSError:  # whoever opens it says so
+        return
+    if kind not in (stat.S_IFREG, stat.S_IFDIR):
+        raise FileError(
+            f"{what} '{found}': is no regular file but a {SPECIAL.get(kind, 'special file')}; choose another",
+            code="special_file",
+        )
 
 
 def shaped(value: Any, shapes: Sequence[ArrayShape], who: str, what: str) -> Floats:

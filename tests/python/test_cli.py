@@ -17,7 +17,7 @@ from typing import Any
 import h5py
 import pytest
 from commands import running
-from linkwork import FileError, Result, simulate
+from linkwork import FileError, Model, Result, import_urdf, simulate
 from linkwork.cli import run
 from linkwork.integrators import METHODS
 from linkwork.mechanisms import MECHANISMS
@@ -363,8 +363,8 @@ def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(
 
 
 @pytest.mark.parametrize("kind", ["device", "pipe"])
-def test_an_output_that_is_no_file_is_left_alone(kind: str, tmp_path: Path) -> None:
-    """Not even by a link to it: as root a device would be replaced, and a pipe would wait for a reader."""
+def test_what_is_no_file_is_neither_written_nor_read(kind: str, tmp_path: Path) -> None:
+    """Not even by a link to it: as root a device would be replaced, and a pipe waits for ever."""
     place = tmp_path / "run.h5"
     if kind == "pipe":
         os.mkfifo(place)
@@ -373,6 +373,8 @@ def test_an_output_that_is_no_file_is_left_alone(kind: str, tmp_path: Path) -> N
     for words in (
         ["run", "pendulum", "--t-end", "0.1", "--output"],
         ["compare", "pendulum", "--t-end", "0.1", "--csv"],
+        ["repair"],
+        ["view"],
     ):
         done = linkwork(*words, str(place))
         assert done.returncode == 1 and f"is no regular file but a {kind}" in done.stderr, done.stderr
@@ -382,6 +384,10 @@ def test_an_output_that_is_no_file_is_left_alone(kind: str, tmp_path: Path) -> N
     for write in (result.save, result.view):
         with pytest.raises(FileError, match="no regular file"):
             write(place)
+    for name in ("model.yaml", "model.json", "robot.urdf"):
+        (tmp_path / name).symlink_to(place)
+        with pytest.raises(FileError, match=f"no regular file but a {kind}"):
+            Model.load(tmp_path / name) if name != "robot.urdf" else import_urdf(tmp_path / name)
     assert not place.is_file() and stat.S_ISCHR(os.stat(os.devnull).st_mode)
 
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import threading
+import warnings
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
@@ -11,8 +14,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core, mechanisms
-
-Floats = np.ndarray[Any, np.dtype[np.float64]]
+from linkwork.arrays import Floats
 
 SOLVERS = ["auto", *(info.name for info in _core.linear_solvers() if info.available)]
 
@@ -155,6 +157,37 @@ def test_systems_of_one_model_in_threads_of_their_own_find_the_same_bits(solver:
 
     with ThreadPoolExecutor(4) as pool:
         list(pool.map(work, range(4)))
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+@pytest.mark.parametrize("solver", [name for name in ("spqr", "block") if name in SOLVERS])
+def test_a_process_that_is_forked_beside_a_working_thread_works(solver: str) -> None:
+    """Whatever the thread was in the middle of."""
+    system = lw.System(mechanisms.chain(60), **options(solver))
+    ended = threading.Event()
+
+    def work() -> None:
+        mine = lw.System(mechanisms.chain(60), **options(solver))
+        while not ended.is_set():
+            mine.accelerations(*state(mine))
+
+    with ThreadPoolExecutor(1) as pool:
+        pool.submit(work)
+        try:
+            for _ in range(20):
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore", DeprecationWarning)  # of forks beside threads
+                    child = os.fork()
+                if child == 0:
+                    signal.alarm(20)  # its end, should it hang
+                    try:
+                        system.accelerations(*state(system))
+                        os._exit(0)
+                    finally:
+                        os._exit(1)
+                assert os.waitpid(child, 0)[1] == 0
+        finally:
+            ended.set()
 
 
 def test_runs_of_one_model_in_threads_have_the_bits_of_one_alone() -> None:

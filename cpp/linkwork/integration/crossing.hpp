@@ -29,7 +29,7 @@ struct Leap {
 /// accelerations wrong by delta / sigma, sigma the smallest singular value, and the stages of explicit steps violate
 /// them by about h^2. On the branch itself the motion is smooth. So the pose is foreseen from the smallest pivot, which
 /// falls like the square of the time to it, and taken in one leap by Gauss collocation whose nodes stand on the
-/// constraints, Phi = 0 and D v + Phi_t = 0, and around the pose: none nearer than about an eighth of the leap. The
+/// constraints, Phi = 0 and D v + Phi_t = 0, and around the pose: none nearer than some hundredths of the leap. The
 /// leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the errors
 /// that roundoff makes grow with 1 / sigma^2.
 class Crossing final : public Interpolant {

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from linkwork.arguments import target
+from linkwork.arguments import path as path_of
 from linkwork.errors import FileError, unwritable
 
 
@@ -56,7 +56,7 @@ def check_writable(path: str | os.PathLike[str]) -> None:
             f"output '{path}': cannot be written: no directory '{parent}'; make it, or choose another place",
             code="not_writable",
         )
-    target(path, "output")
+    path_of(path, "output")
     if Path(path).is_dir():
         raise unwritable("output", path, OSError(errno.EISDIR, ""))
     if not os.access(path if os.path.exists(path) else parent, os.W_OK):

@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from linkwork.arguments import target
+from linkwork.arguments import path as path_of
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import ERRORS, Outcome
@@ -325,7 +325,7 @@ def _written(text: str, path: str | os.PathLike[str] | None) -> str:
     """To a file beside, then renamed, so that `path` is never half written."""
     if path is None:
         return text
-    path = target(path, "output")
+    path = path_of(path, "output")
     beside = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         beside.write_text(text, encoding="utf-8")

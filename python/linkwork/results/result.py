@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from linkwork import rotation
 from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
-from linkwork.arguments import one_of, target
+from linkwork.arguments import one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, warn
@@ -407,7 +407,7 @@ class Result:
 
         self._need_reactions()
         writing.save(
-            target(path, "result"), self._header, self._frames, self.statistics, self._run, self._events
+            path_of(path, "result"), self._header, self._frames, self.statistics, self._run, self._events
         )
         if self._finer is not None:
             writing.add_finer(path_of(path, "result"), self._finer, self.statistics)
@@ -501,7 +501,7 @@ class Result:
 
         page = view([self] if other is None else [self, other], labels, limit)
         if path is not None:
-            page.save(target(path, "page"))
+            page.save(path_of(path, "page"))
         return page
 
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
@@ -513,7 +513,7 @@ class Result:
 
         page = report(self)
         if path is not None:
-            page.save(target(path, "page"))
+            page.save(path_of(path, "page"))
         return page
 
     def summary(self) -> str:

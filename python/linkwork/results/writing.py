@@ -38,7 +38,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork.accuracy.verification import Finer
-from linkwork.arguments import target
+from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause, unwritable
 from linkwork.motion.header import MODEL_NAMES, Header, record_reactions
@@ -94,7 +94,7 @@ class ResultWriter:
     """
 
     def __init__(self, path: str | os.PathLike[str], header: Header, *, run: str | None = None) -> None:
-        self.path = target(path, "result")
+        self.path = path_of(path, "result")
         self._header = header
         self._frames = 0
         self._pending: list[Floats] = []

@@ -14,7 +14,7 @@ from typing import Any, Unpack
 from numpy.typing import ArrayLike
 
 from linkwork import _core, integrators
-from linkwork.arguments import target
+from linkwork.arguments import path as path_of
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
 from linkwork.errors import OptionError, unwritable
@@ -267,7 +267,7 @@ def _system(
 
 def _check_folder(output: str | os.PathLike[str] | None) -> None:
     """FileError: there is no folder for it, which is told before how long the run would take."""
-    if output is not None and not target(output, "output").absolute().parent.is_dir():
+    if output is not None and not path_of(output, "output").absolute().parent.is_dir():
         raise unwritable("output", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 

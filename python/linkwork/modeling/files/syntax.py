@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
 from typing import Any, Protocol
 
+from linkwork.arguments import path as path_of
 from linkwork.errors import Fault, FileError, ModelFileError, cause, nearest
 from linkwork.modeling.files import json_text, yaml_text
 
@@ -33,7 +33,7 @@ SUFFIXES: Mapping[str, tuple[Callable[[str], Any], int]] = {
 
 def check_suffix(path: str | os.PathLike[str]) -> str:
     """The extension. FileError: none of a model file."""
-    suffix = Path(path).suffix.lower()
+    suffix = path_of(path, "model file").suffix.lower()
     if suffix not in SUFFIXES:
         known = ", ".join(SUFFIXES)
         raise FileError(
