@@ -16,7 +16,7 @@ much too large where errors die out, as in friction that sticks, with steps that
 drivers leave nothing to go wrong.
 
 The steps are taken again when the run is over, and change nothing in it. Of runs of 10 000 steps by rk4 that
-takes 1 % of the time or less, of one body by Euler's method 2 to 3 %.
+takes 1.3 % of the time or less, of one body by Euler's method 2.5 to 4 %.
 """
 
 from __future__ import annotations
