@@ -161,7 +161,11 @@ void bind_events(py::module_& module) {
              return event;
            }),
            py::arg("name"), py::arg("function"), py::arg("direction"), py::arg("terminal"), py::arg("change"),
-           py::arg("tolerance"));
+           py::arg("tolerance"))
+      .def_property_readonly(
+          "signature",
+          [](const Event& it) { return py::make_tuple(it.direction, it.terminal, bool(it.change), it.tolerance); },
+          "What beside its functions decides on the steps: direction, terminal, whether it has a change, tolerance.");
 }
 
 void bind_runs(py::module_& module) {
@@ -172,6 +176,28 @@ void bind_runs(py::module_& module) {
            "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
            "history.")
       .def("take_frames", exclusive(+[](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); }))
+      .def("resume", exclusive(+[](Run& run, const py::bytes& state, double work) {
+             run.resume(std::string(state), work);
+           }),
+           py::arg("state"), py::arg("work"),
+           "Before the first step: goes on from a checkpoint at or before the start, of a run of the same mechanism by "
+           "the same method, as that one would have gone on; `work` [J] at the start.")
+      .def_property_readonly("checkpoint", exclusive(+[](const Run& run) -> py::object {
+                               const Checkpoint& it = run.checkpoint();
+                               if (std::isnan(it.t)) return py::none();
+                               return py::make_tuple(it.t, py::bytes(it.state));
+                             }),
+                             "(t, state), not after the last frame that was taken; None: there is none.")
+      .def_property_readonly("last_checkpoint", exclusive(+[](const Run& run) -> py::object {
+                               const Checkpoint& it = run.last_checkpoint();
+                               if (std::isnan(it.t)) return py::none();
+                               return py::make_tuple(it.t, py::bytes(it.state));
+                             }),
+                             "The same, not after last_state.")
+      .def_property_readonly("work", exclusive(+[](const Run& run) {
+                               return run.last_state()[run.last_state().size() - 1];
+                             }),
+                             "Of last_state [J].")
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
       .def_property_readonly("last_state", exclusive(+[](const Run& run) {
