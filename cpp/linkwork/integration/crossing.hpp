@@ -70,7 +70,7 @@ class Crossing final : public Interpolant {
 
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.followed; }
-  /// Between steps; `leaping`: of the last leap.
+  /// Between steps; `leaping`: in or at the end of the last leap.
   void keep(Archive& archive, bool leaping);
 
   /// The state in what is followed of the last leap, with unit Euler parameters.

@@ -61,9 +61,10 @@ void Run::mark(bool last) {
     sampling_.begin_anew(dynamics_, y_[y_.size() - 1]);
     dynamics_.formulation().watch().forget_crossings();
   }
-  if (bounded_ || repeating_ || !(due_ || last)) return;
+  const bool marks = !bounded_ && !repeating_ && (due_ || last);
+  bounded_ = bounded_ || last;
+  if (!marks) return;
   due_ = false;
-  bounded_ = last;
   Archive archive;
   keep(archive);
   latest_ = {t(), archive.take()};

@@ -63,7 +63,6 @@ double Simulation::time_of(std::int64_t step) const {
 
 double Simulation::t() const {
   if (steps_done_ == steps_total_) return schedule_.t_end;
-  if (steps_done_ == start_step_ && !std::isnan(given_start_)) return given_start_;
   return steps_done_ == 0 ? schedule_.t_start : time_of(steps_done_);
 }
 
@@ -71,7 +70,7 @@ void Simulation::keep(Archive& archive) {
   const double start = schedule_.t_start;
   Run::keep(archive);
   archive(schedule_.t_start, origin_, first_step_, leaping_, leapt_, last_power_, last_t_);
-  crossing_.keep(archive, leaping_);
+  crossing_.keep(archive, leaping_ || leapt_);
   if (integrator_) integrator_->keep(archive);
   if (archive.reading()) go_on_to(start);
 }
@@ -94,8 +93,7 @@ void Simulation::record_start() {
 }
 
 bool Simulation::recording_due() const {
-  const bool begins = steps_done_ == start_step_ && !std::isnan(given_start_);
-  return begins || steps_done_ == steps_total_ || steps_done_ % schedule_.record_every == 0;
+  return begins() || steps_done_ == steps_total_ || steps_done_ % schedule_.record_every == 0;
 }
 
 void Simulation::take_step() {
@@ -194,11 +192,12 @@ void Simulation::accept_state() {
 }
 
 void Simulation::record() {
-  if (!leapt_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t(), y_);
-  if (!leapt_) return recorder_.record_in_step(t(), y_);
+  const double t = begins() ? given_start_ : this->t();
+  if (!leapt_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t, y_);
+  if (!leapt_) return recorder_.record_in_step(t, y_);
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
-  crossing_.interpolate(crossing_.theta(t()), v_dot, lambda);
-  recorder_.record(t(), y_, v_dot, lambda);
+  crossing_.interpolate(crossing_.theta(this->t()), v_dot, lambda);
+  recorder_.record(t, y_, v_dot, lambda);
 }
 
 void Simulation::finish_step() {

@@ -40,6 +40,8 @@ class Simulation final : public Run {
   void keep(Archive& archive) override;
   void record_start() override;
   bool past_start() const override { return steps_done_ >= start_step_; }
+  /// With the state at which a resumed run starts.
+  bool begins() const { return steps_done_ == start_step_ && !std::isnan(given_start_); }
   bool natural() const { return whole_ || steps_done_ < steps_total_; }
   double time_of(std::int64_t step) const;
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }

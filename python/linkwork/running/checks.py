@@ -187,10 +187,13 @@ def start_time(start: Snapshot | None) -> float:
     return number(t, "start: t", code="start")
 
 
-def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
+def check_start(
+    model: Model, dynamics: _core.Dynamics, start: Snapshot, *, known: bool = False
+) -> None:
     """OptionError: the state of another mechanism.
 
-    LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
+    LinkworkWarning: the joints do not hold in it, unless it is `known` to be that of the run which goes on;
+    force elements had more to go on from than the state.
     """
     core, count = model.compiled(), model.body_count
     q, v = array(start.q, "start: q"), array(start.v, "start: v")
@@ -210,6 +213,8 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
             bodies=[core.body_name(body)],
         )
     _take_history(core, dynamics, start)
+    if known:
+        return
     remarks = [
         _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
     ]

@@ -198,6 +198,8 @@ def _prepared(
     system, assembly = _system(model, method, options, plan, given["assemble"], start)
     key = resuming.key(model, method, {**plan.steps(), **system.options}, watched, given, assembly)
     resume = resuming.of(start, key, plan.t_end)
+    if start is not None:
+        checks.check_start(model, system.compiled(), start, known=resume is not None)
     if resume is not None:
         key = resume.checkpoint.method
         system = _as_then(system, model, options, given["assemble"], key)
@@ -273,7 +275,6 @@ def _system(
     system = System(model, **options)
     plan.check(method, system)
     if start is not None:
-        checks.check_start(model, system.compiled(), start)
         return system, None
     assembly = checks.consistent(model, system.compiled(), correct=assemble)
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
