@@ -368,6 +368,11 @@ class Event:
         | None,
         tolerance: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
+    @property
+    def signature(self) -> tuple:
+        """
+        What beside its functions decides on the steps: direction, terminal, whether it has a change, tolerance.
+        """
 
 class FormulationInfo:
     """
@@ -859,8 +864,17 @@ class Run:
         """
         Largest violation of a position constraint now, relative to the size of the mechanism.
         """
+    def resume(self, state: bytes, work: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        Before the first step: goes on from a checkpoint at or before the start, of a run of the same mechanism by the same method, as that one would have gone on; `work` [J] at the start.
+        """
     def statistics(self) -> dict: ...
     def take_frames(self) -> dict: ...
+    @property
+    def checkpoint(self) -> typing.Any:
+        """
+        (t, state), not after the last frame that was taken; None: there is none.
+        """
     @property
     def energies(self) -> tuple[float, float, float, float]:
         """
@@ -872,6 +886,11 @@ class Run:
     def history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         Of last_state; see Dynamics.history.
+        """
+    @property
+    def last_checkpoint(self) -> typing.Any:
+        """
+        The same, not after last_state.
         """
     @property
     def last_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -887,6 +906,11 @@ class Run:
         """
     @property
     def t(self) -> float: ...
+    @property
+    def work(self) -> float:
+        """
+        Of last_state [J].
+        """
 
 class SemiImplicitEuler:
     """

@@ -93,7 +93,10 @@ class WatchedFormulation final : public Formulation {
   const RowChoice& row_choice() const { return choice_; }
   /// The present state is that where these rows were left out.
   void repeat_choice(const std::vector<int>& rows);
-  void keep(Archive& archive) { archive(watch_, least_singular_value_, pivot_); }
+  void keep(Archive& archive) {
+    archive(watch_, least_singular_value_, pivot_);
+    saddle().keep(archive);
+  }
 
  private:
   template <class Factorize>

@@ -126,7 +126,8 @@ void AdaptiveSimulation::begin() {
 // Hairer, Norsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.4: a step in which the state
 // changes by one percent, then one whose error, judged by the second derivative, is one percent of the tolerances.
 double AdaptiveSimulation::initial_step() {
-  const double free = std::min(schedule_.largest_step, breaks_.next(t_) - t_), most = std::min(free, schedule_.t_end - t_);
+  const double free = std::min(schedule_.largest_step, breaks_.next(t_) - t_),
+               most = std::min(free, schedule_.t_end - t_);
   dynamics_.rates(rates_);
   const double speed = measure_.of_change(y_, y_, rates_).value;
   const double first = speed > 0.0 ? std::min(0.01 * measure_.of_state(y_) / speed, most) : most;

@@ -144,9 +144,9 @@ class Crossing final : public Interpolant {
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool starting_ = false;   ///< the leap begins near the pose, not before it
-  bool in_pose_ = false;    ///< or in it
-  bool fresh_ = true;       ///< no step was looked at yet
+  bool starting_ = false;  ///< the leap begins near the pose, not before it
+  bool in_pose_ = false;   ///< or in it
+  bool fresh_ = true;      ///< no step was looked at yet
   mutable bool limited_ = false;
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
   double most_step_ = INFINITY;

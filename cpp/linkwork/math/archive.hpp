@@ -19,7 +19,7 @@ namespace linkwork {
 /// so that what is written and what is read cannot differ. For the machine that wrote it.
 class Archive {
  public:
-  Archive() = default;                                             ///< writes
+  Archive() = default;                                                          ///< writes
   explicit Archive(std::string_view bytes) : unread_(bytes), reading_(true) {}  ///< reads, from what stays there
 
   bool reading() const { return reading_; }
@@ -37,7 +37,8 @@ class Archive {
 
  private:
   [[noreturn]] static void throw_damaged() {
-    throw OptionError("start", "start: what it has to go on from is damaged: leave it out (start._replace(resume=None))");
+    throw OptionError("start",
+                      "start: what it has to go on from is damaged: leave it out (start._replace(resume=None))");
   }
 
   void bytes(void* values, std::size_t count) {
@@ -79,8 +80,11 @@ class Archive {
 
   template <class Value>
   void keep(std::vector<Value>& list) {
-    list.resize(count(list.size(), 1));
-    for (Value& value : list) keep(value);
+    constexpr bool plain = std::is_arithmetic_v<Value>;
+    list.resize(count(list.size(), plain ? sizeof(Value) : 1));
+    if constexpr (plain) bytes(list.data(), list.size() * sizeof(Value));
+    else
+      for (Value& value : list) keep(value);
   }
 
   template <class Value, std::size_t size>

@@ -131,7 +131,9 @@ class Energies:
             self._first, self._first_work = float(balance[0]), float(work[0])
         self._made = max(self._made, float(balance.max()) - self._first, self._first - float(balance.min()))
         self.reach(
-            float(kinetic.max()), float(potential.min()), float(potential.max()),
+            float(kinetic.max()),
+            float(potential.min()),
+            float(potential.max()),
             float(np.abs(work - self._first_work).max()),
         )
 

@@ -11,7 +11,17 @@ import numpy as np
 
 from linkwork.arrays import Floats
 
-__all__ = ["BodyResult", "Checkpoint", "Excess", "Occurrence", "Reaction", "Resume", "SingularPose", "Snapshot", "rotate"]
+__all__ = [
+    "BodyResult",
+    "Checkpoint",
+    "Excess",
+    "Occurrence",
+    "Reaction",
+    "Resume",
+    "SingularPose",
+    "Snapshot",
+    "rotate",
+]
 
 
 class Reaction(NamedTuple):

@@ -187,9 +187,7 @@ def start_time(start: Snapshot | None) -> float:
     return number(t, "start: t", code="start")
 
 
-def check_start(
-    model: Model, dynamics: _core.Dynamics, start: Snapshot, *, known: bool = False
-) -> None:
+def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, known: bool = False) -> None:
     """OptionError: the state of another mechanism.
 
     LinkworkWarning: the joints do not hold in it, unless it is `known` to be that of the run which goes on;

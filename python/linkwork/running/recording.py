@@ -87,9 +87,7 @@ class _Memory:
 
 
 class _File:
-    def __init__(
-        self, path: str | os.PathLike[str], header: Header, checkpoints: Checkpoints
-    ) -> None:
+    def __init__(self, path: str | os.PathLike[str], header: Header, checkpoints: Checkpoints) -> None:
         from linkwork.results.writing import ResultWriter
 
         self._writer = ResultWriter(path, header, checkpoint=checkpoints.of_frames)
@@ -114,9 +112,7 @@ class _File:
         return Result._read(self._writer.path, trusted=True)
 
 
-def recorder(
-    output: str | os.PathLike[str] | None, header: Header, checkpoints: Checkpoints
-) -> Recorder:
+def recorder(output: str | os.PathLike[str] | None, header: Header, checkpoints: Checkpoints) -> Recorder:
     """To a file, or to memory. FileError: the file cannot be written."""
     if output is None:
         return _Memory(header, checkpoints)
