@@ -115,7 +115,7 @@ class JsonText:
         return self._members(start, {wanted}, all_of=self._any_repeated)[wanted]
 
     def _members(self, start: int, wanted: set[Any], *, all_of: bool) -> dict[str | int, int]:
-        """The places of members of the object that begins at `start`: the last ones, or the first that comes."""
+        """The places of members of the object that begins at `start`: the last ones, or the first found."""
         text, decoder, found = self._text, json.JSONDecoder(), dict[str | int, int]()
         place = _skip(text, start + 1)
         while text[place] not in "]}" and (not found or all_of):
