@@ -59,8 +59,8 @@ Model legs(int n) {
   const int frame = model.add_body("frame", body_at({0, 0, 1}));
   for (int k = 0; k < n; ++k) {
     const Vec3<double> foot = random.vec3(), knee = random.vec3(), hip = random.vec3();
-    const int lower = model.add_body("lower" + std::to_string(k), at(0.5 * (foot + knee)));
-    const int upper = model.add_body("upper" + std::to_string(k), at(0.5 * (hip + knee)));
+    const int lower = model.add_body("lower" + std::to_string(k), body_at(0.5 * (foot + knee)));
+    const int upper = model.add_body("upper" + std::to_string(k), body_at(0.5 * (hip + knee)));
     join(model, "universal", ground, lower, foot);
     join(model, "revolute", lower, upper, knee);
     join(model, "spherical", upper, frame, hip);
