@@ -91,6 +91,7 @@ def test_bodies_are_seen_where_the_result_says(
 ) -> None:
     """Pixels of three colors, at three times, against positions projected by the page's camera."""
     opened(tab, three_balls.view(), tmp_path)
+    tab.evaluate("document.querySelector('.overlay').hidden = true")  # its axes are colored, too
     tab.evaluate("Object.assign(linkwork.world.shown, { paths: false, grid: false }).paths")
     for frame in (0, 37, 100):
         tab.evaluate(f"linkwork.player.seek({float(three_balls.t[frame])!r})")
