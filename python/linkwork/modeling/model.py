@@ -27,6 +27,17 @@ if TYPE_CHECKING:
 
 __all__ = ["Model", "check_model", "model_of"]
 
+#: What others call our joints and forces.
+SYNONYMS = {
+    **dict.fromkeys(("hinge", "pin", "pin_joint", "continuous"), "revolute"),
+    **dict.fromkeys(("prismatic", "slider", "slide"), "translational"),
+    **dict.fromkeys(("ball", "ball_joint", "ball_and_socket"), "spherical"),
+    **dict.fromkeys(("weld", "rigid", "lock", "welded"), "fixed"),
+    **dict.fromkeys(("cardan", "hooke", "u_joint"), "universal"),
+    **dict.fromkeys(("motor", "actuator", "driver"), "drive"),
+    **dict.fromkeys(("spring", "damper", "spring_dampers"), "spring_damper"),
+}
+
 
 class Model(ModelBuilder):
     """A mechanism under construction. SI units, angles in rad.
@@ -35,6 +46,13 @@ class Model(ModelBuilder):
     Bodies are given by handle or by name. Everything is checked when it is added: bad input is a ModelError
     that names the object and the value, and leaves the model as it was.
     """
+
+    if not TYPE_CHECKING:  # a type checker knows the methods that there are
+
+        def __getattr__(self, name: str) -> Any:
+            """AttributeError: it leads from another name of a joint to ours."""
+            meant = f": that is called '{SYNONYMS[name]}' here" if name in SYNONYMS else ""
+            raise AttributeError(f"'Model' has no attribute '{name}'{meant}", name=name, obj=self)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Model:
