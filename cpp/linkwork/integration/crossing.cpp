@@ -38,6 +38,7 @@ constexpr double end_part = 1e-2;        // of that, at most
 constexpr double precision = 1e-16;      // of solutions, relative to the square of the angle to the pose
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
+constexpr double too_far = 1.5;          // of the usual distance to the pose: steps go on before the leap
 constexpr double part_of_way = 0.8;      // to a foreseen pose
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
 
@@ -164,17 +165,23 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
   least_ = {t, fastest_ * h > coarse ? dynamics_.formulation().least_singular_value() : INFINITY};
-  const double tau = std::min(foreseen(t), foreseen_by_least(t));
+  const bool known = known_ > t;
+  const double tau = known ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
   if (!(tau >= -h && tau < INFINITY)) return false;
   const auto trend = dynamics_.watch().trend();
   const double root = trend ? trend->last.root : least_.root;
-  if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
+  if (!known && declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
   const double usual = usual_length(v, VectorXd::Zero(v.size()));
-  if (!adaptive) return tau < std::max(0.5 * usual, steps_before * h) + h;
-  if (tau <= 0.5 * usual) return true;
+  if (!adaptive) return tau < near_enough(usual, h, adaptive);
+  if (tau <= near_enough(usual, h, adaptive)) return true;
   most_step_ = tau - before_pose * usual;
   return false;
+}
+
+/// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them.
+double Crossing::near_enough(double usual, double h, bool adaptive) {
+  return adaptive ? 0.5 * usual : std::max(0.5 * usual, steps_before * h) + h;
 }
 
 /// Of the nodes from the poses, relative to the length.
@@ -219,10 +226,16 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const Unwatched unwatched(dynamics_);
   if (!starting_ && !begin(t, y)) return false;
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-  const double pose = starting_ ? 0.0 : std::min(foreseen(t), foreseen_by_least(t));
+  const double trend_says = known_ > t ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
+  const double pose = starting_ ? 0.0 : trend_says;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   search.base = search.least;
-  if (!try_lengths(search, y)) return false;
+  search.too_far = too_far * near_enough(usual, h, !(grid > 0.0)) + h;
+  known_ = -INFINITY;
+  if (!try_lengths(search, y)) {
+    if (known_ > t && !(grid > 0.0)) most_step_ = known_ - t - before_pose * usual;
+    return false;
+  }
   declined_ = 0.0;
   leap_ = std::move(search.best);
   leap_.followed = leap_.h;
@@ -279,6 +292,10 @@ void Crossing::weigh(Search& search, Quality quality) {
   if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
   search.poses = leap_.poses = poses_in_leap(0.5);
   search.done = search.poses.empty();
+  if (!starting_ && !search.done && search.poses.front() > search.too_far) {
+    known_ = search.t + search.poses.front();
+    search.done = true;
+  }
   if (search.done) return;
   const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
   const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
@@ -494,6 +511,23 @@ void Crossing::state_at(double time_in_leap, VectorXd& y) const {
 }
 
 void Crossing::interpolate(const System&, double theta, VectorXd& y) const { state_at(theta * leap_.followed, y); }
+
+void Crossing::place(double theta, VectorXd& y) {
+  const double part = theta * leap_.followed;
+  state_at(part, y);
+  for (const double pose : leap_.poses)
+    if (std::abs(part - pose) < margin * leap_.h) return;
+  const Unwatched unwatched(dynamics_);
+  y_ = y;
+  try {
+    dynamics_.evaluate(leap_.t + part, y_);
+    projection_.positions(leap_.t + part, y_);
+    projection_.velocities(leap_.t + part, y_);
+  } catch (const Error&) {
+    return;
+  }
+  y = y_;
+}
 
 void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {
   const System& system = dynamics_.system();
