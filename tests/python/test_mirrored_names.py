@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 LIBRARY = ROOT / "cpp" / "linkwork"
 TESTS = ROOT / "tests" / "cpp"
 
+FORMULATIONS = re.findall(
+    r"^LINKWORK_FORMULATION\((\w+)\)", (LIBRARY / "formulation" / "formulations.def").read_text(), re.M
+)
 #: Folders of registered things: one test runs over all of them.
 REGISTERED = {
     "model/joints": "joints",
@@ -16,6 +20,7 @@ REGISTERED = {
 }
 #: Parts of one whole behind one interface, by which they are tested.
 PARTS = {
+    **{f"formulation/{name}": "formulation" for name in FORMULATIONS},
     "math/instruction_set": "batch",
     "assembly/system_algebra": "system",
     "linear/kkt": "saddle_solver",
@@ -25,9 +30,6 @@ PARTS = {
     "linear/block/core_elimination": "block_solver",
     "linear/block/tree_elimination": "block_solver",
     "linear/block/kernels": "block_solver",
-    "formulation/augmented_lagrangian": "formulation",
-    "formulation/penalty": "formulation",
-    "formulation/standard": "formulation",
 }
 #: Nothing but clocks, whose numbers no test can know.
 WITHOUT_LOGIC = {"formulation/right_hand_side_times"}
