@@ -300,7 +300,7 @@ void Dynamics::rates(MutableVector y_dot) {
   b_ = at_.gamma;
   if (kind_ == StabilizationKind::baumgarte) {
     const Gains gains = gains_or(textbook_gains);
-    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;
+    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;  // (12.8)
   } else if (held_) {
     b_ += held_u_;
   }

@@ -10,7 +10,6 @@
 namespace linkwork {
 namespace {
 
-constexpr double rank_tolerance = 1e-9;
 constexpr double reach = 0.14;         // of a leap [rad]: what the fastest body of the loops turns
 constexpr double fastest = 0.8;        // the same for any body
 constexpr double least_part = 0.1;     // of that, for leaps over a motion that varies more
@@ -28,6 +27,7 @@ constexpr double least_margin = 0.012;             // the same, where nothing be
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
+constexpr double farther = 1e-3;                   // the same, of nodes from poses: what makes a length the better one
 constexpr int most_sweeps = 40, most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
@@ -198,7 +198,7 @@ double Crossing::best_length(const Search& search) const {
   double best = least, distance = -1.0;
   const auto consider = [&](double h) {
     const double nearest = nearest_node(search.poses, h) * std::min(h / least, 1.0);
-    if (nearest <= distance + 1e-3) return;
+    if (nearest <= distance + farther) return;
     best = h;
     distance = nearest;
   };

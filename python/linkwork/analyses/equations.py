@@ -25,6 +25,9 @@ AT_REST = 1e-11
 #: Joints or motions that a message names.
 LISTED = 4
 
+#: In what is told of a motion: sizes that differ by this part are equal, smaller components have no sign.
+EQUAL, SIGNLESS = 1e-9, 1e-6
+
 
 @dataclass(frozen=True)
 class Terms:
@@ -128,10 +131,10 @@ class Equations:
         """The largest part of a small motion x (6n,), in words: `body 'rod' turns about (0, 1, 0)`."""
         parts = x.reshape(-1, 2, 3)
         size = np.linalg.norm(parts, axis=2) * (1.0, self.length)
-        size[size > (1 - 1e-9) * size.max()] = size.max()  # of equals the first
+        size[size > (1 - EQUAL) * size.max()] = size.max()  # of equals the first
         body, kind = divmod(int(np.argmax(size)), 2)
         direction = parts[body, kind] / np.linalg.norm(parts[body, kind])
-        direction *= np.sign(direction[np.argmax(np.abs(direction) > 1e-6)])
+        direction *= np.sign(direction[np.argmax(np.abs(direction) > SIGNLESS)])
         where = ", ".join(f"{c:.3g}" for c in np.round(direction, 3) + 0.0)
         return f"body '{self.core.body_name(body)}' {'turns about' if kind else 'moves along'} ({where})"
 
