@@ -30,6 +30,7 @@ extensions = [
     "gallery",
     "reference",
     "included",
+    "validation",
 ]
 exclude_patterns = ["examples/**", "_ext/**", "README.md"]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
@@ -55,18 +56,30 @@ add_module_names = False
 nitpick_ignore_regex = [
     # of other packages, whose documentation is elsewhere, and what only types are called
     (r"py:.*", r"(numpy|np|collections|typing|os|pathlib|matplotlib|pandas|ctypes|scipy)\b.*"),
-    (r"py:.*", r"(Any|ArrayLike|Callable|Iterable|Iterator|Mapping|Sequence|NDArray|Path|Figure|Literal|Unpack)"),
+    (
+        r"py:.*",
+        r"(Any|ArrayLike|Callable|Iterable|Iterator|Mapping|Sequence|NDArray|Path|Figure|Literal|Unpack)",
+    ),
     (r"py:.*", r"(Floats|Indices|NoReturn|Real|Sparse|optional)"),
-    (r"py:.*", r"linkwork\.(_core|arrays|cli|plots|analyses\.equations|motion\.header|importers\.building)\b.*"),
-    (r"py:.*", r"(linkwork\.options\.types\.)?Options|Integrator|IntegratorName|PythonStep|Named|abc\.ABC"),
-    (r"py:.*", r"(linkwork\.[\w.]*\.)?_?[A-Z]\w*(Like|Option|Methods|Builder|Entry|Policy|Frame|Frames|Level|Header)"),
+    (
+        r"py:.*",
+        r"linkwork\.(_core|arrays|cli|plots|analyses\.equations|motion\.header|importers\.building|accuracy\.measures|comparison\.runs\.Curves)\b.*",
+    ),
+    (
+        r"py:.*",
+        r"(linkwork\.options\.types\.)?Options|Integrator|IntegratorName|PythonStep|Named|(linkwork\.modeling\.handles\.)?Handle|abc\.ABC",
+    ),
+    (
+        r"py:.*",
+        r"(linkwork\.[\w.]*\.)?_?([A-Z]\w*)?(Like|Option|Methods|Builder|Entry|Policy|Frame|Frames|Level|Header)",
+    ),
 ]
 
 # --- the gallery ---
 suppress_warnings = ["config.cache"]  # the gallery's order and pictures are objects
 sphinx_gallery_conf = {
-    "examples_dirs": str(HERE / "examples"),
-    "gallery_dirs": str(HERE / "gallery"),
+    "examples_dirs": "examples",
+    "gallery_dirs": "gallery",
     "filename_pattern": r"/\w+\.py",
     "ignore_pattern": r"__init__\.py",
     "subsection_order": ORDER,
@@ -76,6 +89,7 @@ sphinx_gallery_conf = {
     "reset_modules": (),
     "remove_config_comments": True,
     "download_all_examples": False,
+    "thumbnail_size": (400, 280),
     "show_signature": False,
     "show_memory": False,
     "write_computation_times": False,

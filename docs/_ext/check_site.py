@@ -1,7 +1,7 @@
 """The built site leads nowhere that is not, and asks nothing of a network: python check_site.py FOLDER
 
-Every address in every page is looked up among the files and their anchors; nothing is loaded from elsewhere. Where there is a
-Chromium, pages of each part are opened in it, and what it asks for is noted.
+Every address in every page is looked up among the files and their anchors; nothing is loaded from
+elsewhere. Where there is a Chromium, pages of each part are opened in it, and what it asks for is noted.
 """
 
 from __future__ import annotations
@@ -16,13 +16,22 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 #: Attributes that a browser follows by itself.
-LOADED = {"script": "src", "img": "src", "iframe": "src", "link": "href", "source": "src", "video": "src", "object": "data"}
+LOADED = {
+    "script": "src",
+    "img": "src",
+    "iframe": "src",
+    "link": "href",
+    "source": "src",
+    "video": "src",
+    "object": "data",
+}
 
 #: Of <link>, what is loaded.
 KINDS = ("stylesheet", "icon", "preload", "shortcut icon", "modulepreload")
 
 #: Pages that are opened in a browser, at least.
-OPENED = ("index.html", "guide/joints.html", "theory/stabilization.html", "gallery/index.html", "reference/made/model.html",
+OPENED = ("index.html", "guide/joints.html", "theory/stabilization.html", "gallery/index.html",
+          "reference/made/model.html",
           "search.html")  # fmt: skip
 
 
@@ -55,7 +64,10 @@ def read(page: Path) -> Reader:
 def faults(site: Path) -> Iterator[str]:
     """One line for each address that leads nowhere or is loaded from elsewhere."""
     for page in sorted(site.rglob("*.html")):
-        if page.parent.name == "_made":  # one file each, tested where they are made
+        if page.parent.name in (
+            "_made",
+            "_static",
+        ):  # viewers are tested where they are made; themes have templates
             continue
         reader, where = read(page), page.relative_to(site)
         for address in reader.loaded:
@@ -65,7 +77,9 @@ def faults(site: Path) -> Iterator[str]:
             if not leads_somewhere(site, page, address):
                 yield f"{where}: {address} leads nowhere"
     for sheet in site.rglob("*.css"):
-        for address in re.findall(r"(?:url\(|@import )[\"']?(https?://[^)\"']+)", sheet.read_text(encoding="utf-8")):
+        for address in re.findall(
+            r"(?:url\(|@import )[\"']?(https?://[^)\"']+)", sheet.read_text(encoding="utf-8")
+        ):
             yield f"{sheet.relative_to(site)}: loads {address}"
 
 
@@ -78,7 +92,12 @@ def leads_somewhere(site: Path, page: Path, address: str) -> bool:
     if not target.is_file() or not target.is_relative_to(site):
         return False
     anchor = unquote(parts.fragment)
-    return not anchor or target.suffix != ".html" or target.parent.name == "_made" or anchor in read(target).anchors
+    return (
+        not anchor
+        or target.suffix != ".html"
+        or target.parent.name == "_made"
+        or anchor in read(target).anchors
+    )
 
 
 def requested(site: Path) -> Iterator[str]:
@@ -99,7 +118,9 @@ def requested(site: Path) -> Iterator[str]:
             width = tab.evaluate("document.documentElement.scrollWidth - window.innerWidth")
             if width > 0:
                 yield f"{name}: is wider than the window by {width} pixels"
-        yield from (f"a page requests {address}" for address in tab.requests if not address.startswith("file:"))
+        yield from (
+            f"a page requests {address}" for address in tab.requests if not address.startswith("file:")
+        )
         yield from (f"a page complains: {complaint[:300]}" for complaint in tab.complaints)
 
 

@@ -1,25 +1,21 @@
 """Python of the pages is run while they are built: what it prints and draws stands below it.
 
-The ```python fences of a page are one program, from top to bottom, in a folder of its own. As in a notebook the value of
-a fence's last line is shown: figures as pictures, everything else as text. `{motion} result` shows a result of the
-program as a small movie, `{page} result` in the viewer. A test runs the same programs (tests/python/test_docs.py).
+The ```python fences of a page are one program, from top to bottom, in a folder of its own. As in a notebook
+the value of a fence's last line is shown: figures as pictures, everything else as text. `{motion} result`
+shows a result of the program as a small movie, `{page} result` in the viewer. A test runs the same programs
+(tests/python/test_docs.py).
 """
 
 from __future__ import annotations
 
-import ast
-import contextlib
-import io
 import os
-import re
-import tempfile
-import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from programs import Program
 from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
 from sphinx.util import logging
@@ -30,45 +26,7 @@ log = logging.getLogger(__name__)
 #: What pages are made of beside their sources, in the folder of the sources: pictures, movies, viewers.
 MADE = "_made"
 
-FENCE = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
-
-
-def blocks(page: Path) -> list[str]:
-    """The programs of a page that are run, in order."""
-    return FENCE.findall(page.read_text())
-
-
-class Program:
-    """One page's Python, block by block in one namespace."""
-
-    def __init__(self, name: str) -> None:
-        self.namespace: dict[str, Any] = {"__name__": name}
-        self.folder = tempfile.TemporaryDirectory(prefix="linkwork-docs-")
-
-    def run(self, code: str) -> tuple[str, Any]:
-        """What it printed, and the value of its last line; handles of bodies, joints and forces say nothing."""
-        tree = ast.parse(code)
-        last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
-        printed, value = io.StringIO(), None
-        with self._inside(), contextlib.redirect_stdout(printed):
-            exec(compile(tree, "<page>", "exec"), self.namespace)
-            if last is not None:
-                value = eval(compile(ast.Expression(last.value), "<page>", "eval"), self.namespace)
-        return printed.getvalue(), None if type(value).__module__ == "linkwork.modeling.handles" else value
-
-    @contextlib.contextmanager
-    def _inside(self) -> Iterator[None]:
-        before = os.getcwd()
-        os.chdir(self.folder.name)
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("error")
-                yield
-        finally:
-            os.chdir(before)
-
-
-# --- in the pages ------------------------------------------------------------------------------------------------------
+# --- in the pages -----------------------------------------------------------------------------------------
 
 
 class _Shown(nodes.Element):
@@ -106,9 +64,9 @@ class Execute(SphinxTransform):
         source = Path(self.env.doc2path(self.env.docname))
         if source.suffix != ".md":
             return
-        program, number = Program(self.env.docname), 0
-        for node in list(self.document.findall(lambda it: isinstance(it, nodes.literal_block | _Shown))):
-            number += 1
+        program = Program(self.env.docname)
+        shown = list(self.document.findall(lambda it: isinstance(it, nodes.literal_block | _Shown)))
+        for number, node in enumerate(shown, 1):
             name = f"{self.env.docname.replace('/', '-')}-{number}"
             try:
                 if isinstance(node, _Shown):
@@ -170,7 +128,9 @@ class Viewer(nodes.General, nodes.Element):
 def _write_viewer(self: Any, node: Viewer) -> None:
     from sphinx.util.osutil import relative_uri
 
-    address = relative_uri(self.builder.get_target_uri(self.builder.current_docname), f"{MADE}/{node['page']}")
+    address = relative_uri(
+        self.builder.get_target_uri(self.builder.current_docname), f"{MADE}/{node['page']}"
+    )
     self.body.append(
         f'<div class="viewer"><iframe title="linkwork viewer" loading="lazy" src="{address}" '
         f'style="height:{node["height"]}px"></iframe>'

@@ -47,7 +47,11 @@ class Shown:
                 continue
             self._seen.add(id(value))
             self._kept.append(value)
-            text += self._figure(value, variables, config) if isinstance(value, Figure) else self._page(value, variables, config)
+            text += (
+                self._figure(value, variables, config)
+                if isinstance(value, Figure)
+                else self._page(value, variables, config)
+            )
         return text
 
     def _figure(self, figure: Figure, variables: Mapping[str, Any], config: Mapping[str, Any]) -> str:

@@ -1,6 +1,6 @@
 """Docstrings of the house, as they are read by `help()`, told to Sphinx.
 
-They are plain text: paragraphs; lists of `name  meaning` in two columns; code that is indented; errors as
+They are plain text: paragraphs; lists of `name meaning` in two columns; code that is indented; errors as
 "ModelError: why". Here these become parameters, code blocks and raised exceptions.
 """
 
@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from sphinx.application import Sphinx
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
+
 
 #: "name   meaning" or "first, second   meaning"
 ROW = re.compile(r"^(\w[\w ,.\[\]=\"']*?)(?: {2,}| (?=\S))(\S.*)$")

@@ -1,7 +1,8 @@
-"""The reference: made from docstrings, the compiled module's tables, the commands' help and the schema of model files.
+"""The reference: made from docstrings, the compiled module's tables, the commands' help and the schema of
+model files.
 
-Nothing in it is written a second time. `PAGES` says on which page a name stands; tests/python/test_docs.py sees to it that
-every public name stands on one.
+Nothing in it is written a second time. `PAGES` says on which page a name stands; tests/python/test_docs.py
+sees to it that every public name stands on one.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 import linkwork
@@ -21,7 +22,9 @@ from linkwork.integrators import METHODS
 from linkwork.mechanisms import MECHANISMS
 from linkwork.options import TABLE
 from linkwork.options.types import described
-from sphinx.application import Sphinx
+
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
 
 MADE = "reference/made"
 
@@ -37,41 +40,178 @@ class Page:
 
 #: Names are of `linkwork`; one that begins with # is a heading; `Class.method` is one method.
 PAGES = {
-    "model": Page("Model", "A mechanism under construction. Joints and forces have pages of their own.", (
-        "# The model", "Model", "Model.ground", "Model.load", "Model.save", "Model.with_initial_state", "Model.describe",
-        "Model.hash", "# Bodies", "Model.body", "Model.bodies", "Model.find", "Model.indices", "# Drawing", "Model.shape",
-        "Box", "Cylinder", "Sphere", "Rod", "Mesh", "Shape", "# Counts and contents", "Model.body_count",
-        "Model.joint_count", "Model.force_count", "Model.user_force_count", "Model.row_count", "Model.signals",
-        "Model.drivers", "Model.user_forces", "Model.shapes", "Model.curves", "Model.compiled", "# Handles", "Body",
-        "Joint", "Force", "linkwork.modeling.handles.Range", "linkwork.modeling.shapes.Shapes")),
-    "simulate": Page("Running", "One run, from a model to its motion, and what can happen in it.", (
-        "simulate", "# Events", "Event", "State", "Occurrence", "linkwork.running.events.BodyState", "# Going on", "Snapshot", "# Progress", "ProgressInfo")),
-    "result": Page("Results", "The motion that a run found, as arrays over time.", (
-        "Result", "linkwork.view.page.Page", "# Records", "BodyResult", "Reaction",
-        "linkwork.modeling.coordinates.JointCoordinate", "SingularPose", "linkwork.motion.records.Excess", "# Accuracy", "Verdict", "StepEstimate")),
-    "analyses": Page("Analyses", "What can be found without simulating, or by simulating many times.", (
-        "# Consistent initial conditions", "assemble", "Assembly", "JointResidual", "# Prescribed motion", "kinematics",
-        "inverse_dynamics", "InverseDynamics", "Drive", "# Equilibrium and vibration", "equilibrium", "Equilibrium",
-        "linearize", "Linearization", "# Parameters", "sensitivity", "Sensitivity")),
-    "comparison": Page("Comparison", "One model by many methods, with the error of each.", (
-        "compare", "Comparison", "# Records", "linkwork.comparison.runs.Outcome", "linkwork.comparison.reference.Reference",
-        "linkwork.comparison.order.OrderStudy")),
-    "system": Page("Equations of motion", "The right-hand side itself, for integrators and codes of your own.", (
-        "System", "linkwork.equations.system.Evaluation")),
-    "importers": Page("Robots", "Models from the files of other programs.", (
-        "import_urdf", "import_sdf", "import_mjcf", "Imported", "linkwork.importers.Note")),
-    "functions": Page("Functions of time", inspect.getdoc(linkwork.functions) or "", (
-        "functions.constant", "functions.polynomial", "functions.harmonic", "functions.cycloidal", "functions.table",
-        "functions.piecewise_polynomial", "functions.expression", "functions.with_breaks", "functions.as_time_function",
-        "functions.TimeFunction")),
-    "rotation": Page("Rotations", inspect.getdoc(linkwork.rotation) or "", (
-        "rotation.matrix", "rotation.about", "rotation.from_matrix", "rotation.from_axes", "rotation.perpendicular",
-        "rotation.between")),
-    "errors": Page("Errors", "What goes wrong is data: a class, a code, one line for people, and the numbers behind it.", (
-        "LinkworkError", "ModelError", "OptionError", "SingularSystemError", "NotConvergedError", "NotFiniteError",
-        "StepSizeError", "ViolationError", "AccuracyError", "BusyError", "FileError", "ModelFileError", "Fault",
-        "LinkworkWarning")),
-}  # fmt: skip
+    "model": Page(
+        "Model",
+        "A mechanism under construction. Joints and forces have pages of their own.",
+        (
+            "# The model",
+            "Model",
+            "Model.ground",
+            "Model.load",
+            "Model.save",
+            "Model.with_initial_state",
+            "Model.describe",
+            "Model.hash",
+            "# Bodies",
+            "Model.body",
+            "Model.bodies",
+            "Model.find",
+            "Model.indices",
+            "# Drawing",
+            "Model.shape",
+            "Box",
+            "Cylinder",
+            "Sphere",
+            "Rod",
+            "Mesh",
+            "Shape",
+            "# Counts and contents",
+            "Model.body_count",
+            "Model.joint_count",
+            "Model.force_count",
+            "Model.user_force_count",
+            "Model.row_count",
+            "Model.signals",
+            "Model.drivers",
+            "Model.user_forces",
+            "Model.shapes",
+            "Model.curves",
+            "Model.compiled",
+            "# Handles",
+            "Body",
+            "Joint",
+            "Force",
+            "linkwork.modeling.handles.Range",
+            "linkwork.modeling.shapes.Shapes",
+        ),
+    ),
+    "simulate": Page(
+        "Running",
+        "One run, from a model to its motion, and what can happen in it.",
+        (
+            "simulate",
+            "# Events",
+            "Event",
+            "State",
+            "Occurrence",
+            "linkwork.running.events.BodyState",
+            "# Going on",
+            "Snapshot",
+            "# Progress",
+            "ProgressInfo",
+        ),
+    ),
+    "result": Page(
+        "Results",
+        "The motion that a run found, as arrays over time.",
+        (
+            "Result",
+            "linkwork.view.page.Page",
+            "# Records",
+            "BodyResult",
+            "Reaction",
+            "linkwork.modeling.coordinates.JointCoordinate",
+            "SingularPose",
+            "linkwork.motion.records.Excess",
+            "# Accuracy",
+            "Verdict",
+            "StepEstimate",
+        ),
+    ),
+    "analyses": Page(
+        "Analyses",
+        "What can be found without simulating, or by simulating many times.",
+        (
+            "# Consistent initial conditions",
+            "assemble",
+            "Assembly",
+            "JointResidual",
+            "# Prescribed motion",
+            "kinematics",
+            "inverse_dynamics",
+            "InverseDynamics",
+            "Drive",
+            "# Equilibrium and vibration",
+            "equilibrium",
+            "Equilibrium",
+            "linearize",
+            "Linearization",
+            "# Parameters",
+            "sensitivity",
+            "Sensitivity",
+        ),
+    ),
+    "comparison": Page(
+        "Comparison",
+        "One model by many methods, with the error of each.",
+        (
+            "compare",
+            "Comparison",
+            "# Records",
+            "linkwork.comparison.runs.Outcome",
+            "linkwork.comparison.reference.Reference",
+            "linkwork.comparison.order.OrderStudy",
+        ),
+    ),
+    "system": Page(
+        "Equations of motion",
+        "The right-hand side itself, for integrators and codes of your own.",
+        ("System", "linkwork.equations.system.Evaluation"),
+    ),
+    "importers": Page(
+        "Robots",
+        "Models from the files of other programs.",
+        ("import_urdf", "import_sdf", "import_mjcf", "Imported", "linkwork.importers.Note"),
+    ),
+    "functions": Page(
+        "Functions of time",
+        inspect.getdoc(linkwork.functions) or "",
+        (
+            "functions.constant",
+            "functions.polynomial",
+            "functions.harmonic",
+            "functions.cycloidal",
+            "functions.table",
+            "functions.piecewise_polynomial",
+            "functions.expression",
+            "functions.with_breaks",
+            "functions.as_time_function",
+            "functions.TimeFunction",
+        ),
+    ),
+    "rotation": Page(
+        "Rotations",
+        inspect.getdoc(linkwork.rotation) or "",
+        (
+            "rotation.matrix",
+            "rotation.about",
+            "rotation.from_matrix",
+            "rotation.from_axes",
+            "rotation.perpendicular",
+            "rotation.between",
+        ),
+    ),
+    "errors": Page(
+        "Errors",
+        "What goes wrong is data: a class, a code, one line for people, and the numbers behind it.",
+        (
+            "LinkworkError",
+            "ModelError",
+            "OptionError",
+            "SingularSystemError",
+            "NotConvergedError",
+            "NotFiniteError",
+            "StepSizeError",
+            "ViolationError",
+            "AccuracyError",
+            "BusyError",
+            "FileError",
+            "ModelFileError",
+            "Fault",
+            "LinkworkWarning",
+        ),
+    ),
+}
 
 #: Members of these stand where they are listed.
 ALONE = ("Model",)
@@ -89,7 +229,7 @@ def force_methods() -> list[str]:
     return [kind.name for kind in _core.force_kinds() if kind.name != "applied"]
 
 
-# --- pages of names ----------------------------------------------------------------------------------------------------
+# --- pages of names ---------------------------------------------------------------------------------------
 
 
 def heading(text: str, line: str = "=") -> list[str]:
@@ -116,7 +256,9 @@ def entry(name: str) -> list[str]:
     kind, options = "function", []
     if inspect.isclass(value):
         kind = "exception" if issubclass(value, BaseException) else "class"
-        options = [] if name in ALONE else ["   :members:", "   :inherited-members: Exception, UserWarning, tuple"]
+        options = [] if name in ALONE else ["   :members:"]
+        if not (name in ALONE or name.startswith("linkwork.")):
+            options.append("   :inherited-members: Exception, UserWarning, tuple")
     elif name.count(".") and inspect.isclass(resolved(full.rsplit(".", 1)[0])):
         owner = resolved(full.rsplit(".", 1)[0])
         is_property = isinstance(inspect.getattr_static(owner, name.rsplit(".", 1)[1]), property)
@@ -141,7 +283,7 @@ def resolved(full: str) -> Any:
 
 def joints_page() -> Iterator[str]:
     yield from heading("Joints")
-    yield "Each is a method of :class:`linkwork.Model`. Pictures and examples of all of them: :doc:`/guide/joints`."
+    yield "Each is a method of :class:`linkwork.Model`; :doc:`/guide/joints` shows all of them."
     yield ""
     for name in joint_methods():
         yield from [*heading(name.replace("_", " "), "-"), f".. automethod:: linkwork.Model.{name}", ""]
@@ -159,7 +301,7 @@ def forces_page() -> Iterator[str]:
     yield from [*heading("Many at once", "-"), ".. automethod:: linkwork.Model.forces", ""]
 
 
-# --- tables ------------------------------------------------------------------------------------------------------------
+# --- tables -----------------------------------------------------------------------------------------------
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[str]], widths: str = "auto") -> Iterator[str]:
@@ -176,8 +318,9 @@ def code(name: str) -> str:
 
 def options_page() -> Iterator[str]:
     yield from heading("Options")
-    yield "Choices of a run that are data: arguments of :func:`linkwork.simulate`, :class:`linkwork.System` and"
-    yield ":func:`linkwork.compare`, options of the commands, fields of model files. What a choice cannot do is refused."
+    yield "Choices of a run that are data: arguments of :func:`linkwork.simulate`, :class:`linkwork.System`"
+    yield "and :func:`linkwork.compare`, options of the commands, fields of model files. What a choice"
+    yield "cannot do is refused."
     yield ""
     rows = ((code(name), inline(described(option))) for name, option in TABLE.items())
     yield from table(("option", "what it is"), rows, "25 75")
@@ -195,7 +338,9 @@ def _forms(kind: Any) -> str:
 def integrators_page() -> Iterator[str]:
     yield from heading("Integrators")
     yield from _paragraphs(inspect.getdoc(linkwork.integrators) or "")
-    rows = ([code(name), str(it.order), type(it).__name__, inline(it.reference)] for name, it in METHODS.items())
+    rows = (
+        [code(name), str(it.order), type(it).__name__, inline(it.reference)] for name, it in METHODS.items()
+    )
     yield from table(("name", "order", "kind", "reference"), rows, "20 10 25 45")
     for name in ("ButcherTableau", "EmbeddedPair", "AdamsBashforth", "AdamsBashforthMoulton", "HalfExplicit",
                  "SemiImplicitEuler", "named"):  # fmt: skip
@@ -231,7 +376,7 @@ def modules_page() -> Iterator[str]:
                 yield from entry(f"{module.__name__}.{name}")
 
 
-# --- commands ----------------------------------------------------------------------------------------------------------
+# --- commands ---------------------------------------------------------------------------------------------
 
 
 def cli_page() -> Iterator[str]:
@@ -244,7 +389,9 @@ def cli_page() -> Iterator[str]:
         yield from heading(f"linkwork {name}", "-")
         yield from help_of(command, f"linkwork {name}")
         if isinstance(command, click.Group):
-            for inner in list(command.list_commands(click.Context(command)))[: 1 if name != "bench" else None]:
+            for inner in list(command.list_commands(click.Context(command)))[
+                : 1 if name != "bench" else None
+            ]:
                 inner = "four_bar" if name != "bench" else inner
                 found = command.get_command(click.Context(command), inner)
                 assert found is not None
@@ -254,10 +401,15 @@ def cli_page() -> Iterator[str]:
 
 def help_of(command: click.Command, words: str) -> list[str]:
     context = click.Context(command, info_name=words, terminal_width=92, max_content_width=92)
-    return [".. code-block:: text", "", *(f"   {line}" for line in command.get_help(context).splitlines()), ""]
+    return [
+        ".. code-block:: text",
+        "",
+        *(f"   {line}" for line in command.get_help(context).splitlines()),
+        "",
+    ]
 
 
-# --- the schema --------------------------------------------------------------------------------------------------------
+# --- the schema -------------------------------------------------------------------------------------------
 
 
 def schema_page() -> Iterator[str]:
@@ -265,8 +417,8 @@ def schema_page() -> Iterator[str]:
 
     schema = json_schema()
     yield from heading("Model files")
-    yield "What a file may have, from its schema, which ``linkwork schema`` prints. :doc:`/guide/model-files` tells how to"
-    yield "write one."
+    yield "What a file may have, from its schema, which ``linkwork schema`` prints. :doc:`/guide/model-files`"
+    yield "tells how to write one."
     yield ""
     yield from _properties(schema)
     for name, record in sorted(schema["$defs"].items()):
@@ -274,13 +426,18 @@ def schema_page() -> Iterator[str]:
         yield from [inline(record.get("description", "")), ""]
         yield from _properties(record)
         if not record.get("properties"):
-            yield from [f"``{json.dumps({k: v for k, v in record.items() if k not in ('description', 'title')})[:400]}``", ""]
+            facts = {key: it for key, it in record.items() if key not in ("description", "title")}
+            yield from [f"``{json.dumps(facts)[:400]}``", ""]
 
 
 def _properties(record: Mapping[str, Any]) -> Iterator[str]:
     needed = set(record.get("required", ()))
     rows = [
-        (code(name), _type(field) + (", needed" if name in needed else ""), inline(" ".join(field.get("description", "").split())))
+        (
+            code(name),
+            _type(field) + (", needed" if name in needed else ""),
+            inline(" ".join(field.get("description", "").split())),
+        )
         for name, field in record.get("properties", {}).items()
     ]
     if rows:

@@ -13,7 +13,7 @@ result = lw.simulate(model, t_end=2.0, step=2e-3)
 print(result.verdict.sentence)
 
 # %%
-energy = result.plot(kind="energy")
+view = result.view()
 
 # %%
-view = result.view()
+energy = result.plot(kind="energy")

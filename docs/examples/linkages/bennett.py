@@ -13,7 +13,7 @@ result = lw.simulate(model, t_end=5.0, step=1e-3)
 print(result.manifest["constraints"])
 
 # %%
-coordinates = result.plot(kind="coordinates")
+view = result.view()
 
 # %%
-view = result.view()
+coordinates = result.plot(kind="coordinates")

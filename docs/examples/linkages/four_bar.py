@@ -14,11 +14,11 @@ result = lw.simulate(model, t_end=10.0, step=1e-3)
 print(result.summary())
 
 # %%
+view = result.view()
+
+# %%
 # The tops keep their speed and energy is kept to twelve digits, after a dozen passages:
 
 for pose in result.singular_poses[:4]:
     print(f"{pose.t:.4f} s: {', '.join(pose.joints)}")
 energy = result.plot(kind="energy")
-
-# %%
-view = result.view()

@@ -16,6 +16,9 @@ motion = needed.motion
 print(f"torque on the crank: {abs(needed.effort('motor')).max():.2f} N m at most")
 
 # %%
+view = motion.view()
+
+# %%
 # The foot is the corner of the lower triangle that no joint holds.
 
 foot = motion.position[:, -1]
@@ -25,6 +28,3 @@ left.plot(foot[:, 0], foot[:, 1])
 left.set(aspect="equal", xlabel="x [m]", ylabel="y [m]", title="way of the last link's center")
 right.plot(motion.t, needed.effort("motor"))
 right.set(xlabel="time [s]", title="torque [N m]")
-
-# %%
-view = motion.view()

@@ -13,10 +13,10 @@ result = lw.simulate(model, t_end=0.05, rtol=1e-8)
 print(result.summary())
 
 # %%
+view = result.view()
+
+# %%
 # Steps follow the motion: they shrink whenever the spring is squeezed.
 
 every = lw.simulate(model, t_end=0.05, rtol=1e-8, record_every=1)
 steps = every.plot(kind="step")
-
-# %%
-view = result.view()

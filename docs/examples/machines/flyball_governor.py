@@ -13,6 +13,9 @@ result = lw.simulate(model, t_end=2.0, step=2e-4)
 print(result.verdict.sentence)
 
 # %%
+view = result.view()
+
+# %%
 # Where the step is too long, the run does not end in a wrong picture but in an error:
 
 try:
@@ -22,6 +25,3 @@ except lw.LinkworkError as error:
 
 # %%
 coordinates = result.plot(kind="coordinates")
-
-# %%
-view = result.view()

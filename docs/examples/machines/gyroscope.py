@@ -7,6 +7,7 @@ A weight pulls the axis down; it goes around instead. The initial state is that 
 
 import numpy as np
 import linkwork as lw
+from matplotlib.figure import Figure
 
 model = lw.mechanisms.gyroscope()
 result = lw.simulate(model, t_end=3.0, step=2e-4)
@@ -16,10 +17,16 @@ print(f"tilt varies by {np.ptp(np.arccos(np.clip(axis[:, 2], -1, 1))):.1e} rad")
 print(result.verdict.sentence)
 
 # %%
-# A gyroscope that spins too slowly nods:
-
-slow = lw.simulate(lw.mechanisms.gyroscope(), t_end=3.0, step=2e-4, integrator="dop853")
-overview = slow.plot(kind="energy")
+view = result.view()
 
 # %%
-view = result.view()
+# Let go with its axis at rest instead, it falls a little, and then nods on its way around:
+
+v = np.zeros((3, 6))
+v[2, 5] = rotor.omega[0, 2]
+nodding = lw.simulate(model.with_initial_state(result.q[0], v), t_end=1.0, step=2e-4)
+axis = lw.rotation.matrix(nodding.body("rotor").orientation)[:, :, 2]
+figure = Figure(figsize=(8, 3), layout="constrained")
+ax = figure.subplots()
+ax.plot(nodding.t, np.arccos(axis[:, 2]))
+ax.set(xlabel="time [s]", ylabel="tilt of the axis [rad]")

@@ -13,7 +13,7 @@ result = lw.simulate(model, t_end=2.0, step=1e-4)
 print(result.position[-1, 0], result.verdict.sentence)
 
 # %%
-positions = result.plot()
+view = result.view()
 
 # %%
-view = result.view()
+positions = result.plot()

@@ -13,12 +13,12 @@ result = lw.simulate(model, t_end=1.0, step=1e-4)
 print(result.manifest["constraints"])
 
 # %%
+view = result.view()
+
+# %%
 # Willis' equation holds at every moment: (w_ring - w_carrier) / (w_sun - w_carrier) = -z_sun / z_ring.
 
 carrier, sun, ring = (result.body(name).omega[:, 2] for name in ("carrier", "sun", "ring"))
 ratio = (ring - carrier)[1:] / (sun - carrier)[1:]
 print(f"{ratio.min():.12f} to {ratio.max():.12f}; -30/78 = {-30 / 78:.12f}")
 coordinates = result.plot(kind="coordinates")
-
-# %%
-view = result.view()

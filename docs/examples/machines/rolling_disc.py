@@ -14,11 +14,11 @@ result = lw.simulate(model, t_end=6.0, step=1e-3, integrator="dop853")
 print(f"energy is kept to {abs(result.energy_error).max() / result.energy[0]:.0e}")
 
 # %%
+view = result.view()
+
+# %%
 center = result.position[:, 0]
 figure = Figure(figsize=(6, 4), layout="constrained")
 ax = figure.subplots()
 ax.plot(center[:, 0], center[:, 1], lw=1)
 ax.set(aspect="equal", xlabel="x [m]", ylabel="y [m]", title="way of the center, from above")
-
-# %%
-view = result.view()

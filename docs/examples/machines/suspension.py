@@ -12,9 +12,9 @@ result = lw.simulate(model, t_end=3.0, step=1e-3)
 print(result.summary())
 
 # %%
+view = result.view()
+
+# %%
 # What the joints bear is what one wants to know of it.
 
 reactions = result.plot(kind="reactions")
-
-# %%
-view = result.view()

@@ -33,12 +33,14 @@ def hit(t, state):
     rod.velocity = rod.velocity - np.array([1.6 * tip(state)[1][0], 0, 0])
 
 
-result = lw.simulate(model, t_end=1.2, rtol=1e-8, events=lw.Event(distance, direction=-1, change=hit, name="wall"))
+result = lw.simulate(
+    model, t_end=1.2, rtol=1e-8, events=lw.Event(distance, direction=-1, change=hit, name="wall")
+)
 for event in result.events:
     print(f"{event.name} at {event.t:.4f} s")
 
 # %%
-energy = result.plot(kind="energy")
+view = result.view()
 
 # %%
-view = result.view()
+energy = result.plot(kind="energy")

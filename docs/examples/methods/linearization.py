@@ -11,11 +11,19 @@ import linkwork as lw
 from matplotlib.figure import Figure
 
 model = lw.Model(name="car body")
-model.body("car", mass=1200.0, inertia=(400.0, 1500.0, 1700.0), position=(0, 0, 0.6), shape=lw.Box((3.6, 1.5, 0.5)))
+model.body(
+    "car", mass=1200.0, inertia=(400.0, 1500.0, 1700.0), position=(0, 0, 0.6), shape=lw.Box((3.6, 1.5, 0.5))
+)
 for x in (-1.3, 1.2):
     for y in (-0.7, 0.7):
-        model.bushing("ground", "car", at=(x, y, 0.3), stiffness=(2e5, 2e5, 2.2e4), damping=(2e3, 2e3, 1.5e3),
-                      name=f"wheel {x:+g} {y:+g}")
+        model.bushing(
+            "ground",
+            "car",
+            at=(x, y, 0.3),
+            stiffness=(2e5, 2e5, 2.2e4),
+            damping=(2e3, 2e3, 1.5e3),
+            name=f"wheel {x:+g} {y:+g}",
+        )
 rest = lw.equilibrium(model)
 print(rest)
 
@@ -28,7 +36,9 @@ for mode, (frequency, damping) in enumerate(zip(vibration.frequencies, vibration
 # The first mode, let go from a displaced pose, decays as the linear theory says:
 
 released = lw.simulate(vibration.displaced(0, 0.02), t_end=2.0, step=1e-3)
-s = vibration.frequencies[0] * (-vibration.damping_ratios[0] + 1j * np.sqrt(1 - vibration.damping_ratios[0] ** 2))
+s = vibration.frequencies[0] * (
+    -vibration.damping_ratios[0] + 1j * np.sqrt(1 - vibration.damping_ratios[0] ** 2)
+)
 moved = released.position[:, 0] - rest.model.compiled().q0[:3]
 axis = np.argmax(np.abs(moved[0]))
 figure = Figure(figsize=(8, 3.4), layout="constrained")

@@ -14,8 +14,13 @@ M, m, L, g = 1.0, 0.2, 0.6, 9.81
 model = lw.Model(name="cart and pole")
 model.body("cart", mass=M, inertia=(0.01, 0.01, 0.01), shape=lw.Box((0.3, 0.16, 0.1)))
 tilt = 0.35
-model.body("pole", mass=m, inertia=lw.mechanisms.thin_rod(m, L), position=(L / 2 * np.sin(tilt), 0, L / 2 * np.cos(tilt)),
-           orientation=lw.rotation.from_axes((np.sin(tilt), 0, np.cos(tilt)), (0, 1, 0)))
+model.body(
+    "pole",
+    mass=m,
+    inertia=lw.mechanisms.thin_rod(m, L),
+    position=(L / 2 * np.sin(tilt), 0, L / 2 * np.cos(tilt)),
+    orientation=lw.rotation.from_axes((np.sin(tilt), 0, np.cos(tilt)), (0, 1, 0)),
+)
 model.translational("ground", "cart", at=(0, 0, 0), axis=(1, 0, 0), name="rail")
 model.revolute("cart", "pole", at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
 
@@ -46,7 +51,9 @@ def feedback(t, q, v):
 
 model.user_force(feedback, ["cart", "pole"], name="regulator")
 result = lw.simulate(model, t_end=4.0, step=2e-3)
-print(f"at the end: cart at {result.position[-1, 0, 0]:.4f} m, pole off by {result.position[-1, 1, 0] - result.position[-1, 0, 0]:.1e} m")
+print(
+    f"at the end: cart at {result.position[-1, 0, 0]:.4f} m, pole off by {result.position[-1, 1, 0] - result.position[-1, 0, 0]:.1e} m"
+)
 coordinates = result.plot(kind="coordinates")
 
 # %%

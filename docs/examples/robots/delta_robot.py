@@ -12,7 +12,7 @@ result = lw.simulate(model, t_end=1.0, step=5e-4)
 print(result.summary())
 
 # %%
-reactions = result.plot(kind="reactions")
+view = result.view()
 
 # %%
-view = result.view()
+reactions = result.plot(kind="reactions")
