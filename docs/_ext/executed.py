@@ -64,7 +64,10 @@ class Execute(SphinxTransform):
         source = Path(self.env.doc2path(self.env.docname))
         if source.suffix != ".md":
             return
-        program = Program(self.env.docname)
+        with Program(self.env.docname) as program:
+            self._execute(program)
+
+    def _execute(self, program: Program) -> None:
         shown = list(self.document.findall(lambda it: isinstance(it, nodes.literal_block | _Shown)))
         for number, node in enumerate(shown, 1):
             name = f"{self.env.docname.replace('/', '-')}-{number}"
@@ -74,6 +77,8 @@ class Execute(SphinxTransform):
                 elif node.get("language") == "python":
                     self._run(node, program, name)
             except Exception as error:
+                if isinstance(node, _Shown):
+                    node.parent.remove(node)
                 log.warning("the code of the page fails: %s: %s", type(error).__name__, error, location=node)
 
     def _run(self, node: nodes.literal_block, program: Program, name: str) -> None:

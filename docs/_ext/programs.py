@@ -13,7 +13,7 @@ import tempfile
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 FENCE = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
@@ -29,6 +29,12 @@ class Program:
     def __init__(self, name: str) -> None:
         self.namespace: dict[str, Any] = {"__name__": name}
         self.folder = tempfile.TemporaryDirectory(prefix="linkwork-docs-")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.folder.cleanup()
 
     def run(self, code: str) -> tuple[str, Any]:
         """What it printed, and the value of its last line; handles of what a model has say nothing."""

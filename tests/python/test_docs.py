@@ -35,9 +35,9 @@ EXAMPLES = sorted(DOCS.glob("examples/*/*.py"))
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(DOCS).as_posix())
 def test_program_of_the_page_runs(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MPLBACKEND", "Agg")
-    program = programs.Program(page.stem)
-    for block in programs.blocks(page):
-        program.run(block)
+    with programs.Program(page.stem) as program:
+        for block in programs.blocks(page):
+            program.run(block)
 
 
 def test_most_pages_of_guide_and_theory_have_programs() -> None:
