@@ -35,7 +35,7 @@ extensions = [
 exclude_patterns = ["examples/**", "_ext/**", "README.md"]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 show_warning_types = True
-smartquotes = False
+smartquotes_action = "D"  # dashes; quotes stay as they are, as in code
 
 # --- Markdown and mathematics ---
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence", "deflist", "attrs_inline"]

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 #: Attributes that a browser follows by itself.
@@ -118,10 +119,20 @@ def requested(site: Path) -> Iterator[str]:
             width = tab.evaluate("document.documentElement.scrollWidth - window.innerWidth")
             if width > 0:
                 yield f"{name}: is wider than the window by {width} pixels"
+        yield from unsearchable(site, tab)
         yield from (
             f"a page requests {address}" for address in tab.requests if not address.startswith("file:")
         )
         yield from (f"a page complains: {complaint[:300]}" for complaint in tab.complaints)
+
+
+def unsearchable(site: Path, tab: Any) -> Iterator[str]:
+    """The search finds, from disk, what is there."""
+    tab.call("Page.navigate", url=f"{(site / 'search.html').as_uri()}?q=nilpotent")
+    try:
+        tab.wait_for("document.querySelectorAll('#search-results li').length > 0")
+    except AssertionError:
+        yield "search.html: does not find 'nilpotent'"
 
 
 def main() -> None:

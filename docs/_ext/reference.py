@@ -387,7 +387,7 @@ def cli_page() -> Iterator[str]:
     yield from help_of(program, "linkwork")
     for name, command in program.commands.items():
         yield from heading(f"linkwork {name}", "-")
-        yield from help_of(command, f"linkwork {name}")
+        yield from help_of(command, f"linkwork {name}", mechanisms=name == "run")
         if isinstance(command, click.Group):
             for inner in list(command.list_commands(click.Context(command)))[
                 : 1 if name != "bench" else None
@@ -399,14 +399,18 @@ def cli_page() -> Iterator[str]:
                 yield from help_of(found, f"linkwork {name} {inner}")
 
 
-def help_of(command: click.Command, words: str) -> list[str]:
-    context = click.Context(command, info_name=words, terminal_width=92, max_content_width=92)
-    return [
-        ".. code-block:: text",
-        "",
-        *(f"   {line}" for line in command.get_help(context).splitlines()),
-        "",
-    ]
+def help_of(command: click.Command, words: str, mechanisms: bool = True) -> list[str]:
+    """As it is printed; the list of mechanisms, which several commands have, once."""
+    context = click.Context(
+        command,
+        info_name=words,
+        terminal_width=92,
+        max_content_width=92,
+        help_option_names=["-h", "--help"],
+    )
+    text = command.get_help(context)
+    text = text if mechanisms else text.partition("\nMechanisms:")[0]
+    return [".. code-block:: text", "", *(f"   {line}" for line in text.splitlines()), ""]
 
 
 # --- the schema -------------------------------------------------------------------------------------------
@@ -421,13 +425,25 @@ def schema_page() -> Iterator[str]:
     yield "tells how to write one."
     yield ""
     yield from _properties(schema)
+    yield "Where an element sits can also be said exactly, by ``attachment`` (an AttachmentRecord) in place"
+    yield "of points and axes: ``Model.save`` writes that where nothing else gives the same bits."
+    yield ""
     for name, record in sorted(schema["$defs"].items()):
+        if name.endswith(EXACT):
+            continue
         yield from [f".. _schema-{name}:", "", *heading(name, "-")]
         yield from [inline(record.get("description", "")), ""]
         yield from _properties(record)
         if not record.get("properties"):
             facts = {key: it for key, it in record.items() if key not in ("description", "title")}
             yield from [f"``{json.dumps(facts)[:400]}``", ""]
+
+
+#: Ending of the records of elements whose place is said exactly.
+EXACT = "__attached"
+
+#: So many kinds of records are named in a table.
+FEW = 5
 
 
 def _properties(record: Mapping[str, Any]) -> Iterator[str]:
@@ -454,7 +470,8 @@ def _type(field: Mapping[str, Any]) -> str:
         return " or ".join(code(str(it)) for it in field.get("enum", [field.get("const")]))
     choices = field.get("anyOf") or field.get("oneOf")
     if choices:
-        return " or ".join(dict.fromkeys(_type(it) for it in choices))
+        words = dict.fromkeys(_type(it) for it in choices if not it.get("$ref", "").endswith(EXACT))
+        return " or ".join(words) if len(words) <= FEW else f"one of the {len(words)} kinds below"
     return str(field.get("type", "any"))
 
 
