@@ -21,6 +21,7 @@ from linkwork.cli.commands import linkwork
 DOCS = Path(__file__).parents[2] / "docs"
 sys.path.insert(0, str(DOCS / "_ext"))
 
+import check_site  # noqa: E402
 import house_docstrings  # noqa: E402
 import programs  # noqa: E402
 import reference  # noqa: E402
@@ -151,4 +152,24 @@ def test_lists_of_docstrings_become_parameters_and_errors() -> None:
         "Some end.",
         ":raises ModelError: none.",
         ":raises FileError, OptionError: another one.",
+    ]
+
+
+# --- the checks of the built site ---
+
+
+def test_dead_links_anchors_and_what_is_loaded_from_elsewhere_are_found(tmp_path: Path) -> None:
+    (tmp_path / "index.html").write_text(
+        '<a href="there.html#here">1</a> <a href="there.html#gone">2</a> <a href="gone.html">3</a>'
+        '<a href="https://example.org">4</a> <script src="https://example.org/a.js"></script>'
+        '<link rel="canonical" href="https://example.org"> <iframe src="made/gone.html"></iframe>'
+    )
+    (tmp_path / "there.html").write_text('<p id="here">text</p>')
+    (tmp_path / "style.css").write_text('@import "https://example.org/font.css";')
+    assert sorted(check_site.faults(tmp_path)) == [
+        "index.html: gone.html leads nowhere",
+        "index.html: loads https://example.org/a.js",
+        "index.html: made/gone.html leads nowhere",
+        "index.html: there.html#gone leads nowhere",
+        "style.css: loads https://example.org/font.css",
     ]
