@@ -53,6 +53,7 @@ autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 88
 add_module_names = False
+toc_object_entries_show_parents = "hide"
 nitpick_ignore_regex = [
     # of other packages, whose documentation is elsewhere, and what only types are called
     (r"py:.*", r"(numpy|np|collections|typing|os|pathlib|matplotlib|pandas|ctypes|scipy)\b.*"),
@@ -85,7 +86,7 @@ sphinx_gallery_conf = {
     "subsection_order": ORDER,
     "within_subsection_order": "FileNameSortKey",
     "image_scrapers": (Shown(),),
-    "capture_repr": ("__str__",),
+    "capture_repr": (),
     "reset_modules": (),
     "remove_config_comments": True,
     "download_all_examples": False,
@@ -108,6 +109,7 @@ html_static_path = ["_static"]
 html_css_files = ["linkwork.css"]
 html_show_sourcelink = False
 html_copy_source = False
+html_show_search_summary = False  # it would be fetched, which pages on a disk may not
 html_last_updated_fmt = None
 html_theme_options = {
     "logo": {"text": "linkwork"},

@@ -1,9 +1,12 @@
 """
-A track of two hundred shoes
-============================
+A track of sixty shoes
+======================
 
-A closed chain of shoes runs around a driving wheel and an idler, carried by rollers: 200 revolutes in one loop, and contact with
-friction wherever a pin touches a wheel. It begins as a polygon and sags onto its rollers.
+A closed chain of shoes runs around a driving wheel and an idler, carried by rollers: sixty revolutes in one loop, and contact with
+friction wherever a pin touches a wheel. It begins as a polygon, sags onto its rollers, and surges.
+
+Where single shoes are after half a second hangs on the last digits of every contact, and the verdict of the run says so. Energy and
+joints are kept all the same: what is asked of such a motion is its tension, not its shoes.
 """
 
 import linkwork as lw
