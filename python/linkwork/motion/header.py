@@ -199,6 +199,10 @@ class _Listing(Sequence[str]):
     def __init__(self, name: Callable[[int], str], count: int) -> None:
         self._name, self._count = name, count
 
+    def __repr__(self) -> str:
+        more = f" and {self._count - 100} more" if self._count > 100 else ""
+        return f"<{', '.join(self[:100])}{more}>"
+
     def __len__(self) -> int:
         return self._count
 
