@@ -393,7 +393,7 @@ class _Follower:
 
 
 class _FastFollower:
-    """The same in compiled code as long as nothing is unusual: poses regular, joints on positions, steps trusted."""
+    """The same in compiled code while poses are regular, joints restrict positions, and steps are trusted."""
 
     def __init__(self, follower: _Follower, frames: _Frames) -> None:
         eq = follower.equations
