@@ -36,7 +36,7 @@ def view(file: str, page: str | None, other: str | None, limit: float) -> None:
     from linkwork.cli import output as out
 
     if page is not None:
-        out.check_writable(page)
+        out.check_writable(page, "page")
     first = lw.Result.load(file)
     second = lw.Result.load(other) if other is not None else None
     shown = first.view(page, second, labels=[file, other or ""], limit=limit * 1e6)
