@@ -82,9 +82,8 @@ def test_factors_fit_into_their_bytes_and_these_into_the_memory_at_its_peak(
 
 def test_redundant_joints_are_left_to_the_solvers_that_can() -> None:
     subject = Subject.of("bricard")
-    found = benchmark.compare_solvers(
-        subject, ["block", "dense"], matrix_form="kkt", rounds=1, progress=False
-    )
+    solvers = ["block", "dense"]
+    found = benchmark.compare_solvers(subject, solvers, matrix_form="kkt", rounds=1, progress=False)
     assert measured(found).keys() == {"block"}
     assert refused(found)["dense"].code == "redundant_kkt"
     found = benchmark.compare_solvers(subject, solvers, rounds=1, progress=False)
