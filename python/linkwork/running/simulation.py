@@ -14,7 +14,7 @@ from typing import Any, Unpack
 from numpy.typing import ArrayLike
 
 from linkwork import _core, integrators
-from linkwork.arguments import path as path_of
+from linkwork.arguments import check_new
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
 from linkwork.errors import OptionError, unwritable
@@ -51,6 +51,7 @@ def simulate(
     breaks: ArrayLike = (),
     start: Snapshot | None = None,
     output: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
     progress: ProgressOption = None,
     assemble: bool = True,
     on_inaccurate: Policy = "warn",
@@ -83,6 +84,7 @@ def simulate(
                   methods go on to the last bit. Where a state has no history variables (of a file of
                   version 0.1), full turns and contacts under way begin anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
+    overwrite     whether `output` may replace a file that is there
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
                   of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
     assemble      correct initial poses and velocities that violate the joints a little. Up to 1/1000 of the
@@ -122,7 +124,7 @@ def simulate(
              "record_every": record_every, "breaks": breaks, "assemble": assemble,
              "on_inaccurate": on_inaccurate, **options}  # fmt: skip
     prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
-    _check_folder(output)
+    _check_output(output, overwrite)
     duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
     result, estimator = _carried_out(prepared, output, progress, started)
     if verify:
@@ -267,9 +269,9 @@ def _system(
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
 
 
-def _check_folder(output: str | os.PathLike[str] | None) -> None:
-    """FileError: there is no folder for it, which is told before how long the run would take."""
-    if output is not None and not path_of(output, "output").absolute().parent.is_dir():
+def _check_output(output: str | os.PathLike[str] | None, overwrite: bool) -> None:
+    """FileError: there is no folder for it, or a file, which is told before how long the run would take."""
+    if output is not None and not check_new(output, "result", overwrite).absolute().parent.is_dir():
         raise unwritable("output", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 
