@@ -447,6 +447,11 @@ class Event:
         | None,
         tolerance: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
+    @property
+    def signature(self) -> tuple:
+        """
+        What beside its functions decides on the steps: direction, terminal, whether it has a change, tolerance.
+        """
 
 class FormulationInfo:
     """
@@ -938,8 +943,17 @@ class Run:
         """
         Largest violation of a position constraint now, relative to the size of the mechanism.
         """
+    def resume(self, state: bytes, work: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        Before the first step: goes on from a checkpoint at or before the start, of a run of the same mechanism by the same method, as that one would have gone on; `work` [J] at the start.
+        """
     def statistics(self) -> dict: ...
     def take_frames(self) -> dict: ...
+    @property
+    def checkpoint(self) -> typing.Any:
+        """
+        (t, state), not after the last frame that was taken; None: there is none.
+        """
     @property
     def energies(self) -> tuple[float, float, float, float]:
         """
@@ -951,6 +965,11 @@ class Run:
     def history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         Of last_state; see Dynamics.history.
+        """
+    @property
+    def last_checkpoint(self) -> typing.Any:
+        """
+        The same, not after last_state.
         """
     @property
     def last_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -966,6 +985,11 @@ class Run:
         """
     @property
     def t(self) -> float: ...
+    @property
+    def work(self) -> float:
+        """
+        Of last_state [J].
+        """
 
 class SemiImplicitEuler:
     """

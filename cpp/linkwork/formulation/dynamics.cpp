@@ -203,6 +203,18 @@ void Dynamics::observe_now() {
   if (observer_) std::exchange(observer_, {})();
 }
 
+void Dynamics::keep(Archive& archive) {
+  RowChoice choice = formulation_->row_choice();
+  archive(choice);
+  if (archive.reading() && !std::isnan(choice.t)) {
+    if (choice.y.size() != y_size()) throw OptionError("start", "start: what it has to go on from is of another model");
+    set_history(choice.history);
+    evaluate(choice.t, choice.y);
+    formulation_->repeat_choice(choice.rows);
+  }
+  archive(now_.history, sides_, switched_, held_, held_u_, first_part_, *formulation_);
+}
+
 void Dynamics::return_to(const Place& place) {
   formulation_->look(true);
   evaluate(place.t, place.y);

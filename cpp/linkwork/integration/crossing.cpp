@@ -194,7 +194,7 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h) const 
 /// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
 /// than wanted; of equals the shortest.
 double Crossing::best_length(const Search& search) const {
-  const double most = search.most, least = std::min(search.least, most), grid = search.grid;
+  const double least = limit(search, search.least), grid = search.grid;
   double best = least, distance = -1.0;
   const auto consider = [&](double h) {
     const double nearest = nearest_node(search.poses, h) * std::min(h / least, 1.0);
@@ -205,23 +205,29 @@ double Crossing::best_length(const Search& search) const {
   if (grid > 0.0) {
     const double first = std::max(1.0, std::ceil(least / grid)), last = std::ceil(2.0 * first);
     const double by = std::max(1.0, std::floor((last - first) / 40.0));
-    for (double k = first; k <= last; k += by) consider(std::min(k * grid, most));
+    for (double k = first; k <= last; k += by) consider(limit(search, k * grid));
   } else {
-    for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(std::min(factor * least, most));
+    for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(limit(search, factor * least));
   }
   for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.025)
     consider(allowed_length(search, factor * least));
   return best;
 }
 
-double Crossing::allowed_length(const Search& search, double h) {
-  if (search.grid > 0.0) h = std::max(1.0, std::round(h / search.grid)) * search.grid;
+double Crossing::limit(const Search& search, double h) const {
+  limited_ = limited_ || h >= search.most;
   return std::min(h, search.most);
+}
+
+double Crossing::allowed_length(const Search& search, double h) const {
+  if (search.grid > 0.0) h = std::max(1.0, std::round(h / search.grid)) * search.grid;
+  return limit(search, h);
 }
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   const auto trend = dynamics_.watch().trend();
   declined_ = trend ? trend->last.root : 0.0;
+  limited_ = false;
   if (starting_) begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
   if (!starting_ && !begin(t, y)) return false;
@@ -243,7 +249,14 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   return true;
 }
 
+void Crossing::keep(Archive& archive, bool leaping) {
+  archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
+  archive(rows_good_, declined_, poses_);
+  if (leaping) archive(leap_);
+}
+
 void Crossing::cut(double length) {
+  limited_ = true;
   leap_.followed = length;
   state_at(length, leap_.y_new);
 }
@@ -251,7 +264,7 @@ void Crossing::cut(double length) {
 /// A part of the way to the pose that is foreseen: it tells where the pose is.
 bool Crossing::look_ahead(Search& search) {
   if (!(search.poses.front() > 0.0)) return false;
-  leap_.h = std::min(part_of_way * search.poses.front(), search.most);
+  leap_.h = limit(search, part_of_way * search.poses.front());
   if (!attempt().converged) return false;
   std::vector<double> poses = poses_in_leap(1.0);
   if (poses.empty()) return false;
@@ -262,7 +275,7 @@ bool Crossing::look_ahead(Search& search) {
 /// False where no leap was found.
 bool Crossing::try_lengths(Search& search, const VectorXd& y) {
   for (int k = 0; k < most_attempts && !search.done && std::isfinite(search.least); ++k) {
-    const double other = other_lengths[std::max(search.failures - 2, 0)] * std::min(search.base, search.most);
+    const double other = other_lengths[std::max(search.failures - 2, 0)] * limit(search, search.base);
     leap_.h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
     if (std::find(search.tried.begin(), search.tried.end(), leap_.h) != search.tried.end()) {
       search.failures = std::max(search.failures + 1, 2);

@@ -21,6 +21,7 @@ struct Leap {
   std::vector<double> poses = {};  ///< singular ones, times from t
 
   double end() const { return t + h; }
+  void keep(Archive& archive) { archive(t, h, followed, y, y_new, k, lambda, poses); }
 };
 
 /// Takes a run through singular poses.
@@ -56,6 +57,8 @@ class Crossing final : public Interpolant {
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
   /// The run ends in the leap, after `length`.
   void cut(double length);
+  /// Whether `most` has had a say in a leap, or in that there is none.
+  bool limited() const { return limited_; }
 
   // Poses that were passed are listed.
   // True, or nothing: `dynamics` was evaluated somewhere else.
@@ -68,6 +71,9 @@ class Crossing final : public Interpolant {
 
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.followed; }
+  /// Between steps; `leaping`: in or at the end of the last leap.
+  void keep(Archive& archive, bool leaping);
+
   /// The state in what is followed of the last leap, with unit Euler parameters.
   void interpolate(const System& system, double theta, VectorXd& y) const override;
   /// The same on the constraints, unless a pose is too near. Leaves `dynamics` evaluated somewhere else.
@@ -128,7 +134,8 @@ class Crossing final : public Interpolant {
   static double near_enough(double usual, double h, bool adaptive);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
-  static double allowed_length(const Search& search, double h);
+  double limit(const Search& search, double h) const;
+  double allowed_length(const Search& search, double h) const;
   void state_at(double time_in_leap, VectorXd& y) const;
   std::vector<double> poses_in_leap(double beyond_it);
   bool look_ahead(Search& search);
@@ -142,9 +149,10 @@ class Crossing final : public Interpolant {
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool starting_ = false;   ///< the leap begins near the pose, not before it
-  bool in_pose_ = false;    ///< or in it
-  bool fresh_ = true;       ///< no step was looked at yet
+  bool starting_ = false;  ///< the leap begins near the pose, not before it
+  bool in_pose_ = false;   ///< or in it
+  bool fresh_ = true;      ///< no step was looked at yet
+  mutable bool limited_ = false;
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
   double most_step_ = INFINITY;
   double fastest_ = 0.0;      ///< motion before the step [rad/s]

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
-    from linkwork.motion.records import Occurrence
+    from linkwork.motion.records import Checkpoint, Occurrence
     from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
@@ -47,7 +47,8 @@ class Result:
     """
 
     def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
-                 run: str | None = None, events: Sequence[Occurrence] = ()) -> None:  # fmt: skip
+                 run: str | None = None, events: Sequence[Occurrence] = (),
+                 checkpoint: Checkpoint | None = None) -> None:  # fmt: skip
         """`frames`: the arrays of `Simulation.advance` joined over time, or the fields of a result file."""
         shapes = header.frame_shapes()
         count = len(frames["t"])
@@ -58,6 +59,7 @@ class Result:
         self._header = header
         self._run = run or uuid.uuid4().hex
         self._events = tuple(events)
+        self._checkpoint = checkpoint
         self._places: dict[str, dict[str, int]] = {}
         self.statistics = dict(statistics)
         self.t: Floats = self._frames["t"][:]
@@ -214,7 +216,8 @@ class Result:
     def snapshot(self, frame: int = -1) -> Snapshot:
         """The state of one frame, for simulate(..., start=...), with its history variables.
 
-        Files of version 0.1 do not have these: full turns and contacts then begin anew.
+        From the last frame the run goes on to the last bit, see linkwork.simulate. Files of version 0.1 have
+        no history variables: full turns and contacts then begin anew.
         OptionError: there is no such frame.
         """
         count = len(self)
@@ -226,7 +229,9 @@ class Result:
                 code="frame",
             )
         state = self._field("q", frame), self._field("v", frame)
-        return Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
+        found = Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
+        last = int(frame) % count == count - 1
+        return found.resumable(self._checkpoint, float(self._field("work", frame))) if last else found
 
     def _error_at(self, frame: int) -> float:
         """The part of the accumulated error that a run has made up to a frame."""
@@ -363,14 +368,17 @@ class Result:
 
     @property
     def work(self) -> Floats:
-        """Done since the start by what has no potential: applied forces, dampers, driven joints (k,) [J]."""
+        """Done since the start by what has no potential: applied forces, dampers, driven joints (k,) [J].
+
+        A run that goes on to the last bit counts from the start of the one before.
+        """
         return self._field("work")
 
     @property
     def energy_error(self) -> Floats:
-        """Energy that the method made or lost (k,) [J]: energy - energy[0] - work."""
+        """Energy that the method made or lost (k,) [J]: change of the energy, less the work."""
         energy = self.energy
-        return energy - energy[:1] - self.work
+        return energy - energy[:1] - (self.work - self.work[:1])
 
     @property
     def violation(self) -> Floats:
@@ -414,7 +422,9 @@ class Result:
 
         target = check_new(path, "result", overwrite)
         self._need_reactions()
-        writing.save(target, self._header, self._frames, self.statistics, self._run, self._events)
+        writing.save(
+            target, self._header, self._frames, self.statistics, self._run, self._events, self._checkpoint
+        )
         if self._finer is not None:
             writing.add_finer(target, self._finer, self.statistics)
 
@@ -432,7 +442,8 @@ class Result:
         from linkwork.results import reading
 
         stored = reading.read(path_of(path, "result"), trusted=trusted)
-        result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
+        result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events,
+                     checkpoint=stored.checkpoint)  # fmt: skip
         if stored.finer is not None:
             factor, fields = stored.finer
             result._finer = Finer(cls(fields, stored.header, {}, run=stored.run), factor)
@@ -586,6 +597,7 @@ class Result:
     def __setstate__(self, state: dict[str, Any]) -> None:
         """What earlier versions pickled says of itself what it says today."""
         header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
+        self._checkpoint = None
         self.__dict__.update(state, _header=header, statistics=renamed_statistics(state["statistics"]))
 
     # --- how it works ---

@@ -25,7 +25,7 @@ from linkwork.motion.records import Snapshot
 from linkwork.options import TABLE, Options, Policy, check_name, check_option, names
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
-from linkwork.running import breakpoints, checks, duration, estimation, recording, schedule
+from linkwork.running import breakpoints, checks, duration, estimation, recording, resuming, schedule
 from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
@@ -80,9 +80,12 @@ def simulate(
                   declare: steps that follow tolerances end there; of fixed ones the summary says how many
                   contain one
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot(frame)` or the
-                  `state` of an error. The work and multistep methods begin anew; with a fixed step other
-                  methods go on to the last bit. Where a state has no history variables (of a file of
-                  version 0.1), full turns and contacts under way begin anew: a LinkworkWarning names them
+                  `state` of an error. From the last frame of a result, in memory or in a file, and from the
+                  state of an error, a run of the same model by the same method goes on to the last bit, as if
+                  it had never ended (manifest["resumed"]; steps that the end had shortened are taken once
+                  more, unseen). Otherwise the work, multistep methods and step control begin anew. Where a
+                  state has no history variables (of a file of version 0.1), full turns and contacts under way
+                  begin anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     overwrite     whether `output` may replace a file that is there
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
@@ -168,6 +171,7 @@ class _Prepared:
     run: _core.Run
     chosen: Mapping[str, Any]  # options with none left open
     facts: Mapping[str, Any]  # for the manifest
+    key: str  # of checkpoints, see `resuming`
 
     @property
     def t_start(self) -> float:
@@ -192,11 +196,23 @@ def _prepared(
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
     t_start = checks.start_time(start)
     checks.check_tables(model, plan.t_end)
-    breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
     breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
+    options = _honored(method, options)
     system, assembly = _system(model, method, options, plan, given["assemble"], start)
-    run = plan.run(method, system, [event for _, event in watched], start, breaks)
+    key = resuming.key(model, method, {**plan.steps(), **system.options}, watched, given, assembly)
+    resume = resuming.of(start, key, plan.t_end)
+    if start is not None:
+        checks.check_start(model, system.compiled(), start, known=resume is not None)
+    if resume is not None:
+        key = resume.checkpoint.method
+        system = _as_then(system, model, options, given["assemble"], key)
+    since = t_start if resume is None else resume.checkpoint.t
+    known = breakpoints.of_run(model, given["breaks"], since, plan.t_end)
+    run = plan.run(method, system, [event for _, event in watched], start, known)
+    if resume is not None:
+        run.resume(resume.checkpoint.state, resume.work)
+    breaks = [t for t in known if t > t_start]
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, given, chosen),
@@ -204,15 +220,17 @@ def _prepared(
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
+        **({} if start is None else {"resumed": resume is not None}),
     }
-    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts)
+    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
 
 
 def _carried_out(
     it: _Prepared, output: str | os.PathLike[str] | None, progress: ProgressOption, started: float
 ) -> tuple[Result, estimation.ErrorEstimator]:
     """The result, with what the run took since `started` [s], and who can take steps of it again."""
-    recorder = recording.recorder(output, it.header())
+    checkpoints = recording.Checkpoints(it.run, it.key)
+    recorder = recording.recorder(output, it.header(), checkpoints)
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
@@ -227,7 +245,7 @@ def _carried_out(
             stops=it.given["on_inaccurate"] == "stop",
         )  # fmt: skip
         spent["driver_seconds"] = recording.record(
-            run, pieces, recorder, report, labels, estimator, warns=warns
+            run, pieces, recorder, report, labels, estimator, checkpoints, warns=warns
         )
         statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
         driven = time.perf_counter()
@@ -258,15 +276,30 @@ def _system(
     start: Snapshot | None,
 ) -> tuple[System, Assembly | None]:
     """The model with its method and a consistent initial state, and what it took to make it so."""
-    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
-        options = {**options, "stabilization": "projection"}  # no acceleration to which to add a correction
     system = System(model, **options)
     plan.check(method, system)
     if start is not None:
-        checks.check_start(model, system.compiled(), start)
         return system, None
     assembly = checks.consistent(model, system.compiled(), correct=assemble)
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
+
+
+def _honored(method: Integrator | PythonStep, options: Options) -> Options:
+    """Half-explicit methods have no acceleration to which to add a correction."""
+    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
+        return {**options, "stabilization": "projection"}
+    return options
+
+
+def _as_then(system: System, model: Model, options: Options, assemble: bool, key: str) -> System:
+    """As it was in the run that is resumed, of a model whose initial state had been corrected."""
+    if not resuming.assembled(key):
+        return system
+    assembly = checks.consistent(model, system.compiled(), correct=assemble, quiet=True)
+    assert assembly is not None
+    then = System(assembly.model, **options)
+    then.compiled().history = system.compiled().history
+    return then
 
 
 def _check_output(output: str | os.PathLike[str] | None, overwrite: bool) -> None:
