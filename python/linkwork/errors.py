@@ -14,7 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from linkwork.motion.records import Snapshot
@@ -71,6 +71,12 @@ class LinkworkError(Exception):
     def reason(self) -> str:
         """The message without its subject."""
         return self.message.removeprefix(f"{self.subject}: ") if self.subject else self.message
+
+    def facts(self) -> dict[str, Any]:
+        """What it says, for programs: kind, code, message and the details that there are."""
+        names = ("subject", "field", "bodies", "joints", "forces", "time", "step", "stage", "residuals")
+        details = {name: value for name in names if (value := getattr(self, name)) not in ("", [], {}, None)}
+        return {"type": type(self).__name__, "code": self.code, "message": str(self), **details}
 
 
 class ModelError(LinkworkError):
@@ -169,8 +175,11 @@ class LinkworkWarning(UserWarning):
     """Something that is probably not meant, but can be computed."""
 
 
-#: So many names can be told in a message; of so many the nearest is looked for, for one no longer than this.
-FEW, MOST_LOOKED_AT, LONG_NAME = 6, 1000, 100
+#: How alike names are that one can have meant, see difflib.
+NEAR = 0.55
+
+#: So many names are told in a message; of so many the nearest is looked for, for one no longer than this.
+LISTED, MOST_LOOKED_AT, LONG_NAME = 12, 1000, 100
 
 #: So many faults of a file are listed, the others counted.
 MOST_FAULTS = 20
@@ -216,14 +225,16 @@ def unwritable(what: str, path: str | os.PathLike[str], error: Exception) -> Fil
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or all, if they are few."""
+    """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or what there is."""
     names, word = list(islice(known, MOST_LOOKED_AT)), str(word)
-    likely = [name for name in names if len(name) <= 2 * len(word) + FEW] if len(word) <= LONG_NAME else []
-    close = difflib.get_close_matches(word, likely, n=1, cutoff=0.0 if len(names) > FEW else 0.5)
+    likely = [name for name in names if len(name) <= 3 * len(word)] if len(word) <= LONG_NAME else []
+    close = difflib.get_close_matches(word, likely, n=1, cutoff=NEAR)
     if close:
         return f"; the nearest is '{close[0]}'"
-    few = len(names) <= FEW and all(len(name) <= LONG_NAME for name in names)
-    return f"; choose from {', '.join(repr(name) for name in names)}" if names and few else ""
+    listed = ", ".join(repr(name) for name in names[:LISTED])
+    more = f" and {len(names) - LISTED} more" if LISTED < len(names) < MOST_LOOKED_AT else ""
+    short = all(len(name) <= LONG_NAME for name in names[:LISTED])
+    return f"; choose from {listed}{more}" if names and short and len(names) < MOST_LOOKED_AT else ""
 
 
 def warn(message: str) -> None:

@@ -47,7 +47,7 @@ std::string choose_form(const FormulationInfo& info, const Options& options, boo
 }
 
 /// Solvers of the blocks themselves need a regular mass matrix, and take redundant rows in every form that they have.
-/// Else a dense one where the matrix is small, or the first of the list that can.
+/// Else a dense one where the matrix is small, or the first of the list that can; a dense one where no other can.
 std::string choose_solver(const std::string& form, const FormulationInfo& info, const Options& options,
                           const System& system) {
   if (options.linear_solver != "auto") return options.linear_solver;
@@ -59,7 +59,8 @@ std::string choose_solver(const std::string& form, const FormulationInfo& info, 
     return best && solver.available() && can_solve(form, solver);
   };
   const auto& all = linear_solvers();
-  return std::find_if(all.begin(), all.end(), suits)->name;
+  const auto found = std::find_if(all.begin(), all.end(), suits);
+  return found == all.end() ? "dense" : found->name;
 }
 
 }  // namespace
@@ -312,7 +313,7 @@ void Dynamics::rates(MutableVector y_dot) {
   b_ = at_.gamma;
   if (kind_ == StabilizationKind::baumgarte) {
     const Gains gains = gains_or(textbook_gains);
-    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;
+    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;  // (12.8)
   } else if (held_) {
     b_ += held_u_;
   }

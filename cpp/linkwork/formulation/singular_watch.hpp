@@ -113,7 +113,8 @@ class SingularWatch {
   void raise(double level);
   void keep(double t, double pivot, std::vector<int> joints, bool rows_changed);
 
-  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-5;
+  static constexpr double first_suspicion = 1e-5;  ///< pivots below this part of the level are looked at
+  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = first_suspicion;
   bool open_ = false, lists_ = true;
   std::array<Sample, 32> samples_;
   std::size_t next_sample_ = 0;

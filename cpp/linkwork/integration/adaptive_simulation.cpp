@@ -412,7 +412,8 @@ void AdaptiveSimulation::record_inside() {
   dynamics_.formulation().look(true);
   with_time(t, NAN, [&] {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
-    interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
+    if (leapt_) crossing_.place(crossing_.theta(t), workspace_);
+    else interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
     dynamics_.evaluate(std::max(t, breaks_.after(t_)), workspace_);
     if (leapt_) record_in_leap(t, workspace_);
     else recorder_.record(t, workspace_);

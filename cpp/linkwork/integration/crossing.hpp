@@ -47,6 +47,7 @@ class Crossing final : public Interpolant {
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() {
     fresh_ = true;
+    known_ = -INFINITY;
     poses_.restart();
   }
 
@@ -75,6 +76,8 @@ class Crossing final : public Interpolant {
 
   /// The state in what is followed of the last leap, with unit Euler parameters.
   void interpolate(const System& system, double theta, VectorXd& y) const override;
+  /// The same on the constraints, unless a pose is too near. Leaves `dynamics` evaluated somewhere else.
+  void place(double theta, VectorXd& y);
   /// Accelerations and multipliers there.
   void interpolate(double theta, MutableVector v_dot, MutableVector lambda) const;
 
@@ -104,7 +107,8 @@ class Crossing final : public Interpolant {
     double error = INFINITY;  ///< of it
     double base = 0.0;        ///< of other lengths
     std::vector<double> tried = {};
-    int failures = 0;  ///< since the last that converged
+    double too_far = INFINITY;  ///< a pose
+    int failures = 0;           ///< since the last that converged
     bool any_converged = false, ahead = false, done = false;
   };
 
@@ -127,6 +131,7 @@ class Crossing final : public Interpolant {
   int parts_to(double t) const;
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, Quality quality);
+  static double near_enough(double usual, double h, bool adaptive);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
   double limit(const Search& search, double h) const;
@@ -150,9 +155,10 @@ class Crossing final : public Interpolant {
   mutable bool limited_ = false;
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
   double most_step_ = INFINITY;
-  double fastest_ = 0.0;    ///< motion before the step [rad/s]
-  double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
-  double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
+  double fastest_ = 0.0;      ///< motion before the step [rad/s]
+  double rows_good_ = 0.0;    ///< root of the pivot from which on the redundant rows are looked at
+  double known_ = -INFINITY;  ///< time of a pose that a leap found too far ahead
+  double declined_ = 0.0;     ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   double correction_ = 0.0, jump_ = 0.0;
   double energy_before_ = 0.0;

@@ -35,6 +35,9 @@ class Integrator {
   virtual void step(Dynamics& dynamics, double t, double h, VectorXd& y) = 0;
 };
 
+/// By how much the weights of a method may miss the sum 1.
+constexpr double consistency = 1e-12;
+
 /// Coefficients of an explicit Runge-Kutta method (Butcher's tableau): A strictly lower triangular, s x s.
 struct ButcherTableau {
   std::string name;

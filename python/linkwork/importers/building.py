@@ -31,6 +31,12 @@ from linkwork.modeling.placement import Attachment
 
 __all__ = ["Options", "build"]
 
+#: Cosines of the angle between two axes that are perpendicular, up to the digits of a file.
+PERPENDICULAR = 1e-6
+
+#: Second moments of mass, relative to the largest principal moment, that are negative by rounding.
+NEGATIVE = 1e-9
+
 #: Coulomb friction is regularized below these speeds [rad/s], [m/s].
 TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}
 
@@ -241,7 +247,7 @@ def _real_inertia(J: Floats) -> tuple[Floats, str | None]:
     """An inertia that a body can have, and the moments (text) of the one given where it had to be another."""
     moments, axes = np.linalg.eigh(J)
     spread = moments.sum() / 2 - moments
-    if (spread >= -1e-9 * np.abs(moments).max()).all():
+    if (spread >= -NEGATIVE * np.abs(moments).max()).all():
         return J, None
     spread = np.maximum(spread, 0.0)
     return axes @ np.diag(spread.sum() - spread) @ axes.T, _moments(J)

@@ -36,12 +36,12 @@ class BodyResult:
     """The motion of one body's center of mass and its rotation; k frames, SI units."""
 
     name: str
-    position: Floats  # (k, 3) inertial
-    orientation: Floats  # (k, 4) Euler parameters, scalar first
-    velocity: Floats  # (k, 3) inertial
-    omega: Floats  # (k, 3) body-fixed
-    acceleration: Floats  # (k, 3) inertial
-    angular_acceleration: Floats  # (k, 3) body-fixed
+    position: Floats  #: (k, 3) inertial
+    orientation: Floats  #: (k, 4) Euler parameters, scalar first
+    velocity: Floats  #: (k, 3) inertial
+    omega: Floats  #: (k, 3) body-fixed
+    acceleration: Floats  #: (k, 3) inertial
+    angular_acceleration: Floats  #: (k, 3) body-fixed
 
     @property
     def omega_inertial(self) -> Floats:

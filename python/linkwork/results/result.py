@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from linkwork import rotation
 from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
-from linkwork.arguments import one_of
+from linkwork.arguments import check_new, check_suffix, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, warn
@@ -25,6 +25,8 @@ from linkwork.motion.header import Header, record_reactions
 from linkwork.motion.records import BodyResult, Excess, Reaction, SingularPose, Snapshot, rotate
 
 if TYPE_CHECKING:
+    import pandas
+    import xarray
     from matplotlib.figure import Figure
 
     from linkwork.motion.records import Checkpoint, Occurrence
@@ -409,17 +411,22 @@ class Result:
 
     # --- files, pictures, text ---
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write everything to an HDF5 file (replaced only when the new one is complete). FileError."""
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write everything to an HDF5 file.
+
+        overwrite  whether it may replace a file, which then stays until the new one is complete
+
+        FileError: there is a file, `path` has the suffix of another kind of file, or cannot be written.
+        """
         from linkwork.results import writing
 
+        target = check_new(path, "result", overwrite)
         self._need_reactions()
         writing.save(
-            path_of(path, "result"), self._header, self._frames, self.statistics, self._run, self._events,
-            self._checkpoint,
-        )  # fmt: skip
+            target, self._header, self._frames, self.statistics, self._run, self._events, self._checkpoint
+        )
         if self._finer is not None:
-            writing.add_finer(path_of(path, "result"), self._finer, self.statistics)
+            writing.add_finer(target, self._finer, self.statistics)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
@@ -442,6 +449,55 @@ class Result:
             result._finer = Finer(cls(fields, stored.header, {}, run=stored.run), factor)
         return result
 
+    def to_frame(
+        self, *, bodies: Sequence[Named] = (), joints: Sequence[Named] = (), quantities: Sequence[str] = ()
+    ) -> pandas.DataFrame:
+        """A pandas.DataFrame over the time, a column a number, such as "crank.position.x [m]".
+
+            result.to_frame(bodies=["crank"], quantities=["position", "coordinate"])
+
+        bodies, joints  by name, index or handle; without, all
+        quantities      of position, orientation, velocity, omega, acceleration, angular_acceleration,
+                        reaction_force, reaction_torque, kinetic_energy, potential_energy, work, energy_error,
+                        violation, coordinate (of joints, with their rates); without, all
+
+        `attrs` has the model and the unit of each column. OptionError: no such quantity, or no pandas:
+        pip install 'linkwork[pandas]'. ModelError: no such body or joint.
+        """
+        from linkwork.results import tables
+
+        return tables.to_frame(self, tables.Choice(bodies, joints, quantities))
+
+    def to_csv(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
+        quantities: Sequence[str] = (),
+        overwrite: bool = False,
+    ) -> str:
+        """The columns of `to_frame` as CSV, every digit kept; written to `path` when given.
+
+        FileError: `path` is there already, is no .csv, or cannot be written. Others as for `to_frame`.
+        """
+        from linkwork.results import tables
+
+        return tables.to_csv(self, path, tables.Choice(bodies, joints, quantities), overwrite)
+
+    def to_xarray(
+        self, *, bodies: Sequence[Named] = (), joints: Sequence[Named] = (), quantities: Sequence[str] = ()
+    ) -> xarray.Dataset:
+        """An xarray.Dataset with named axes: `found.position.sel(body="crank", xyz="x")` over the time.
+
+        Every variable has its `units` and `long_name`, the data set the manifest. Angles and displacements of
+        joints, and their rates, are over the joints that have them. Arguments and errors as for `to_frame`;
+        pip install 'linkwork[xarray]'.
+        """
+        from linkwork.results import tables
+
+        return tables.to_xarray(self, tables.Choice(bodies, joints, quantities))
+
     def plot(
         self,
         path: str | os.PathLike[str] | None = None,
@@ -453,6 +509,7 @@ class Result:
         """A figure of the run, written to `path` when given.
 
         kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
+                "positions", "velocities", "accelerations" (of bodies, the last two with those of rotations),
                 "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
                 coordinates), "step" (sizes of steps)
         bodies  by name, index or handle; without, those that move most
@@ -463,7 +520,7 @@ class Result:
         """
         from linkwork.plots import kinds
 
-        path = None if path is None else path_of(path, "picture")
+        path = None if path is None else check_suffix(path, "picture")
         return kinds.plot(self, path, kind, bodies, joints)
 
     def index(self, what: Literal["body", "joint"], name: Named) -> int:
@@ -511,7 +568,7 @@ class Result:
 
         page = view([self] if other is None else [self, other], labels, limit)
         if path is not None:
-            page.save(path_of(path, "page"))
+            page.save(path)
         return page
 
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
@@ -523,7 +580,7 @@ class Result:
 
         page = report(self)
         if path is not None:
-            page.save(path_of(path, "page"))
+            page.save(path)
         return page
 
     def summary(self) -> str:

@@ -16,7 +16,8 @@ The frames that count are those with a time: every other field is written and fl
 a run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when
 there is none the file is closed with what it has. The reactions are stored, not recomputed: what was recorded
 needs no model to be read, so a mechanism driven by a Python function (which no file can hold) loads like any
-other. A field of no width (the multipliers of a free body) is not stored.
+other. Fields and arrays have an attribute
+`units` where they have one. A field of no width (the multipliers of a free body) is not stored.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ from linkwork.accuracy.verification import Finer
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause, unwritable
-from linkwork.motion.header import MODEL_NAMES, Header, record_reactions
+from linkwork.motion.header import MODEL_NAMES, UNITS, Header, record_reactions
 from linkwork.motion.records import Checkpoint, Occurrence
 from linkwork.results import checkpoints, digests
 from linkwork.results.shapes import write_shapes
@@ -272,6 +273,7 @@ class ResultWriter:
         model = self._file.create_group("model")
         for name in MODEL_ARRAYS:
             model[name] = getattr(self._header, name)
+            _name_unit(model[name], name)
         for name in MODEL_NAMES:
             model[name] = _encoded(getattr(self._header, name))
         write_shapes(model, self._header.shapes)
@@ -285,6 +287,7 @@ class ResultWriter:
                 self._fields[name] = frames.create_dataset(
                     name, (0, *shape), "f8", maxshape=(None, *shape), chunks=chunk, fillvalue=math.nan
                 )
+                _name_unit(frames[name], name)
         checkpoints.make_place(self._file, self._header.body_count)
         rows = digests.CHUNK_ROWS, digests.COLUMNS
         self._file.create_dataset(digests.BLOCKS, (0, rows[1]), "u8", maxshape=(None, rows[1]), chunks=rows)
@@ -417,6 +420,11 @@ def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
         "name": ((), h5py.string_dtype()),
         "t": ((), "f8"),
     }
+
+
+def _name_unit(dataset: h5py.Dataset, name: str) -> None:
+    if name in UNITS:
+        dataset.attrs["units"] = UNITS[name]
 
 
 def _event_value(it: Occurrence, name: str) -> Any:

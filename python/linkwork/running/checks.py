@@ -56,6 +56,12 @@ LISTED = 5
 #: Gains times step above which continuous Baumgarte stabilization lowers the order of the integrator.
 ACCURATE_GAIN = 0.1
 
+#: A violation may grow so much in a step, by rounding of what tells its growth.
+STABLE = 1e-9
+
+#: Imaginary parts, relative to |s|, that are none.
+REAL = 1e-6
+
 
 def check_bodies(model: Model) -> None:
     """ModelError: no model, or nothing to simulate in it."""
@@ -305,7 +311,7 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
         return
     gains = f"baumgarte_alpha {alpha:g} 1/s and baumgarte_beta {beta:g} 1/s"
     growth = method.growth(alpha * step, beta * step)
-    if growth > 1 + 1e-9:
+    if growth > 1 + STABLE:
         raise OptionError(
             f"{gains} are unstable with integrator '{method.name}' and step {step:g} s: a violation grows "
             f"by the factor {growth:.3g} in each step; use smaller gains, a smaller step, or stabilization "
@@ -336,7 +342,7 @@ def check_stiffness(method: Integrator, system: System, step: float) -> None:
 
 
 def _complex(value: complex) -> str:
-    real = abs(value.imag) < 1e-6 * abs(value)
+    real = abs(value.imag) < REAL * abs(value)
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 
@@ -361,7 +367,7 @@ def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: floa
     allowed = most * found.value[worst[0]] / relative[worst[0]]
     raise ModelError(
         f"{message}: more than {allowed:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
-        "linkwork.assemble(model).model gives",
+        "linkwork.assemble(model).model gives; model.view() shows where",
         code=f"inconsistent_{found.level}",
         joints=names,
         residuals=dict(zip(names, found.value[worst].tolist(), strict=True)),

@@ -14,7 +14,7 @@ from typing import Any, Unpack
 from numpy.typing import ArrayLike
 
 from linkwork import _core, integrators
-from linkwork.arguments import path as path_of
+from linkwork.arguments import check_new
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
 from linkwork.errors import OptionError, unwritable
@@ -22,7 +22,7 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
-from linkwork.options import TABLE, Options, Policy, check_name, names
+from linkwork.options import TABLE, Options, Policy, check_name, check_option, names
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
 from linkwork.running import breakpoints, checks, duration, estimation, recording, resuming, schedule
@@ -51,6 +51,7 @@ def simulate(
     breaks: ArrayLike = (),
     start: Snapshot | None = None,
     output: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
     progress: ProgressOption = None,
     assemble: bool = True,
     on_inaccurate: Policy = "warn",
@@ -86,6 +87,7 @@ def simulate(
                   state has no history variables (of a file of version 0.1), full turns and contacts under way
                   begin anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
+    overwrite     whether `output` may replace a file that is there
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
                   of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
     assemble      correct initial poses and velocities that violate the joints a little. Up to 1/1000 of the
@@ -115,6 +117,8 @@ def simulate(
     """
     started = time.perf_counter()
     checks.check_bodies(model)
+    for name in options:
+        check_option(name, TABLE)
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)
@@ -123,7 +127,7 @@ def simulate(
              "record_every": record_every, "breaks": breaks, "assemble": assemble,
              "on_inaccurate": on_inaccurate, **options}  # fmt: skip
     prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
-    _check_folder(output)
+    _check_output(output, overwrite)
     duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
     result, estimator = _carried_out(prepared, output, progress, started)
     if verify:
@@ -298,9 +302,9 @@ def _as_then(system: System, model: Model, options: Options, assemble: bool, key
     return then
 
 
-def _check_folder(output: str | os.PathLike[str] | None) -> None:
-    """FileError: there is no folder for it, which is told before how long the run would take."""
-    if output is not None and not path_of(output, "output").absolute().parent.is_dir():
+def _check_output(output: str | os.PathLike[str] | None, overwrite: bool) -> None:
+    """FileError: there is no folder for it, or a file, which is told before how long the run would take."""
+    if output is not None and not check_new(output, "result", overwrite).absolute().parent.is_dir():
         raise unwritable("output", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 

@@ -1,8 +1,9 @@
+#include "linkwork/linear/linear_solver.hpp"
+
+#if LINKWORK_WITH_SUITESPARSE
 #include <klu.h>
 
 #include <new>
-
-#include "linkwork/linear/linear_solver.hpp"
 
 namespace linkwork {
 namespace {
@@ -105,11 +106,22 @@ class Klu final : public LinearSolver {
   bool structurally_singular_ = false;
 };
 
+std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Klu>(); }
+
 }  // namespace
+}  // namespace linkwork
+#endif
+
+namespace linkwork {
 
 LinearSolverInfo klu_solver() {
-  return {"klu", "KLU's sparse LU, refactorized with the pivots kept while they serve", false,
-          [](Storage) -> std::unique_ptr<LinearSolver> { return std::make_unique<Klu>(); }};
+  LinearSolverInfo info{"klu", "KLU's sparse LU, refactorized with the pivots kept while they serve", false, nullptr};
+#if LINKWORK_WITH_SUITESPARSE
+  info.make = make;
+#else
+  info.missing = "KLU is a part of SuiteSparse, and LINKWORK_WITH_SUITESPARSE was OFF, as in wheels";
+#endif
+  return info;
 }
 
 }  // namespace linkwork
