@@ -10,7 +10,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork import memory, mechanisms
+from linkwork import mechanisms, memory
 from linkwork.running import recording
 
 
