@@ -13,7 +13,7 @@ import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from linkwork.motion.records import Snapshot
@@ -69,6 +69,12 @@ class LinkworkError(Exception):
     def reason(self) -> str:
         """The message without its subject."""
         return self.message.removeprefix(f"{self.subject}: ") if self.subject else self.message
+
+    def facts(self) -> dict[str, Any]:
+        """What it says, for programs: kind, code, message and the details that there are."""
+        names = ("subject", "field", "bodies", "joints", "forces", "time", "step", "stage", "residuals")
+        details = {name: value for name in names if (value := getattr(self, name)) not in ("", [], {}, None)}
+        return {"type": type(self).__name__, "code": self.code, "message": str(self), **details}
 
 
 class ModelError(LinkworkError):
@@ -143,8 +149,11 @@ class LinkworkWarning(UserWarning):
     """Something that is probably not meant, but can be computed."""
 
 
-#: So many names can be told in a message.
-FEW = 6
+#: How alike names are that one can have meant, see difflib.
+NEAR = 0.55
+
+#: So many names are told in a message.
+LISTED = 12
 
 #: What to do where the operating system refuses to read or write.
 _REMEDIES = {
@@ -187,12 +196,14 @@ def unwritable(what: str, path: str | os.PathLike[str], error: Exception) -> Fil
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or all, if they are few."""
+    """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or what there is."""
     names = list(known)
-    close = difflib.get_close_matches(str(word), names, n=1, cutoff=0.0 if len(names) > FEW else 0.5)
+    close = difflib.get_close_matches(str(word), names, n=1, cutoff=NEAR)
     if close:
         return f"; the nearest is '{close[0]}'"
-    return f"; choose from {', '.join(repr(name) for name in names)}" if names else ""
+    listed = ", ".join(repr(name) for name in names[:LISTED])
+    more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
+    return f"; choose from {listed}{more}" if names else ""
 
 
 def warn(message: str) -> None:

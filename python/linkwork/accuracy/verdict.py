@@ -11,7 +11,7 @@ where frames come from the interpolant of long steps, what that gives.
 
 Over the run local errors add up, and grow: see `linkwork/integration/accumulated_error.hpp`. The estimate is
 meant to be large rather than small: of 3000 runs of 150 random mechanisms by all integrators, see
-`tests/benchmarks/verdicts.py`, 90 % had one of 2.4 to 140 times the true error, 11 times in the median. It is
+`tests/benchmarks/verdicts.py`, 90 % had one of 2.6 to 290 times the true error, 12 times in the median. It is
 much too large where errors die out, as in friction that sticks, with steps that are long for it, and where
 drivers leave nothing to go wrong.
 

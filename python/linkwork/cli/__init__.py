@@ -1,5 +1,7 @@
 """The command `linkwork`. Errors are lines on standard error: `error: what, which, which value`.
 
+With `--json` they are {"error": {type, code, message, ...}} on standard output, too.
+
 Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130 interrupted,
 143 asked to end (SIGTERM).
 """
@@ -10,7 +12,8 @@ import logging
 import os
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import click
@@ -42,6 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def run(words: list[str], debug: bool) -> int:
     """The exit code of one command; its errors are told in one line."""
+    tell = partial(_complain, as_json="--json" in words)
     try:
         with linkwork.make_context("linkwork", words) as context:  # not main(), which prints at Ctrl-C
             linkwork.invoke(context)
@@ -49,26 +53,33 @@ def run(words: list[str], debug: bool) -> int:
     except click.exceptions.Exit as end:
         return end.exit_code
     except click.ClickException as error:
-        return _complain(_sentence(error), 2)
+        return tell(_sentence(error), 2)
     except (KeyboardInterrupt, click.Abort) as stop:
-        return _complain(str(stop) or "interrupted", 143 if isinstance(stop, Terminated) else 130)
+        return tell(str(stop) or "interrupted", 143 if isinstance(stop, Terminated) else 130)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except LinkworkError as error:
         if debug:
             raise
-        return _complain(str(error), 1)
+        return tell(str(error), 1, error.facts())
     except MemoryError:
-        return _complain("not enough memory", 1)
+        return tell("not enough memory", 1)
     except Exception as error:
         if debug:
             raise
-        return _complain(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
+        return tell(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
 
 
-def _complain(message: str, code: int) -> int:
+def _complain(
+    message: str, code: int, facts: Mapping[str, Any] | None = None, *, as_json: bool = False
+) -> int:
     log.error("%s", " ".join(message.split()))
+    if as_json:
+        from linkwork.cli.output import print_json
+
+        usual = {"type": "UsageError" if code == 2 else "Error", "code": "usage" if code == 2 else "failed"}
+        print_json({"error": {**usual, "message": message, **(facts or {}), "exit_code": code}})
     for line in message.splitlines() or [""]:
         print("error:", " ".join(line.split()), file=sys.stderr)
     return code

@@ -37,6 +37,9 @@ def linkwork(context: click.Context, log: str | None) -> None:
 
     --force, anywhere, replaces files that are there; --debug shows the Python traceback of an error.
     `linkwork completion --help` tells how the shell completes commands and mechanisms.
+
+    Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130
+    interrupted, 143 asked to end. With --json errors are JSON, too: {"error": {"code": ..., ...}}.
     """
     if log is not None:
         from linkwork.cli.logs import write_to
@@ -89,6 +92,13 @@ class MechanismGroup(base.Group):
 
         with formatter.section("Mechanisms"):
             formatter.write_dl([(name, _short(mechanism)) for name, mechanism in MECHANISMS.items()])
+        if self.name == "run":
+            from linkwork.cli import run_options
+
+            found = [*run_options.options({}), *run_options.outputs()]
+            records = [record for option in found if (record := option.get_help_record(context))]
+            with formatter.section("Options of every run, after the name"):
+                formatter.write_dl(records)
 
 
 @linkwork.group(cls=MechanismGroup, what="mechanism")

@@ -23,6 +23,11 @@ def print_json(document: Any) -> None:
     sys.stdout.write("\n")
 
 
+def note(text: str) -> None:
+    """A remark, on standard error: what is printed stays what was asked for."""
+    print(f"note: {text}", file=sys.stderr)
+
+
 def print_pairs(pairs: Iterable[tuple[str, str]]) -> None:
     """A label and what it says, a line each."""
     shown = [(label, text) for label, text in pairs if text]

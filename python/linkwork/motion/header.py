@@ -73,14 +73,18 @@ class Header:
     def of(
         cls,
         model: _core.Model,
-        dynamics: _core.Dynamics,
+        dynamics: _core.Dynamics | None,
         manifest: Mapping[str, Any],
         expected_frames: int | None = None,
         shapes: Shapes | None = None,
         curves: Mapping[int, Floats] | None = None,
     ) -> Header:
-        """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
-        joints, forces, rank = model.joint_arrays(), model.force_arrays(), dynamics.rank()
+        """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks.
+
+        Without `dynamics`, of a model whose equations nobody has looked at: all reactions count as unique.
+        """
+        joints, forces = model.joint_arrays(), model.force_arrays()
+        rank = None if dynamics is None else dynamics.rank()
         return cls(
             manifest=dict(manifest),
             body_names=_Listing(model.body_name, model.body_count),
@@ -95,8 +99,8 @@ class Header:
             joint_bodies=joints["bodies"],
             joint_frame=joints["frame"],
             joint_origin=joints["origin"],
-            reaction_unique=np.array(rank.unique, dtype=bool),
-            redundant_rows=np.array(rank.redundant_rows, dtype=np.int32),
+            reaction_unique=np.array(rank.unique if rank else [True] * model.joint_count, dtype=bool),
+            redundant_rows=np.array(rank.redundant_rows if rank else [], dtype=np.int32),
             **_parameters("joint", joints),
             force_names=_Listing(model.force_name, len(forces["kind"])),
             force_kinds=_Listing(lambda index: _kind_names()[forces["kind"][index]], len(forces["kind"])),
@@ -104,11 +108,11 @@ class Header:
             force_frame=forces["frame"],
             force_origin=forces["origin"],
             **_parameters("force", forces),
-            history_count=len(dynamics.initial_history),
+            history_count=0 if dynamics is None else len(dynamics.initial_history),
             expected_frames=expected_frames,
             shapes=shapes or Shapes(),
             curves=curves or {},
-            reactions=dynamics.reactions,
+            reactions=None if dynamics is None else dynamics.reactions,
         )
 
     def __repr__(self) -> str:

@@ -354,7 +354,7 @@ def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: floa
     allowed = most * found.value[worst[0]] / relative[worst[0]]
     raise ModelError(
         f"{message}: more than {allowed:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
-        "linkwork.assemble(model).model gives",
+        "linkwork.assemble(model).model gives; model.view() shows where",
         code=f"inconsistent_{found.level}",
         joints=names,
         residuals=dict(zip(names, found.value[worst].tolist(), strict=True)),

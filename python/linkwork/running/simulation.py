@@ -22,7 +22,7 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
-from linkwork.options import TABLE, Options, Policy, check_name, names
+from linkwork.options import TABLE, Options, Policy, check_name, check_option, names
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
 from linkwork.running import breakpoints, checks, duration, estimation, recording, schedule
@@ -114,6 +114,8 @@ def simulate(
     """
     started = time.perf_counter()
     checks.check_bodies(model)
+    for name in options:
+        check_option(name, TABLE)
     t_start = checks.start_time(start)
     plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
     check_progress(progress)

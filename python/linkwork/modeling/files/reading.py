@@ -44,11 +44,10 @@ class ModelFile:
 def read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
     """As a model of this class. ModelFileError: what is wrong in the file. FileError: it cannot be read."""
     with collection_paused():
-        return _read(path, kind)
+        return _checked(path, parse(path), kind)
 
 
-def _read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
-    syntax = parse(path)
+def _checked(path: str | os.PathLike[str], syntax: Syntax, kind: type[Model]) -> ModelFile:
     checker = _Checker(path, syntax)
     if not isinstance(syntax.data, dict):
         raise ModelFileError(path, [Fault(1, "", "a model file is a mapping: linkwork: 1, bodies: ...")])
@@ -68,6 +67,22 @@ def from_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
     """From a document as `record_of` makes it."""
     with collection_paused():
         return _built(schema.document_type().model_validate(record), kind, _straight)
+
+
+@dataclass
+class _Record:
+    """A document that came from no text."""
+
+    data: Any
+
+    def line(self, where: Where) -> int:
+        return 1
+
+
+def from_changed_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
+    """From a document that somebody changed, checked like a file. ModelFileError: what is wrong in it."""
+    with collection_paused():
+        return _checked("model", _Record(record), kind).model
 
 
 class _Checker:
