@@ -3,10 +3,12 @@
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <new>
 
 #include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/row_selection.hpp"
@@ -59,8 +61,8 @@ Model legs(int n) {
   const int frame = model.add_body("frame", body_at({0, 0, 1}));
   for (int k = 0; k < n; ++k) {
     const Vec3<double> foot = random.vec3(), knee = random.vec3(), hip = random.vec3();
-    const int lower = model.add_body("lower" + std::to_string(k), at(0.5 * (foot + knee)));
-    const int upper = model.add_body("upper" + std::to_string(k), at(0.5 * (hip + knee)));
+    const int lower = model.add_body("lower" + std::to_string(k), body_at(0.5 * (foot + knee)));
+    const int upper = model.add_body("upper" + std::to_string(k), body_at(0.5 * (hip + knee)));
     join(model, "universal", ground, lower, foot);
     join(model, "revolute", lower, upper, knee);
     join(model, "spherical", upper, frame, hip);
@@ -88,10 +90,14 @@ void measure(const char* name, int size, const Model& model) {
     own = std::min(own, seconds([&] {
                           for (int k = 0; k < repeats; ++k) own_count = dependent_rows(D, 1e-9).size();
                         }) / repeats);
-    reference = std::min(reference, seconds([&] {
-                                      for (int k = 0; k < repeats; ++k)
-                                        reference_count = spqr_dependent_columns(transposed, 1e-9).size();
-                                    }) / repeats);
+    try {
+      reference = std::min(reference, seconds([&] {
+                                        for (int k = 0; k < repeats; ++k)
+                                          reference_count = spqr_dependent_columns(transposed, 1e-9).size();
+                                      }) / repeats);
+    } catch (const std::bad_alloc&) {  // it gives up where hubs fill its factors
+      reference = INFINITY;
+    }
   }
   std::printf("%-14s %6d %8ld %8zu %8zu %10.6f %10.6f %8.2f\n", name, size, static_cast<long>(D.rows()), own_count,
               reference_count, own, reference, own / reference);

@@ -7,9 +7,11 @@ from contextlib import nullcontext
 from pathlib import Path
 
 import linkwork as lw
+import numpy as np
 import pytest
 from linkwork.benchmark.subject import Subject
 from linkwork.cli import run
+from linkwork.running.time_scale import usual_end
 
 ROBOTS = Path(__file__).parent / "robots"
 
@@ -49,14 +51,37 @@ def test_python_functions_that_take_names_take_files(four_bar: Path) -> None:
         lw.mechanisms.named("four_ba")
 
 
-def test_where_nothing_recommends_an_end_it_is_asked_for(
+def test_where_nothing_recommends_an_end_a_run_chooses_and_says_so(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """Swings of sqrt(L / g), turns, tables; a comparison asks."""
     path = tmp_path / "model.json"
     lw.mechanisms.four_bar().save(path)
-    for command in ("run", "compare"):
-        assert run([command, str(path)], debug=False) == 1
-        assert capsys.readouterr().err.startswith("error: t_end is missing")
+    assert run(["run", str(path), "--json"], debug=False) == 0
+    shown = capsys.readouterr()
+    assert "--t-end 5 (from its size, 0.5 m" in shown.err and "--rtol 1e-06" in shown.err
+    assert json.loads(shown.out)["manifest"]["options"]["t_end"] == 5.0
+    assert run(["compare", str(path)], debug=False) == 1
+    assert capsys.readouterr().err.startswith("error: t_end is missing")
+
+
+def test_the_usual_end_is_that_of_the_motion() -> None:
+    top = lw.Model(gravity=(0, 0, 0))
+    body = top.body(mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 4 * np.pi))
+    top.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1))
+    assert usual_end(top)[0] == 2.0  # three turns of 0.5 s, rounded
+    pushed = lw.Model()
+    body = pushed.body(mass=1.0, inertia=(1, 1, 1))
+    pushed.force(body, force=(lw.functions.table([0, 0.7], [0, 1]), 0, 0))
+    assert usual_end(pushed)[0] == 0.7
+
+
+def test_errors_are_json_where_json_is_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["run", "four_bar", "--t-end", "-1", "--json"], debug=False) == 1
+    error = json.loads(capsys.readouterr().out)["error"]
+    assert (error["type"], error["code"], error["exit_code"]) == ("OptionError", "t_end", 1)
+    assert run(["run", "four_bar", "--no-such", "--json"], debug=False) == 2
+    assert json.loads(capsys.readouterr().out)["error"]["type"] == "UsageError"
 
 
 @pytest.mark.parametrize("name", ["arm.urdf", "four_bar.sdf", "slider_crank.xml"])

@@ -336,9 +336,9 @@ def _plain(value: Any) -> Any:
 
 
 def _function(value: Any) -> Any:
-    from linkwork.modeling.files.writing import _function_record
+    from linkwork.modeling.files.writing import function_record
 
-    return _function_record(value, "") if isinstance(value, lw.functions.TimeFunction) else value
+    return function_record(value, "") if isinstance(value, lw.functions.TimeFunction) else value
 
 
 def test_elements_that_follow_each_other_are_as_if_added_one_by_one(tmp_path: Path) -> None:

@@ -22,6 +22,11 @@ ROOMS = [
 #: What everything speaks of: an earlier room may import these for type checkers.
 SPOKEN_OF = {"Model", "Result", "Snapshot"}
 
+#: What one asks a model for, though it is made from it: modules that an earlier one opens when it is asked.
+DOORS = {
+    ("linkwork.modeling.model", f"linkwork.{target}") for target in ("results.initial_pose", "view.page")
+}
+
 PYTHON = Path(__file__).resolve().parents[2] / "python"
 MODULES = {
     ".".join(path.relative_to(PYTHON).with_suffix("").parts).removesuffix(".__init__"): path
@@ -82,7 +87,7 @@ def test_no_import_points_to_a_later_room() -> None:
         for module in MODULES
         for it in imports_of(module)
         if ROOMS.index(room_name(it.target)) > ROOMS.index(room_name(module))
-        if not (it.typing and it.name in SPOKEN_OF)
+        if not (it.typing and it.name in SPOKEN_OF) and (it.module, it.target) not in DOORS
     ]
     assert not upward, "\n" + "\n".join(upward)
 

@@ -91,6 +91,7 @@ def test_bodies_are_seen_where_the_result_says(
 ) -> None:
     """Pixels of three colors, at three times, against positions projected by the page's camera."""
     opened(tab, three_balls.view(), tmp_path)
+    tab.evaluate("document.querySelector('.overlay').hidden = true")  # its axes are colored, too
     tab.evaluate("Object.assign(linkwork.world.shown, { paths: false, grid: false }).paths")
     for frame in (0, 37, 100):
         tab.evaluate(f"linkwork.player.seek({float(three_balls.t[frame])!r})")
@@ -333,3 +334,169 @@ def test_joint_whose_axes_are_askew_is_colored_by_it(tab: chromium.Page, tmp_pat
     assert bright[0] > 2 * bright[2]  # yellow to red, not blue
     tab.evaluate("linkwork.panels[0].choose('gap', 'pin')")
     assert "axes askew" in tab.evaluate("linkwork.panels[0].element.querySelector('.legend').textContent")
+
+
+# --- what lies over the picture, the list of objects, the initial pose -------------------------------------
+
+
+@pytest.fixture(scope="module")
+def broken_door() -> lw.Model:
+    model = lw.Model(name="broken door")
+    door = model.body("door", mass=1.0, inertia=(1, 1, 1), position=(0.5, 0, 0))
+    wheel = model.body("wheel", mass=2.0, inertia=(1, 1, 1), position=(1.5, 0, 0.3))
+    model.revolute("ground", door, at=(0, 0, 0), axis=(0, 0, 1), name="hinge")
+    points = ((0.5, 0, 0), (-0.5, 0, 0))
+    model.revolute(door, wheel, at=points, axis=((0, 0, 1), (0, 0, 1)), frames="body", name="pin")
+    return model
+
+
+def test_initial_pose_shows_what_does_not_hold_and_no_time(
+    tab: chromium.Page, broken_door: lw.Model, tmp_path: Path
+) -> None:
+    opened(tab, broken_door.view(), tmp_path)
+    assert tab.evaluate("document.querySelector('.names .loose').textContent") == "pin: 0.3 m apart"
+    assert tab.evaluate("document.querySelector('.bar').hidden") is True
+    assert tab.evaluate("linkwork.panels.length") == 0
+    pins = "linkwork.world.figures[0].parts.find((it) => it.layer === 'joint' && it.index.includes({}))"
+    color = f"Array.from({pins}.mesh.instanceColor.array).slice(3 * {pins}.index.indexOf({{}})).slice(0, 3)"
+    hinge, pin = (tab.evaluate(color.format(k, k, k)) for k in (0, 1))
+    assert pin[0] > 3 * pin[1] and not hinge[0] > 3 * hinge[1]
+    assert tab.complaints == []
+
+
+def test_names_stand_where_their_bodies_are(
+    tab: chromium.Page, broken_door: lw.Model, tmp_path: Path
+) -> None:
+    opened(tab, broken_door.view(), tmp_path)
+    for name, position in (("door", (0.5, 0, 0)), ("wheel", (1.5, 0, 0.3))):
+        box = tab.evaluate(
+            "(() => { const l = [...document.querySelectorAll('.names span')]"
+            f".find((it) => it.textContent === '{name}')"
+            ".getBoundingClientRect(); return [(l.left + l.right) / 2, (l.top + l.bottom) / 2] })()"
+        )
+        expected = tab.evaluate(f"linkwork.world.projected({', '.join(map(str, position))})")
+        assert np.abs(np.array(box) - canvas(tab)[:2] - expected).max() < 1.5
+
+
+def test_scale_bar_is_as_long_as_it_says(tab: chromium.Page, broken_door: lw.Model, tmp_path: Path) -> None:
+    """Where the camera looks at: a length across the view there."""
+    opened(tab, broken_door.view(), tmp_path)
+    length = float(tab.evaluate("document.querySelector('.scale span').textContent").removesuffix(" m"))
+    pixels = tab.evaluate("document.querySelector('.scale i').getBoundingClientRect().width")
+    apart = tab.evaluate(
+        "(() => { const w = linkwork.world; const c = w.controls.target;"
+        " const r = c.clone().sub(w.camera.position).cross(w.camera.up).normalize().multiplyScalar("
+        + str(length)
+        + ");"
+        " const [a, b] = [w.projected(c.x, c.y, c.z), w.projected(c.x + r.x, c.y + r.y, c.z + r.z)];"
+        " return Math.hypot(a[0] - b[0], a[1] - b[1]) })()"
+    )
+    assert pixels == pytest.approx(apart, rel=0.02)
+
+
+@pytest.mark.parametrize(("view", "axis", "sign"), [("-y", 1, -1), ("x", 0, 1), ("z", 2, 1)])
+def test_views_look_along_the_axes(
+    tab: chromium.Page, broken_door: lw.Model, tmp_path: Path, view: str, axis: int, sign: int
+) -> None:
+    opened(tab, broken_door.view(), tmp_path)
+    tab.evaluate(
+        f"(() => {{ const s = document.querySelector('.view'); s.value = '{view}';"
+        " s.dispatchEvent(new Event('change')) })()"
+    )
+    from_target = tab.evaluate(
+        "linkwork.world.camera.position.clone().sub(linkwork.world.controls.target).normalize().toArray()"
+    )
+    assert from_target[axis] * sign > 0.9999
+
+
+def test_what_is_unchecked_is_not_drawn_and_what_is_picked_is_named(
+    tab: chromium.Page, three_balls: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, three_balls.view(), tmp_path)
+    tab.evaluate("document.querySelector('.overlay .triad').style.opacity = 0")
+    tab.evaluate("document.querySelector('input[data-show=paths]').click()")
+    left, top, right, bottom = canvas(tab)
+    center_of(picture(tab)[top:bottom, left:right], 0)
+    tab.evaluate("document.querySelector('.objects').open = true; 1")
+    tab.evaluate("document.querySelector('.row[data-kind=body] input').click(); 1")  # the first, red
+    tab.evaluate(
+        "[...document.querySelectorAll('.row .name')].find((it) => it.textContent === 'blue').click(); 1"
+    )
+    seen = picture(tab)[top:bottom, left:right]
+    red = seen[..., 0] - np.delete(seen, 0, axis=2).max(axis=2)
+    assert (red > 60).sum() == 0
+    assert tab.evaluate("document.querySelector('.names .selected').textContent") == "blue"
+
+
+def test_objects_are_found_by_name_and_kind(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    tab.evaluate("document.querySelector('.objects').open = true; 1")
+    tab.evaluate(
+        "(() => { const f = document.querySelector('.filter'); f.value = 'spherical';"
+        " f.dispatchEvent(new Event('input')) })()"
+    )
+    rows = tab.evaluate("[...document.querySelectorAll('.row .name')].map((it) => it.textContent)")
+    header = slider_crank.header
+    kinds = dict(zip(header.joint_names, header.joint_kinds, strict=True))
+    assert rows == [name for name, kind in kinds.items() if kind == "spherical"]
+
+
+def test_plotted_coordinates_and_accelerations_are_those_of_the_result(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    get = "Array.from(linkwork.runs[0].lines({{ id: '{}' }}, '{}')[{}][1])"
+    crank = slider_crank.joint_names[0]
+    angle = np.array(tab.evaluate(get.format("coordinate", crank, 0)))
+    expected = slider_crank.coordinate(crank)
+    assert np.abs(angle - expected.value).max() <= 1e-4 * np.ptp(expected.value)
+    rate = np.array(tab.evaluate(get.format("rate", crank, 0)))
+    assert np.abs(rate - expected.rate).max() <= 1e-4 * np.ptp(expected.rate)
+    name = slider_crank.body_names[-1]
+    x = np.array(tab.evaluate(get.format("acceleration", name, 0)))
+    assert np.abs(x - slider_crank.body(name).acceleration[:, 0]).max() <= 1e-4 * np.ptp(x)
+
+
+def test_a_part_of_the_time_is_shown_by_all_plots(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    tab.evaluate("linkwork.panels[0].plot.setScale('x', { min: 0.25, max: 0.5 }); 1")
+    tab.drawn()
+    parts = tab.evaluate("linkwork.panels.map((it) => [it.plot.scales.x.min, it.plot.scales.x.max])")
+    assert parts == [[0.25, 0.5]] * 3
+
+
+def test_one_tiny_number_does_not_stretch_a_logarithmic_axis(
+    tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, slider_crank.view(), tmp_path)
+    tab.evaluate("linkwork.runs[0].violation[5] = 1e-33; linkwork.panels[1].choose('violation'); 1")
+    tab.drawn()
+    assert tab.evaluate("linkwork.panels[1].plot.scales.y.min") > 1e-25
+
+
+def test_roundoff_is_drawn_as_zero(tab: chromium.Page, slider_crank: lw.Result, tmp_path: Path) -> None:
+    """The slider moves along x; what is left along z is 1e-19 m and no curve of full height."""
+    opened(tab, slider_crank.view(), tmp_path)
+    largest = tab.evaluate("linkwork.runs[0].largestOf({ id: 'position' })")
+    tab.evaluate("for (const c of [0, 1, 2]) linkwork.runs[0].q.fill(0); linkwork.runs[0].q[2] = 1e-19; 1")
+    tab.evaluate("linkwork.panels[2].choose('position'); 1")
+    tab.drawn()
+    assert tab.evaluate("linkwork.panels[2].plot.scales.y.max") >= 0.9e-9 * largest
+
+
+def test_screenshot_is_a_picture_of_the_scene(
+    tab: chromium.Page, three_balls: lw.Result, tmp_path: Path
+) -> None:
+    opened(tab, three_balls.view(), tmp_path)
+    shot = tab.evaluate(
+        "linkwork.world.screenshot().then((it) => it.arrayBuffer())"
+        ".then((it) => Array.from(new Uint8Array(it)))"
+    )
+    seen = np.asarray(Image.open(io.BytesIO(bytes(shot))).convert("RGB")).astype(int)
+    left, top, right, bottom = canvas(tab)
+    assert seen.shape[:2] == (bottom - top, right - left)
+    center_of(seen, 0)

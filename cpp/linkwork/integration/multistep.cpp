@@ -44,6 +44,8 @@ class Multistep final : public Integrator {
     starter_->start(y_size);
   }
 
+  void keep(Archive& archive) override { archive(f_, filled_, last_step_); }
+
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     if (filled_ > 0 && std::abs(h - last_step_) > same_step * h) filled_ = 0;  // another step: begin anew
     last_step_ = h;

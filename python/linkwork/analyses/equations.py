@@ -58,9 +58,7 @@ class Equations:
         self.rank = self.dynamics.rank()
         self.independent = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
         self.length = _size(self.core)
-        self._row_lengths, rate, self.rounding = self.dynamics.residual_scales(
-            0.0, self.core.q0, self.core.v0
-        )
+        self.row_lengths, rate, self.rounding = self.dynamics.residual_scales(0.0, self.core.q0, self.core.v0)
         self.rate = rate if rate > AT_REST else 1.0  #: of its motion, or of what its forces would do [1/s]
         self.joint_of_row = np.repeat(np.arange(self.core.joint_count), np.diff(self.core.joint_rows))
         self.holonomic = self._holonomic()
@@ -99,7 +97,7 @@ class Equations:
 
     def violation(self, Phi: Floats) -> float:
         """The largest residual of all, relative to the size of the mechanism."""
-        return float((np.abs(Phi) / self._row_lengths).max(initial=0.0))
+        return float((np.abs(Phi) / self.row_lengths).max(initial=0.0))
 
     def turn(self, q: Floats) -> Sparse:
         """T = diag(I, A^T) (6n, 6n): what has omega in inertial axes to what has it in body axes."""

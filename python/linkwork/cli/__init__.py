@@ -1,5 +1,7 @@
 """The command `linkwork`. Errors are lines on standard error: `error: what, which, which value`.
 
+With `--json` they are {"error": {type, code, message, ...}} on standard output, too.
+
 Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130 interrupted,
 143 asked to end (SIGTERM).
 """
@@ -10,12 +12,13 @@ import logging
 import os
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import click
 
-from linkwork.cli import shells
+from linkwork.cli import base, shells
 from linkwork.cli.commands import linkwork
 from linkwork.errors import LinkworkError
 from linkwork.running.interrupts import Terminated
@@ -26,18 +29,23 @@ log = logging.getLogger(__name__)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run one command and exit; `--debug` anywhere on the line lets exceptions through."""
+    """Run one command and exit.
+
+    Anywhere on the line, `--debug` lets exceptions through, and `--force` replaces files that are there.
+    """
     if shells.VARIABLE in os.environ:
         sys.exit(shells.complete(linkwork))
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words
+    base.replace_files("--force" in words)
     warnings.showwarning = _show_warning
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # its remarks on fonts and caches
-    sys.exit(run([word for word in words if word != "--debug"], debug))
+    sys.exit(run([word for word in words if word not in ("--debug", "--force")], debug))
 
 
 def run(words: list[str], debug: bool) -> int:
     """The exit code of one command; its errors are told in one line."""
+    tell = partial(_complain, as_json="--json" in words)
     try:
         with linkwork.make_context("linkwork", words) as context:  # not main(), which prints at Ctrl-C
             linkwork.invoke(context)
@@ -45,26 +53,33 @@ def run(words: list[str], debug: bool) -> int:
     except click.exceptions.Exit as end:
         return end.exit_code
     except click.ClickException as error:
-        return _complain(_sentence(error), 2)
+        return tell(_sentence(error), 2)
     except (KeyboardInterrupt, click.Abort) as stop:
-        return _complain(str(stop) or "interrupted", 143 if isinstance(stop, Terminated) else 130)
+        return tell(str(stop) or "interrupted", 143 if isinstance(stop, Terminated) else 130)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except LinkworkError as error:
         if debug:
             raise
-        return _complain(str(error), 1)
+        return tell(str(error), 1, error.facts())
     except MemoryError:
-        return _complain("not enough memory", 1)
+        return tell("not enough memory", 1)
     except Exception as error:
         if debug:
             raise
-        return _complain(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
+        return tell(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
 
 
-def _complain(message: str, code: int) -> int:
+def _complain(
+    message: str, code: int, facts: Mapping[str, Any] | None = None, *, as_json: bool = False
+) -> int:
     log.error("%s", " ".join(message.split()))
+    if as_json:
+        from linkwork.cli.output import print_json
+
+        usual = {"type": "UsageError" if code == 2 else "Error", "code": "usage" if code == 2 else "failed"}
+        print_json({"error": {**usual, "message": message, **(facts or {}), "exit_code": code}})
     for line in message.splitlines() or [""]:
         print("error:", " ".join(line.split()), file=sys.stderr)
     return code

@@ -9,6 +9,7 @@ from click.shell_completion import CompletionItem
 
 from linkwork.cli import base, shells
 from linkwork.cli.bench_commands import bench
+from linkwork.cli.exporting import export, movie, plot
 from linkwork.cli.report import report
 from linkwork.cli.view import view
 
@@ -34,8 +35,11 @@ def linkwork(context: click.Context, log: str | None) -> None:
     linkwork compare four_bar --t-end 2    a mechanism by many methods, with the error of each
     linkwork validate                      published problems, and our error against each
 
-    --debug, anywhere, shows the Python traceback of an error. `linkwork completion --help` tells how the
-    shell completes commands and mechanisms.
+    --force, anywhere, replaces files that are there; --debug shows the Python traceback of an error.
+    `linkwork completion --help` tells how the shell completes commands and mechanisms.
+
+    Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130
+    interrupted, 143 asked to end. With --json errors are JSON, too: {"error": {"code": ..., ...}}.
     """
     if log is not None:
         from linkwork.cli.logs import write_to
@@ -88,6 +92,13 @@ class MechanismGroup(base.Group):
 
         with formatter.section("Mechanisms"):
             formatter.write_dl([(name, _short(mechanism)) for name, mechanism in MECHANISMS.items()])
+        if self.name == "run":
+            from linkwork.cli import run_options
+
+            found = [*run_options.options({}), *run_options.outputs()]
+            records = [record for option in found if (record := option.get_help_record(context))]
+            with formatter.section("Options of every run, after the name"):
+                formatter.write_dl(records)
 
 
 @linkwork.group(cls=MechanismGroup, what="mechanism")
@@ -183,6 +194,9 @@ def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -
 
 linkwork.add_command(view)
 linkwork.add_command(report)
+linkwork.add_command(plot)
+linkwork.add_command(movie)
+linkwork.add_command(export)
 
 
 @linkwork.command("list")

@@ -6,9 +6,11 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
+from linkwork.cli.base import may_replace
 from linkwork.errors import OptionError
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
+from linkwork.running.time_scale import TOLERANCE, usual_end
 
 if TYPE_CHECKING:
     from linkwork import Model
@@ -31,14 +33,14 @@ def simulate_and_show(
     if plot is not None:
         from linkwork.plots import figures
 
-        out.check_writable(plot)
+        out.check_writable(plot, "picture")
         figures.check_format(plot)
     model = mechanism.function(**parameters)
-    settings = _settings(mechanism, options)
+    settings = _settings(mechanism, options, model)
     if "start" in settings:
         settings["start"] = _last_state(settings["start"], model, settings["t_end"])
     try:
-        result = lw.simulate(model, **settings, output=output)
+        result = lw.simulate(model, **settings, output=output, overwrite=may_replace())
     except KeyboardInterrupt as stop:
         raise type(stop)(
             f"interrupted; '{output}' has the frames so far" if output else "interrupted"
@@ -55,13 +57,18 @@ def simulate_and_show(
         out.print_pairs([*summary.lines(result), *((label, path or "") for label, path in files.items())])
 
 
-def _settings(mechanism: Mechanism, options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options that were given, over the recommended. OptionError: nothing says when the run ends."""
+def _settings(mechanism: Mechanism, options: Mapping[str, Any], model: Model) -> dict[str, Any]:
+    """The options that were given, over the recommended; what neither says is chosen, and that is told."""
     settings = {**_recommended(mechanism, options), **options}
+    chosen = []
     if "t_end" not in settings:
-        raise OptionError(
-            "t_end is missing: give --t-end, or `simulation: {t_end: ...}` in the file", code="t_end"
-        )
+        settings["t_end"], why = usual_end(model)
+        chosen.append(f"--t-end {settings['t_end']:g} ({why})")
+    if not settings.keys() & {"step", "rtol", "atol"}:
+        settings["rtol"] = TOLERANCE
+        chosen.append(f"--rtol {TOLERANCE:g}")
+    if chosen:
+        out.note(f"chosen, as neither the file nor an option says: {', '.join(chosen)}")
     return settings
 
 

@@ -23,18 +23,18 @@ __all__ = ["Evaluation", "System"]
 class Evaluation:
     """M v_dot - D^T lambda = g, D v_dot = gamma, Phi_dot = D v + Phi_t at one state; n bodies, m rows."""
 
-    M: Floats  # (n, 6, 6) diag(m I, J), J in body axes
+    M: Floats  #: (n, 6, 6) diag(m I, J), J in body axes
     D: tuple[
         Floats, NDArray[np.int64], NDArray[np.int64]
-    ]  # (m, 6n) as (data, indices, indptr) of compressed rows
-    Phi: Floats  # (m,) [m] or [1]
-    Phi_t: Floats  # (m,)
-    Phi_dot: Floats  # (m,)
-    gamma: Floats  # (m,)
-    g: Floats  # (6n,) forces (inertial) and torques (body axes), gyroscopic ones included
-    potential: float  # of gravity and springs [J]
-    force_power: float  # of the forces without a potential [W]
-    history: Floats  # (h,) what the history variables become where this state is accepted
+    ]  #: (m, 6n) as (data, indices, indptr) of compressed rows
+    Phi: Floats  #: (m,) [m] or [1]
+    Phi_t: Floats  #: (m,)
+    Phi_dot: Floats  #: (m,)
+    gamma: Floats  #: (m,)
+    g: Floats  #: (6n,) forces (inertial) and torques (body axes), gyroscopic ones included
+    potential: float  #: of gravity and springs [J]
+    force_power: float  #: of the forces without a potential [W]
+    history: Floats  #: (h,) what the history variables become where this state is accepted
 
 
 class System:

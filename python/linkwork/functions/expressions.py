@@ -90,9 +90,33 @@ def _tanh(x: Jet) -> Jet:
     return x.apply(value, 1 - value**2, -2 * value * (1 - value**2))
 
 
-FUNCTIONS: Mapping[str, Callable[[Jet], Jet]] = {
+def _asin(x: Jet) -> Jet:
+    slope = 1 / math.sqrt(1 - x.f**2)
+    return x.apply(math.asin(x.f), slope, x.f * slope**3)
+
+
+def _acos(x: Jet) -> Jet:
+    slope = -1 / math.sqrt(1 - x.f**2)
+    return x.apply(math.acos(x.f), slope, x.f * slope**3)
+
+
+def _atan(x: Jet) -> Jet:
+    slope = 1 / (1 + x.f**2)
+    return x.apply(math.atan(x.f), slope, -2 * x.f * slope**2)
+
+
+def _atan2(y: Jet, x: Jet) -> Jet:
+    """The angle of (x, y): its derivatives are those of atan(y / x), or of -atan(x / y) beside the y axis."""
+    along = _atan(y / x) if abs(x.f) > abs(y.f) else -_atan(x / y)
+    return Jet(math.atan2(y.f, x.f), along.df, along.ddf)
+
+
+#: By the number of their arguments.
+FUNCTIONS: Mapping[str, Callable[..., Jet]] = {
     "sin": _sin, "cos": _cos, "tan": _tan, "exp": _exp, "log": _log, "sqrt": _sqrt, "tanh": _tanh,
+    "asin": _asin, "acos": _acos, "atan": _atan, "atan2": _atan2,
 }  # fmt: skip
+TWO_ARGUMENTS = ("atan2",)
 CONSTANTS: Mapping[str, float] = {"pi": math.pi, "e": math.e}
 BINARY: Mapping[type[ast.operator], Callable[[Jet, Jet], Jet]] = {
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
@@ -155,7 +179,8 @@ class Formula:
     def _call(self, name: str, arguments: list[ast.expr]) -> Part:
         if name not in FUNCTIONS:
             raise self._refuse(f"has the unknown function '{name}'{nearest(name, FUNCTIONS)}")
-        if len(arguments) != 1:
-            raise self._refuse(f"gives {name} {len(arguments)} arguments, not one")
-        function, inner = FUNCTIONS[name], self._read(arguments[0])
-        return lambda t: function(inner(t))
+        count = 2 if name in TWO_ARGUMENTS else 1
+        if len(arguments) != count:
+            raise self._refuse(f"gives {name} {len(arguments)} arguments, not {('one', 'two')[count - 1]}")
+        function, inner = FUNCTIONS[name], [self._read(argument) for argument in arguments]
+        return lambda t: function(*(part(t) for part in inner))

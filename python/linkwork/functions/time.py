@@ -304,7 +304,8 @@ def cycloidal(rise: float, duration: float, start: float = 0.0) -> TimeFunction:
 def expression(text: str) -> TimeFunction:
     """A formula in t, such as "0.3 * sin(2*pi*t)**2", with its exact derivatives.
 
-    Numbers, t, pi, e, + - * / **, and sin, cos, tan, exp, log, sqrt, tanh. Where it is not smooth, as
+    Numbers, t, pi, e, + - * / **, and sin, cos, tan, asin, acos, atan, atan2,
+    exp, log, sqrt, tanh. Where it is not smooth, as
     sqrt((t - 1)**2) at 1 s, say so by `with_breaks`: it is not known in advance. It runs in Python: what
     `polynomial`, `harmonic`, `cycloidal` and `table` can say is much faster by them.
     ModelError: anything else, or no finite value at t = 0.

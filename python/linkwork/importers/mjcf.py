@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
+from linkwork.arguments import optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelFileError
 from linkwork.importers.building import PERPENDICULAR, Options, build
@@ -85,13 +86,7 @@ def _report(reader: Reader, description: Description) -> None:
 
 def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
     """With the warnings, which MuJoCo would print, and write to a file in the current folder."""
-    try:
-        import mujoco
-    except ImportError as error:
-        raise LinkworkError(
-            f"'{os.fspath(path)}': MJCF needs the package mujoco: pip install 'linkwork[mjcf]'",
-            code="no_mujoco",
-        ) from error
+    mujoco = optional_package("mujoco", "mjcf", f"'{os.fspath(path)}': MJCF", LinkworkError)
     warnings: list[str] = []
     before = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(warnings.append)

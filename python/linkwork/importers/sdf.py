@@ -192,7 +192,7 @@ class _SdfFile(RobotFile):
         full = scope.prefix + name
         who = f"joint '{full}'"
         ends = self._ends(scope, name, node)
-        if ends is None or reader.faults:
+        if ends is None or reader.faults.count:
             return None
         if type_ == "gearbox":
             self._gearboxes.append((scope, name, node))

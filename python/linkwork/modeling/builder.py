@@ -413,10 +413,12 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
 
     @property
     def body_count(self) -> int:
+        """Number of bodies, the ground not counted."""
         return int(self._core.body_count)
 
     @property
     def joint_count(self) -> int:
+        """Number of joints, drivers and couplers among them."""
         return int(self._core.joint_count)
 
     @property

@@ -17,8 +17,8 @@ from linkwork.modeling.elements import KINDS
 class JointCoordinate(NamedTuple):
     """An angle [rad], continued over full turns, or a shift [m] over time, with its rate."""
 
-    value: Floats  # (k,)
-    rate: Floats  # (k,)
+    value: Floats  #: (k,)
+    rate: Floats  #: (k,)
 
 
 class Side(NamedTuple):

@@ -62,7 +62,7 @@ _PLACES: dict[str, dict[str, str]] = {
 #: What all methods share.
 _COMMON = {
     "frames": '"space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b',
-    "name": "of the joint; without it the kind and a number",
+    "name": "without it the kind and a number",
 }
 
 _BREAKS = "times [s] at which Python functions are not smooth, see functions.with_breaks"
@@ -102,13 +102,30 @@ def _of_time(kind: _core.KindInfo) -> bool:
 
 def _signature(kind: _core.KindInfo) -> Signature:
     keyword, nothing = Parameter.KEYWORD_ONLY, Parameter.empty
-    parameters = [Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in ("self", "a", "b")]
+    bodies = {"self": nothing, "a": "BodyLike", "b": "BodyLike"}
+    parameters = [
+        Parameter(name, Parameter.POSITIONAL_OR_KEYWORD, annotation=it) for name, it in bodies.items()
+    ]
     for name, required, _ in _arguments(kind):
-        parameters.append(Parameter(name, keyword, default=nothing if required else _default(kind, name)))
+        default = nothing if required else _default(kind, name)
+        optional = "" if required or default is not None else " | None"
+        type_ = _type_of(kind, name) + optional
+        parameters.append(Parameter(name, keyword, default=default, annotation=type_))
     if _of_time(kind):
-        parameters.append(Parameter("breaks", keyword, default=()))
-    parameters += [Parameter("frames", keyword, default="space"), Parameter("name", keyword, default=None)]
-    return Signature(parameters)
+        parameters.append(Parameter("breaks", keyword, default=(), annotation="ArrayLike"))
+    parameters.append(Parameter("frames", keyword, default="space", annotation="Frames"))
+    parameters.append(Parameter("name", keyword, default=None, annotation="str | None"))
+    return Signature(parameters, return_annotation=_returned(kind))
+
+
+def _type_of(kind: _core.KindInfo, name: str) -> str:
+    """Of an argument, as in the stubs."""
+    parameter = kind.parameters.get(name)
+    return "ArrayLike" if parameter is None else "float" if parameter.constant else "TimeFunctionLike"
+
+
+def _returned(kind: _core.KindInfo) -> str:
+    return "Joint" if kind.rows else "Force"
 
 
 def _documentation(kind: _core.KindInfo) -> str:
@@ -137,6 +154,7 @@ def _method(kind: _core.KindInfo) -> Callable[..., Any]:
 
     add.__name__ = add.__qualname__ = kind.name
     add.__doc__ = _documentation(kind)
+    add.__annotations__ = {}
     add.__signature__ = signature  # type: ignore[attr-defined]
     return add
 
@@ -181,14 +199,16 @@ def _stub_method(kind: _core.KindInfo) -> str:
         "        *,",
     ]
     for name, required, _ in _arguments(kind):
-        parameter = kind.parameters.get(name)
-        type_ = "ArrayLike" if parameter is None else "float" if parameter.constant else "TimeFunctionLike"
+        type_ = _type_of(kind, name)
         default = _default(kind, name)
         optional = "" if required else " | None = None" if default is None else f" = {default!r}"
         lines.append(f"        {name}: {type_}{optional},")
     if _of_time(kind):
         lines.append("        breaks: ArrayLike = (),")
-    result = "Joint" if kind.rows else "Force"
-    lines += ['        frames: Frames = "space",', "        name: str | None = None,", f"    ) -> {result}:"]
+    lines += [
+        '        frames: Frames = "space",',
+        "        name: str | None = None,",
+        f"    ) -> {_returned(kind)}:",
+    ]
     text = textwrap.indent(_documentation(kind), " " * 8).lstrip()
     return "\n".join([*lines, f'        """{text}\n        """', ""])

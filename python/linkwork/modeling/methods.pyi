@@ -24,7 +24,7 @@ class JointMethods:
 
         at      its point (3,) [m]
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -48,7 +48,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -72,7 +72,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -96,7 +96,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -118,7 +118,7 @@ class JointMethods:
         at      its point (3,) [m]
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -140,7 +140,7 @@ class JointMethods:
         at           its point (3,) [m]
         orientation  the frame's Euler parameters (4,), scalar first; without it the inertial axes
         frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name         of the joint; without it the kind and a number
+        name         without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -164,7 +164,7 @@ class JointMethods:
         length  of the rod [m], a number or a function of time, above 0, by default the initial distance
         breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -188,7 +188,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -212,7 +212,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -236,7 +236,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -258,7 +258,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -278,7 +278,7 @@ class JointMethods:
 
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -298,7 +298,7 @@ class JointMethods:
 
         orientation  the frame's Euler parameters (4,), scalar first; without it the inertial axes
         frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name         of the joint; without it the kind and a number
+        name         without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -320,7 +320,7 @@ class JointMethods:
         at      its point (3,) [m]
         axes    the axes of the shafts a and b, both the same way through the joint: a pair of (3,)
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -346,7 +346,7 @@ class JointMethods:
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         pitch   advance of b for each turn [m], a number, not zero
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -372,7 +372,7 @@ class JointMethods:
         teeth_a  number of teeth of a, a whole number, not zero
         teeth_b  number of teeth of b, a whole number, not zero
         frames   "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name     of the joint; without it the kind and a number
+        name     without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -396,7 +396,7 @@ class JointMethods:
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         radius  of the pitch circle [m], a number, not zero
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -422,7 +422,7 @@ class JointMethods:
         length  from the axis to the ball [m], a number or a function of time, above 0, by default the initial distance
         breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -448,7 +448,7 @@ class JointMethods:
         length  between the axes [m], a number or a function of time, above 0, by default the initial distance
         breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -470,7 +470,7 @@ class JointMethods:
         at      its point (3,) [m]
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -494,7 +494,7 @@ class JointMethods:
         length  of the rod [m], a number or a function of time, above 0, by default the initial distance
         breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -522,7 +522,7 @@ class JointMethods:
         angle   of b against a, zero at the initial pose [rad], a number or a function of time
         breaks  times [s] at which Python functions are not smooth, see functions.with_breaks
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -550,7 +550,7 @@ class JointMethods:
         displacement  of the point of b, zero at the initial pose [m], a number or a function of time
         breaks        times [s] at which Python functions are not smooth, see functions.with_breaks
         frames        "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name          of the joint; without it the kind and a number
+        name          without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -574,7 +574,7 @@ class JointMethods:
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -598,7 +598,7 @@ class JointMethods:
         axes    the normal of the plane, toward the disc, and the axis of the disc: a pair of (3,)
         radius  of the disc [m], a number, above 0
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name    of the joint; without it the kind and a number
+        name    without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -625,7 +625,7 @@ class ForceMethods:
         free_length  where the spring is free [m], a number or a function of time, by default the initial distance
         breaks       times [s] at which Python functions are not smooth, see functions.with_breaks
         frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name         of the joint; without it the kind and a number
+        name         without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -655,7 +655,7 @@ class ForceMethods:
         free_angle  where the spring is free [rad], a number or a function of time; 0
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name        of the joint; without it the kind and a number
+        name        without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -681,7 +681,7 @@ class ForceMethods:
         damping    against rotation across the axis [N m s/rad], a number or a function of time; 0
         breaks     times [s] at which Python functions are not smooth, see functions.with_breaks
         frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name       of the joint; without it the kind and a number
+        name       without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -709,7 +709,7 @@ class ForceMethods:
         throttle  factor of the curve, a number or a function of time; 1
         breaks    times [s] at which Python functions are not smooth, see functions.with_breaks
         frames    "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name      of the joint; without it the kind and a number
+        name      without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -739,7 +739,7 @@ class ForceMethods:
         transition  speed of regularization [rad/s], a number, above 0; 0.01
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name        of the joint; without it the kind and a number
+        name        without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -769,7 +769,7 @@ class ForceMethods:
         transition  speed of regularization [m/s], a number, above 0; 0.001
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name        of the joint; without it the kind and a number
+        name        without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -801,7 +801,7 @@ class ForceMethods:
         damping    beyond the ends, by depth [N m s/rad^2], a number or a function of time, at least 0; 0
         breaks     times [s] at which Python functions are not smooth, see functions.with_breaks
         frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name       of the joint; without it the kind and a number
+        name       without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -833,7 +833,7 @@ class ForceMethods:
         damping    beyond the ends, by depth [N s/m^2], a number or a function of time, at least 0; 0
         breaks     times [s] at which Python functions are not smooth, see functions.with_breaks
         frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name       of the joint; without it the kind and a number
+        name       without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -855,7 +855,7 @@ class ForceMethods:
         coefficient  rho c_d A / 2 [N s^2/m^2], a number or a function of time, at least 0
         breaks       times [s] at which Python functions are not smooth, see functions.with_breaks
         frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name         of the joint; without it the kind and a number
+        name         without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -879,7 +879,7 @@ class ForceMethods:
         rotational_damping  against the angular velocity [N m s/rad], a number or a function of time; 0
         breaks              times [s] at which Python functions are not smooth, see functions.with_breaks
         frames              "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name                of the joint; without it the kind and a number
+        name                without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -913,7 +913,7 @@ class ForceMethods:
         transition  speed of regularization [m/s], a number, above 0; 0.001
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name        of the joint; without it the kind and a number
+        name        without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
@@ -947,7 +947,7 @@ class ForceMethods:
         transition  speed of regularization [m/s], a number, above 0; 0.001
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
-        name        of the joint; without it the kind and a number
+        name        without it the kind and a number
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+import html
 import os
 from collections.abc import Callable, Mapping
 from inspect import isfunction
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,8 +17,26 @@ from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.builder import ModelBuilder
+from linkwork.modeling.tables import COLUMNS, Table, tables
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from linkwork.modeling.handles import Body, Force, Joint
+    from linkwork.view.page import Page
 
 __all__ = ["Model", "check_model", "model_of"]
+
+#: What others call our joints and forces.
+SYNONYMS = {
+    **dict.fromkeys(("hinge", "pin", "pin_joint", "continuous"), "revolute"),
+    **dict.fromkeys(("prismatic", "slider", "slide"), "translational"),
+    **dict.fromkeys(("ball", "ball_joint", "ball_and_socket"), "spherical"),
+    **dict.fromkeys(("weld", "rigid", "lock", "welded"), "fixed"),
+    **dict.fromkeys(("cardan", "hooke", "u_joint"), "universal"),
+    **dict.fromkeys(("motor", "actuator", "driver"), "drive"),
+    **dict.fromkeys(("spring", "damper", "spring_dampers"), "spring_damper"),
+}
 
 
 class Model(ModelBuilder):
@@ -27,6 +46,13 @@ class Model(ModelBuilder):
     Bodies are given by handle or by name. Everything is checked when it is added: bad input is a ModelError
     that names the object and the value, and leaves the model as it was.
     """
+
+    if not TYPE_CHECKING:  # a type checker knows the methods that there are
+
+        def __getattr__(self, name: str) -> Any:
+            """AttributeError: it leads from another name of a joint to ours."""
+            meant = f": that is called '{SYNONYMS[name]}' here" if name in SYNONYMS else ""
+            raise AttributeError(f"'Model' has no attribute '{name}'{meant}", name=name, obj=self)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Model:
@@ -79,6 +105,77 @@ class Model(ModelBuilder):
         out._shapes = self._shapes.copy()
         out._functions, out._special = self._functions.copy(), self._special.copy()
         return out
+
+    # --- to read and to change ---
+
+    def table(self, what: Literal["bodies", "joints", "forces"] = "bodies") -> Table:
+        """The bodies, joints or force elements, one a row: printed, or as a table in a notebook.
+
+        `len(model.table("joints"))` counts them; `model.table("joints")[3]` is a mapping of columns to texts.
+        """
+        return tables(self, what)
+
+    def values(self, name: str | Body | Joint | Force) -> dict[str, Any]:
+        """Everything that a body, joint or force element was made of, as in a file of the model.
+
+        ModelError: no object of this name; a Python function in the model.
+        """
+        from linkwork.modeling import editing
+
+        return editing.values(self, name)
+
+    def without(self, *names: str | Body | Joint | Force, attached: bool = False) -> Model:
+        """A model without these bodies, joints or force elements; this one stays as it is.
+
+        attached  what hangs on them goes, too: joints and forces of a body, couplers and drivers of a joint
+
+        ModelError: no object of this name; without `attached`, something that would hang on nothing; a Python
+        function in the model, which is then changed where it is built.
+        """
+        from linkwork.modeling import editing
+
+        return editing.without(self, names, attached)
+
+    def replaced(self, name: str | Body | Joint | Force, /, **values: Any) -> Model:
+        """A model with other values of one object, in the words of a model file; this one stays as it is.
+
+            stiffer = model.replaced("spring", stiffness=2e4)
+            moved = model.replaced("pin", at=(0.2, 0, 0), axis=(0, 0, 1))
+
+        `values(name)` has those that there are. Joints stay where they are on a body that is moved.
+        ModelError: no object of this name, or a value that it cannot have; a Python function in the model.
+        """
+        from linkwork.modeling import editing
+
+        return editing.replaced(self, name, values)
+
+    def _repr_html_(self) -> str:
+        parts = [tables(self, what) for what in COLUMNS]
+        shown = "".join(part._repr_html_() for part in parts if len(part))
+        return f"<p>{html.escape(self.describe())}</p>{shown}"
+
+    # --- to look at, before anything is computed ---
+
+    def view(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """The initial pose as a page for any browser, without a network; written to `path` when given.
+
+        Bodies, joints, names, frames. Joints that the pose violates are red, with the gap: nothing needs to
+        be consistent. In a notebook the page shows itself; `model.view().open()` shows it in the browser.
+
+        ModelError: no bodies. FileError: `path` cannot be written.
+        """
+        from linkwork.results.initial_pose import view_model
+
+        return view_model(self, path)
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
+        """The initial pose as a picture, written to `path` when given; joints that it violates are red.
+
+        ModelError: no bodies. FileError: `path` cannot be written. OptionError: too much to paint.
+        """
+        from linkwork.results.initial_pose import plot_model
+
+        return plot_model(self, path)
 
     def __reduce__(self) -> tuple[Callable[[Mapping[str, Any]], Model], tuple[dict[str, Any]]]:
         """Copies, also to other processes, are exact. ModelError: a Python function in the model."""

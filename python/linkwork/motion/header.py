@@ -73,14 +73,18 @@ class Header:
     def of(
         cls,
         model: _core.Model,
-        dynamics: _core.Dynamics,
+        dynamics: _core.Dynamics | None,
         manifest: Mapping[str, Any],
         expected_frames: int | None = None,
         shapes: Shapes | None = None,
         curves: Mapping[int, Floats] | None = None,
     ) -> Header:
-        """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks."""
-        joints, forces, rank = model.joint_arrays(), model.force_arrays(), dynamics.rank()
+        """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks.
+
+        Without `dynamics`, of a model whose equations nobody has looked at: all reactions count as unique.
+        """
+        joints, forces = model.joint_arrays(), model.force_arrays()
+        rank = None if dynamics is None else dynamics.rank()
         return cls(
             manifest=dict(manifest),
             body_names=_Listing(model.body_name, model.body_count),
@@ -95,8 +99,8 @@ class Header:
             joint_bodies=joints["bodies"],
             joint_frame=joints["frame"],
             joint_origin=joints["origin"],
-            reaction_unique=np.array(rank.unique, dtype=bool),
-            redundant_rows=np.array(rank.redundant_rows, dtype=np.int32),
+            reaction_unique=np.array(rank.unique if rank else [True] * model.joint_count, dtype=bool),
+            redundant_rows=np.array(rank.redundant_rows if rank else [], dtype=np.int32),
             **_parameters("joint", joints),
             force_names=_Listing(model.force_name, len(forces["kind"])),
             force_kinds=_Listing(lambda index: _kind_names()[forces["kind"][index]], len(forces["kind"])),
@@ -104,11 +108,11 @@ class Header:
             force_frame=forces["frame"],
             force_origin=forces["origin"],
             **_parameters("force", forces),
-            history_count=len(dynamics.initial_history),
+            history_count=0 if dynamics is None else len(dynamics.initial_history),
             expected_frames=expected_frames,
             shapes=shapes or Shapes(),
             curves=curves or {},
-            reactions=dynamics.reactions,
+            reactions=None if dynamics is None else dynamics.reactions,
         )
 
     def __repr__(self) -> str:
@@ -160,6 +164,17 @@ def frame_shapes(bodies: int, joints: int, rows: int, history: int = 0) -> dict[
     }
 
 
+#: Units of the recorded fields and of the model's arrays, as attributes in a result file.
+UNITS = {
+    "t": "s", "q": "m, then 1", "v": "m/s, then rad/s", "vdot": "m/s2, then rad/s2",
+    "lambda": "N or N m, by the equation", "kinetic": "J", "potential": "J", "work": "J",
+    "violation": "m or 1, with 1/s and 1/s2", "history": "rad, m/s or m, by the variable",
+    "reaction_force": "N", "reaction_torque": "N m",
+    "gravity": "m/s2", "mass": "kg", "inertia": "kg m2", "q0": "m, then 1", "v0": "m/s, then rad/s",
+    "joint_origin": "m", "force_origin": "m",
+}  # fmt: skip
+
+
 def _parameters(role: str, arrays: Mapping[str, Any]) -> dict[str, Any]:
     """The numbers of all elements one after the other, and where those of each begin."""
     values = np.where(arrays["signals"] < 0, arrays["parameters"], np.nan)
@@ -194,6 +209,10 @@ class _Listing(Sequence[str]):
 
     def __init__(self, name: Callable[[int], str], count: int) -> None:
         self._name, self._count = name, count
+
+    def __repr__(self) -> str:
+        more = f" and {self._count - 100} more" if self._count > 100 else ""
+        return f"<{', '.join(self[:100])}{more}>"
 
     def __len__(self) -> int:
         return self._count

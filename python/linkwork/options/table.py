@@ -35,6 +35,19 @@ RUN_SETTINGS = (
 RENAMED = {"system": "matrix_form"}
 
 
+#: What other codes call the arguments of `simulate`.
+SYNONYMS = {
+    **dict.fromkeys(("dt", "h", "timestep", "time_step", "step_size", "stepsize"), "step"),
+    **dict.fromkeys(("tol", "tolerance", "rel_tol", "reltol"), "rtol"),
+    **dict.fromkeys(("abs_tol", "abstol"), "atol"),
+    **dict.fromkeys(("tend", "t_final", "t_stop", "t_max", "duration", "end_time"), "t_end"),
+    **dict.fromkeys(("method", "scheme", "solver"), "integrator"),
+    **dict.fromkeys(("linsolve", "linear"), "linear_solver"),
+    **dict.fromkeys(("alpha",), "baumgarte_alpha"), **dict.fromkeys(("beta",), "baumgarte_beta"),
+    **dict.fromkeys(("t_eval", "times_out", "output_times"), "times"),
+}  # fmt: skip
+
+
 def renamed(settings: Mapping[str, Any]) -> dict[str, Any]:
     """What a file of an earlier version says, by the names of today."""
     return {RENAMED.get(name, name): value for name, value in settings.items()}
@@ -57,7 +70,8 @@ def check_option(name: str, known: Iterable[str]) -> None:
     if name in RENAMED:
         raise OptionError(f"option '{name}' is called '{RENAMED[name]}' now: give that", code="option")
     if name not in known:
-        raise OptionError(f"option '{name}' does not exist{nearest(name, known)}", code="option")
+        meant = f"; it is called '{SYNONYMS[name]}'" if name in SYNONYMS else nearest(name, known)
+        raise OptionError(f"option '{name}' does not exist{meant}", code="option")
 
 
 def names() -> dict[str, list[str]]:

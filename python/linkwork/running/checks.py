@@ -156,18 +156,20 @@ def joint_residuals(
     return position.value, velocity.value
 
 
-def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> Assembly | None:
+def consistent(
+    model: Model, dynamics: _core.Dynamics, correct: bool = True, *, quiet: bool = False
+) -> Assembly | None:
     """Correct initial conditions that violate the joints by a little more than rounding; None: nothing to do.
 
     LinkworkWarning: what was corrected; with `correct` False any violation, which then stays. ModelError: the
     violation is too large to be an inaccuracy; its `joints` and `residuals` are those that violate it.
-    NotConvergedError: joints contradict each other.
+    NotConvergedError: joints contradict each other. `quiet`: without the warnings, which were given.
     """
     core = model.compiled()
     small = SMALL_RESIDUAL if correct else np.inf
     remarks = (_inaccuracy(core, level, level.rounding, small) for level in residuals(model, dynamics))
     found = "; ".join(filter(None, remarks))
-    if found and not correct:
+    if found and not correct and not quiet:
         warn(found)
     if not found or not correct:
         return None
@@ -176,7 +178,8 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
         float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
     )
     changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
-    warn(f"{found}: corrected {changes}")
+    if not quiet:
+        warn(f"{found}: corrected {changes}")
     return assembly
 
 
@@ -190,10 +193,11 @@ def start_time(start: Snapshot | None) -> float:
     return number(t, "start: t", code="start")
 
 
-def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
+def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, known: bool = False) -> None:
     """OptionError: the state of another mechanism.
 
-    LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
+    LinkworkWarning: the joints do not hold in it, unless it is `known` to be that of the run which goes on;
+    force elements had more to go on from than the state.
     """
     core, count = model.compiled(), model.body_count
     q, v = array(start.q, "start: q"), array(start.v, "start: v")
@@ -213,6 +217,8 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
             bodies=[core.body_name(body)],
         )
     _take_history(core, dynamics, start)
+    if known:
+        return
     remarks = [
         _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
     ]
@@ -360,7 +366,7 @@ def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: floa
     allowed = most * found.value[worst[0]] / relative[worst[0]]
     raise ModelError(
         f"{message}: more than {allowed:.2g}{unit} is no inaccuracy; correct it, or simulate the model that "
-        "linkwork.assemble(model).model gives",
+        "linkwork.assemble(model).model gives; model.view() shows where",
         code=f"inconsistent_{found.level}",
         joints=names,
         residuals=dict(zip(names, found.value[worst].tolist(), strict=True)),

@@ -23,6 +23,9 @@ from linkwork.plots.figures import new_figure
 from linkwork.view.appearance import Scene, Solid, Span, scene
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.collections import PolyCollection
+
     from linkwork.results.result import Result
 
 #: More faces than these take minutes to paint.
@@ -46,7 +49,7 @@ def movie(
     size: tuple[int, int] = (960, 640),
 ) -> None:
     """Write a .mp4 or .gif; see `Result.movie`."""
-    file = arguments.path(path, "movie")
+    file = arguments.check_suffix(path, "movie")
     if file.suffix.lower() not in (".mp4", ".gif"):
         raise FileError(f"movie '{path}': is neither .mp4 nor .gif: name it so", code="format")
     if not len(result):
@@ -88,13 +91,9 @@ def _write_gif(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[in
 
 
 def _write_mp4(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[int, int]) -> None:
-    try:
-        import imageio_ffmpeg
-    except ImportError as error:
-        raise FileError(
-            f"movie '{file}': needs imageio-ffmpeg: pip install 'linkwork[movie]', or write a .gif",
-            code="missing_package",
-        ) from error
+    imageio_ffmpeg = arguments.optional_package(
+        "imageio_ffmpeg", "movie", f"movie '{file}'", FileError, "a .gif needs nothing"
+    )
     writer = imageio_ffmpeg.write_frames(
         str(file), size, fps=rate, quality=8, macro_block_size=2, ffmpeg_log_level="error"
     )
@@ -157,13 +156,24 @@ class Painter:
 
     def pictures(self, times: Floats) -> Iterator[Pixels]:
         """Red, green, blue (height, width, 3) at each time."""
-        from matplotlib.collections import PolyCollection
-
         width, height = self._size
         figure = new_figure(width / 100, height / 100)
         figure.set_layout_engine("none")
         figure.set_dpi(100)
         ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        collection = self.prepare(ax)
+        text = ax.text(0.02, 0.03, "", transform=ax.transAxes, fontsize=10, color="0.35")
+        for time in times:
+            self.draw(collection, time)
+            text.set_text(f"{time:.3f} s")
+            figure.canvas.draw()
+            yield np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()  # type: ignore[attr-defined]
+
+    def prepare(self, ax: Axes) -> PolyCollection:
+        """Axes in meters of the picture's plane that hold everything, and what `draw` fills."""
+        from matplotlib.collections import PolyCollection
+
+        width, height = self._size
         ax.set_axis_off()
         middle, half = (self._low + self._high) / 2, (self._high - self._low) / 2
         scale = 1.08 * max(half[0] / width, half[1] / height) or 1.0
@@ -171,14 +181,17 @@ class Painter:
         ax.set(ylim=(middle[1] - scale * height, middle[1] + scale * height))
         collection = PolyCollection([], linewidths=0.4, antialiaseds=True)
         ax.add_collection(collection)
-        text = ax.text(0.02, 0.03, "", transform=ax.transAxes, fontsize=10, color="0.35")
-        for time in times:
-            polygons, colors = self._polygons(time)
-            collection.set_verts(polygons)
-            collection.set(facecolor=colors, edgecolor=colors)
-            text.set_text(f"{time:.3f} s")
-            figure.canvas.draw()
-            yield np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()  # type: ignore[attr-defined]
+        return collection
+
+    def draw(self, collection: PolyCollection, time: float) -> None:
+        polygons, colors = self._polygons(time)
+        collection.set_verts(polygons)
+        collection.set(facecolor=colors, edgecolor=colors)
+
+    def projected(self, points: Floats) -> Floats:
+        """Inertial points (k, 3) in the plane of the picture (k, 2), right and up [m]."""
+        seen: Floats = points @ self._axes[:, :2]
+        return seen
 
     def _polygons(self, time: float) -> tuple[list[Floats], Floats]:
         """What faces the eye, from back to front, and its shade."""

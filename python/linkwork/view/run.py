@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +13,8 @@ from numpy.typing import NDArray
 
 from linkwork import rotation
 from linkwork.arrays import Floats
-from linkwork.errors import OptionError
+from linkwork.errors import LinkworkWarning, OptionError
+from linkwork.modeling.coordinates import known_coordinates
 from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Header
 from linkwork.motion.summary import method
@@ -28,6 +30,9 @@ LIMIT = 16e6
 
 #: More frames than a screen can show apart are left out.
 MOST_FRAMES = 2000
+
+#: Joints of which the coordinates can be plotted.
+COORDINATES = 100
 
 #: Share of the limit that poses may take; the rest is for what can be plotted.
 POSES = 0.6
@@ -54,7 +59,7 @@ class Choice:
         every = max(1, -(-(count - 1) // (most - 1)))
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
-        share = min(1.0, left / max(1, frames * (12 * n + 16 * joints)))
+        share = min(1.0, left / max(1, frames * (24 * n + 24 * joints)))
         return cls(every, _most(_travel(result), int(share * n)), _most(_load(result), int(share * joints)))
 
 
@@ -69,6 +74,7 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     choice, pack = Choice.of(result, limit), Pack()
     drawn = scene(result)
     precision = _add_frames(pack, result, choice)
+    coordinates = _add_coordinates(pack, result, choice)
     pack.add("joints.bodies", header.joint_bodies, "i4")
     pack.add("joints.origin", header.joint_origin, "f4")
     manifest = result.manifest
@@ -78,18 +84,16 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
         "model": manifest.get("model") or "model",
         "method": _method(result),
         "finished": result.finished,
+        "still": bool(manifest.get("still")),
+        "loose": [[int(joint), text] for joint, text in manifest.get("loose", {}).items()],
         "frames": {"recorded": len(result), "shown": pack.directory["t"]["shape"][0], "every": choice.every},
         "precision": precision,
         "gravity": np.asarray(header.gravity, float).tolist(),
         "extent": [low.tolist(), high.tolist()],
         "bodies": {"names": list(header.body_names), "plotted": choice.bodies.tolist()},
-        "joints": {
-            "names": list(header.joint_names),
-            "kinds": list(header.joint_kinds),
-            "unique": np.asarray(header.reaction_unique, int).tolist(),
-            "plotted": choice.joints.tolist(),
-            "held": [int(it.anything) for it in joint_kinds(header)],
-        },
+        "joints": _joint_facts(header, choice),
+        "coordinates": coordinates,
+        "masses": np.asarray(header.mass, float).tolist(),
         "lever": lever(header),
         "forces": {"names": list(header.force_names), "kinds": list(header.force_kinds)},
         "solids": _add_solids(pack, drawn.solids),
@@ -98,6 +102,16 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
     }, pack.text()
+
+
+def _joint_facts(header: Header, choice: Choice) -> dict[str, Any]:
+    return {
+        "names": list(header.joint_names),
+        "kinds": list(header.joint_kinds),
+        "unique": np.asarray(header.reaction_unique, int).tolist(),
+        "plotted": choice.joints.tolist(),
+        "held": [int(it.anything) for it in joint_kinds(header)],
+    }
 
 
 def _method(result: Result) -> str:
@@ -123,7 +137,8 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     t = _thinned(result, "t", every)
     pack.add("t", t, "f8")
     error = pack.add_quantized("q", continuous(_thinned(result, "q", every)))
-    pack.add_quantized("v", _thinned(result, "v", every)[:, choice.bodies])
+    for name, field in (("v", "v"), ("vdot", "vdot")):
+        pack.add_quantized(name, _thinned(result, field, every)[:, choice.bodies])
     for part in ("force", "torque"):
         pack.add_quantized(part, _thinned(result, f"reaction_{part}", every)[:, choice.joints])
     kinetic, potential, work = (_thinned(result, name, every) for name in ("kinetic", "potential", "work"))
@@ -134,6 +149,28 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     for name, values in zip(("gap", "askew"), joint_violations(result, choice), strict=True):
         pack.add_quantized(name, np.log10(np.maximum(values, 1e-17)))
     return float(error[:, :3].max(initial=0.0))
+
+
+def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
+    """Free coordinates of joints and their rates over full turns, from all frames; their names."""
+    header, names, columns = result.header, [], []
+    for joint in choice.joints[:COORDINATES].tolist() if len(result) > 1 else []:
+        known = known_coordinates(header.joint_kinds[joint])
+        for which in known:
+            with warnings.catch_warnings():  # frames too far apart: a plot of them is as doubtful as they are
+                warnings.simplefilter("ignore", LinkworkWarning)
+                found = result.coordinate(joint, which)
+            name = header.joint_names[joint]
+            names.append(name if len(known) == 1 else f"{name}: {which.replace('_', ' ')}")
+            columns.append(np.stack([found.value, found.rate], axis=-1))
+    series = np.stack(columns, axis=1) if columns else np.zeros((len(result), 0, 2))
+    every = choice.every
+    thinned = (
+        series[::every] if (len(result) - 1) % every == 0 else np.concatenate([series[::every], series[-1:]])
+    )
+    for place, what in enumerate(("coordinate", "rate")):
+        pack.add_quantized(what, thinned[..., place])
+    return names
 
 
 def continuous(q: Floats) -> Floats:

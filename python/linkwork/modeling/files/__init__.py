@@ -11,9 +11,18 @@ before a model is made of it; ModelFileError has all its faults, each with line 
 
 from __future__ import annotations
 
-from linkwork.modeling.files.reading import ModelFile, from_record, read
+from linkwork.modeling.files.reading import ModelFile, from_changed_record, from_record, read
 from linkwork.modeling.files.schema import json_schema
 from linkwork.modeling.files.syntax import SUFFIXES
 from linkwork.modeling.files.writing import record_of, write
 
-__all__ = ["SUFFIXES", "ModelFile", "from_record", "json_schema", "read", "record_of", "write"]
+__all__ = [
+    "SUFFIXES",
+    "ModelFile",
+    "from_changed_record",
+    "from_record",
+    "json_schema",
+    "read",
+    "record_of",
+    "write",
+]

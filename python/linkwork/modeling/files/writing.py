@@ -57,7 +57,7 @@ def record_of(model: ModelBuilder, simulation: Mapping[str, Any]) -> dict[str, A
     names = _function_names(model)
     elements = {f"{role}s": list(_elements(model, role, names)) for role in KINDS}
     functions = {
-        name: _function_record(model._functions[index], f"function '{name}'") for index, name in names.items()
+        name: function_record(model._functions[index], f"function '{name}'") for index, name in names.items()
     }
     parts = {
         "linkwork": schema.VERSION,
@@ -170,7 +170,7 @@ def _elements(model: ModelBuilder, role: Role, names: Mapping[int, str]) -> Iter
                 record[what] = names[signal]
             else:
                 who = f"{info.name} '{name}': {what}"
-                record[what] = _function_record(model._functions[signal], who)
+                record[what] = function_record(model._functions[signal], who)
         yield record
 
 
@@ -183,13 +183,13 @@ def _function_names(model: ModelBuilder) -> dict[int, str]:
     return dict(zip(shared, (f"function {k}" for k in range(1, len(shared) + 1)), strict=True))
 
 
-def _function_record(function: TimeFunction, who: str) -> dict[str, Any]:
+def function_record(function: TimeFunction, who: str) -> dict[str, Any]:
     """A function of time as a mapping. ModelError: it is no data."""
     if isinstance(function, Table):
         breaks, rows = function.breaks.tolist(), function.coefficients.tolist()
         return {"piecewise_polynomial": {"breaks": breaks, "coefficients": rows}}
     if isinstance(function, Sum):
-        return {"sum": [_function_record(term, who) for term in function.terms]}
+        return {"sum": [function_record(term, who) for term in function.terms]}
     name = re.sub(r"(?<!^)(?=[A-Z])", "_", type(function).__name__).lower()
     if name not in schema.constructors() or not dataclasses.is_dataclass(function):
         raise ModelError(

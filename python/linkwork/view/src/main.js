@@ -2,17 +2,21 @@
 
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
+import { Objects } from "./objects.js";
+import { Overlay } from "./overlay.js";
 import { Panel, figure } from "./panel.js";
 import { Player } from "./player.js";
 import { Run, unpacked } from "./run.js";
 import { GAP, World } from "./world.js";
 
+const VIEWS = [["-y", "front: along y"], ["y", "back"], ["x", "right: against x"], ["-x", "left"], ["z", "top: against z"], ["-z", "bottom"]];
 const SECOND = { played: "first", overlaid: "second" };
 
 async function main() {
   const descriptions = JSON.parse(document.getElementById("runs").textContent);
   const blocks = await Promise.all(descriptions.map((_, k) => unpacked(document.getElementById(`block${k}`).textContent.trim())));
   const runs = descriptions.map((it, k) => new Run(it, blocks[k]));
+  runs.forEach((run, k) => (run.short = run.label && run.label.length <= 24 ? run.label : k ? SECOND.overlaid : SECOND.played));
   new Page(document.getElementById("viewer"), runs);
 }
 
@@ -35,14 +39,33 @@ class Page {
     this.#transport();
     this.#switches();
     this.#keys();
-    for (const id of ["energy", runs[0].jointCount ? "violation" : "velocity", "position"].slice(0, usualPanels())) this.#addPanel({ id });
-    this.part("add").addEventListener("click", () => this.#addPanel({ id: runs[0].jointCount ? "force" : "velocity" }));
+    this.#objects();
+    if (!runs[0].still) this.#plots();
     this.player.listen(() => this.#seek());
     this.player.seek(this.player.start);
     this.world?.fit();
     // for scripts and tests
     window.linkwork = { ready: true, runs, player: this.player, world: this.world, panels: this.panels };
     document.documentElement.dataset.ready = "true";
+  }
+
+  #plots() {
+    const { runs } = this;
+    for (const id of ["energy", runs[0].jointCount ? "violation" : "velocity", "position"].slice(0, usualPanels())) this.#addPanel({ id });
+    this.part("add").addEventListener("click", () => this.#addPanel({ id: runs[0].jointCount ? "force" : "velocity" }));
+    this.player.zooms.push((part) => {
+      for (const panel of this.panels) panel.follow(part);
+    });
+  }
+
+  #objects() {
+    this.objects = new Objects(this.part("objects"), this.runs[0], this.world, (kind, index) => this.#pick(kind, index));
+    if (this.runs[0].still && window.innerWidth > 820) this.part("objects").open = true;
+  }
+
+  #pick(kind, index) {
+    this.world?.select(kind, index);
+    this.objects.mark();
   }
 
   // --- time ---
@@ -60,7 +83,7 @@ class Page {
     button.dataset.state = player.playing ? "pause" : "play";
     button.setAttribute("aria-label", player.playing ? "Pause" : "Play");
     const run = this.runs[0];
-    this.part("now").textContent = run.jointCount ? `violation ${figure(run.violation[run.frame])}` : "";
+    this.part("now").textContent = run.jointCount && !run.still ? `violation ${figure(run.violation[run.frame])}` : "";
   }
 
   #transport() {
@@ -128,13 +151,30 @@ class Page {
     });
     canvas.addEventListener("dblclick", (event) => {
       const found = world.under(event.offsetX, event.offsetY);
-      if (!found || found.run !== this.runs[0] || found.name === "ground" || found.kind === "force") return;
+      if (!found || found.run !== this.runs[0] || found.run.still || found.name === "ground" || found.kind === "force") return;
       const ids = found.kind === "body" ? ["position", "velocity", "omega", "orientation"] : ["force", "torque", "gap"];
       const panel = this.panels.find((it) => ids.includes(it.id));
       if (panel) panel.choose(panel.id, found.name);
       else this.#addPanel({ id: ids[0], object: found.name });
     });
-    this.part("fit").addEventListener("click", () => world.fit());
+    this.part("view").addEventListener("change", (event) => {
+      world.look(event.target.value);
+      event.target.value = "";
+    });
+    this.part("shot").addEventListener("click", () => this.#screenshot());
+    this.overlay = new Overlay(this.part("overlay"), world, this.runs);
+    this.part("names-of").value = this.overlay.names;
+    this.part("names-of").addEventListener("change", (event) => {
+      this.overlay.names = event.target.value;
+      this.overlay.update();
+    });
+  }
+
+  async #screenshot() {
+    const url = URL.createObjectURL(await this.world.screenshot());
+    const link = Object.assign(document.createElement("a"), { href: url, download: `${this.runs[0].model}.png` });
+    link.click();
+    URL.revokeObjectURL(url);
   }
 
   #switches() {
@@ -153,6 +193,7 @@ class Page {
     }
     const legend = () => {
       this.part("arrow-key").hidden = !world || world.arrows === "none";
+      if (world && world.arrows !== "none") this.part("longest").textContent = `longest: ${figure(world.largest(world.arrows))} ${world.arrows === "force" ? "N" : "N m"}`;
       this.part("gap-key").hidden = !world || world.coloring !== "gap";
     };
     this.part("arrows").addEventListener("change", (event) => {
@@ -229,27 +270,30 @@ function layout(runs) {
   const { recorded, shown } = run.frames;
   const frames = recorded === shown ? `${recorded} frames` : `${shown} of ${recorded} frames`;
   const size = document.documentElement.outerHTML.length / 1e6;
-  const facts = `${frames} · positions to ${figure(run.precision)} m · ${size.toFixed(2)} MB`;
+  const loose = run.loose.length ? `<span class="loose">${run.loose.length} joint${run.loose.length > 1 ? "s" : ""} not held</span>` : "";
+  const facts = run.still ? "the initial pose, as it is given" : `${frames} · positions to ${figure(run.precision)} m · ${size.toFixed(2)} MB`;
   const second = two
     ? `<div class="runs"><span><i></i>${escaped(run.label || SECOND.played)}</span><span><i class="second"></i>${escaped(runs[1].label || SECOND.overlaid)}</span></div>`
     : "";
   const gaps = GAP.colors.join(", ");
   return `
 <header class="top">
-  <div class="title"><h1>${escaped(run.model.replaceAll("_", " "))}</h1><p>${escaped(counts)}${run.method ? ` · ${escaped(run.method)}` : ""}${run.finished ? "" : ' · <em>not finished</em>'}</p></div>
+  <div class="title"><h1>${escaped(run.model.replaceAll("_", " "))}</h1><p>${escaped(counts)}${run.method ? ` · ${escaped(run.method)}` : ""}${run.finished || run.still ? "" : ' · <em>not finished</em>'}</p></div>
   ${second}
   <div class="tools">
-    <button class="fit" title="Show everything (F)">Fit</button>
+    <select class="view" aria-label="view" title="Look from (F: show everything)"><option value="" hidden>View</option><option value="fit">everything</option>${VIEWS.map(([name, label]) => `<option value="${name}">${label}</option>`).join("")}</select>
+    <button class="shot" title="Picture as PNG" aria-label="Picture as PNG"><svg viewBox="0 0 16 16" aria-hidden="true"><path d="M2 4.5h3l1.2-2h3.6l1.2 2h3v9H2zM8 6.2a2.9 2.9 0 1 0 0 5.8 2.9 2.9 0 0 0 0-5.8z"/></svg></button>
     <details class="menu"><summary>Show</summary>
       <div class="choices">
         <label><input type="checkbox" data-show="joints" checked> Joints</label>
         ${run.forces.names.length ? '<label><input type="checkbox" data-show="forces" checked> Springs, contacts</label>' : ""}
-        <label><input type="checkbox" data-show="paths" checked> Paths</label>
-        <label><input type="checkbox" data-show="axes"> Axes of bodies</label>
+        ${run.still ? "" : '<label><input type="checkbox" data-show="paths" checked> Paths</label>'}
+        <label><input type="checkbox" data-show="axes"${run.still ? " checked" : ""}> Axes of bodies</label>
         <label><input type="checkbox" data-show="grid" checked> Grid</label>
         ${two ? '<label><input type="checkbox" data-show="second" checked> Second run</label>' : ""}
-        <label class="row">Reactions <select class="arrows"><option value="none">none</option><option value="force">forces</option><option value="torque">torques</option></select></label>
-        <label class="row">Color of joints <select class="coloring"><option value="body">plain</option><option value="gap">violation</option></select></label>
+        <label class="row">Names <select class="names-of"><option value="none">none</option><option value="bodies">bodies</option><option value="joints">joints</option><option value="all">all</option></select></label>
+        ${run.still ? '<div hidden>' : ""}<label class="row">Reactions <select class="arrows"><option value="none">none</option><option value="force">forces</option><option value="torque">torques</option></select></label>
+        <label class="row">Color of joints <select class="coloring"><option value="body">plain</option><option value="gap">violation</option></select></label>${run.still ? "</div>" : ""}
       </div>
     </details>
     <button class="theme" title="Light or dark" aria-label="Light or dark">◐</button>
@@ -258,15 +302,16 @@ function layout(runs) {
 <section class="scene" aria-label="the mechanism">
   <canvas class="canvas"></canvas>
   <p class="message"></p>
+  <div class="overlay"></div>
   <div class="tip" hidden></div>
   <div class="keys">
-    <div class="arrow-key" hidden><span><i class="unique"></i>follows from the motion</span><span><i class="shared"></i>not unique: a share of least norm</span></div>
+    <div class="arrow-key" hidden><span><i class="unique"></i>follows from the motion</span><span><i class="shared"></i>not unique: a share of least norm</span><span class="longest"></span></div>
     <div class="gap-key" hidden>violation <span>1e${GAP.low}</span><i style="background:linear-gradient(90deg, ${gaps})"></i><span>1e${GAP.high} m; angles times ${figure(run.lever)} m</span></div>
   </div>
-  <p class="facts"><span class="now"></span><span>${escaped(facts)}</span></p>
+  <p class="facts"><span class="now"></span>${loose}<span>${escaped(facts)}</span></p>
 </section>
-<aside class="side"><div class="panels"></div><button class="add">+ Plot</button></aside>
-<footer class="bar">
+<aside class="side"><div class="panels"${run.still ? " hidden" : ""}></div>${run.still ? "" : '<button class="add">+ Plot</button>'}<details class="objects"></details></aside>
+<footer class="bar"${run.still ? " hidden" : ""}>
   <button class="play" data-state="play" title="Play or pause (space)"><svg viewBox="0 0 16 16" aria-hidden="true"><path class="to-play" d="M4 2.5v11l9-5.5z"/><path class="to-pause" d="M4 3h3v10H4zM9 3h3v10H9z"/></svg></button>
   <input class="slider" type="range" aria-label="time">
   <output class="clock"></output>

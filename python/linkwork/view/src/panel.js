@@ -36,9 +36,10 @@ export class Panel {
 
   /** The names that can be chosen: those of which the page has the series. */
   names(kind, every) {
-    const { bodies, joints } = this.player.runs[0];
-    const { names, plotted } = kind === "body" ? bodies : joints;
-    return every ? names : plotted.map((index) => names[index]);
+    const [run] = this.player.runs;
+    const names = run.names(kind);
+    if (every || kind === "coordinate") return names;
+    return (kind === "body" ? run.bodies : run.joints).plotted.map((index) => names[index]);
   }
 
   choose(id, object) {
@@ -59,6 +60,7 @@ export class Panel {
   /** Of bodies the one that moves most, of joints the one with the largest force. */
   #usual(of, names) {
     const run = this.player.runs[0];
+    if (of === "coordinate") return names[0];
     if (of === "body") return run.bodies.names[run.movers(1)[0]] ?? names[0];
     const width = 3 * run.joints.plotted.length;
     const largest = run.joints.plotted.map(() => 0);
@@ -122,7 +124,8 @@ export class Panel {
         padding: [8, 10, 0, 0],
         legend: { show: false },
         cursor: { y: false, points: { size: 5 }, drag: { x: true, y: false, setScale: true } },
-        scales: { x: { time: false }, y: log && anything ? { distr: 3 } : { range: padded } },
+        scales: { x: { time: false }, y: log && anything ? { distr: 3, range: () => this.#logRange() } : { range: () => this.#range() } },
+        hooks: { setScale: [(plot, key) => key === "x" && this.#zoomed(plot)] },
         axes: [
           { ...axis, size: 24, gap: 2 },
           { ...axis, size: 58, gap: 3, ...(log && anything ? { splits: decades } : {}), values: (_, ticks) => ticks.map((x) => (x === null ? "" : figure(x, log))) },
@@ -137,7 +140,58 @@ export class Panel {
     );
     this.part("plot").dataset.unit = unit;
     this.#mark();
+    this.follow(this.player.part);
     this.seek();
+  }
+
+  /** A part of the time is chosen in one plot: all show it. */
+  #zoomed(plot) {
+    const { min, max } = plot.scales.x;
+    if (this.following || min === null || (this.player.part?.[0] === min && this.player.part?.[1] === max)) return;
+    this.player.zoom(min, max);
+  }
+
+  /** Another plot shows this part of the time. */
+  follow(part) {
+    if (!part || (this.plot.scales.x.min === part[0] && this.plot.scales.x.max === part[1])) return;
+    this.following = true;
+    this.plot.batch(() => this.plot.setScale("x", { min: part[0], max: part[1] }));
+    this.following = false;
+    this.seek();
+  }
+
+  /** Values that count for the axis: not those of a run that failed, where another did not. */
+  #counted() {
+    const good = this.lines.filter((it) => it.run.finished);
+    const lines = good.length ? good : this.lines;
+    const [from, to] = this.plot ? [this.plot.scales.x.min, this.plot.scales.x.max] : [-Infinity, Infinity];
+    const values = [];
+    for (const { run, values: all } of lines) {
+      for (let k = 0; k < all.length; k++) {
+        if (Number.isFinite(all[k]) && !(run.t[k] < from) && !(run.t[k] > to)) values.push(all[k]);
+      }
+    }
+    values.sort((a, b) => a - b);
+    return { values, failed: !good.length };
+  }
+
+  #range() {
+    const { values, failed } = this.#counted();
+    if (!values.length) return [0, 1];
+    let [low, high] = [values[0], values.at(-1)];
+    const at = (part) => values[Math.round(part * (values.length - 1))];
+    const usual = at(0.95) - at(0.05);
+    if (failed && usual > 0 && high - low > 100 * usual) [low, high] = [at(0.05) - 3 * usual, at(0.95) + 3 * usual]; // it blew up
+    const floor = 1e-9 * Math.max(...this.player.runs.map((run) => run.largestOf(this.quantity)));
+    return padded(low, high, floor);
+  }
+
+  #logRange() {
+    const values = this.#counted().values.filter((x) => x > 0);
+    if (!values.length) return [1e-16, 1];
+    const low = Math.max(values[0], values[Math.floor(0.03 * values.length)] / 10); // one 1e-33 stretches nothing
+    const high = values.at(-1);
+    return [low / 1.5, high * 1.5];
   }
 
   /** The mark of the present time; a click beside it moves it there. */
@@ -157,9 +211,14 @@ export class Panel {
   #legend() {
     const unit = this.quantity.unit;
     const note = this.note ? `<span class="warning">${this.note}</span>` : "";
-    this.part("legend").innerHTML = `<span class="unit">${unit}</span>${this.lines
-      .map((it) => `<span class="key"><i class="${it.number ? "second" : ""}" style="color:${it.color}"></i>${it.name} <b></b></span>`)
-      .join("")}${note}`;
+    const key = (it) => `<span class="key"><i class="${it.number ? "second" : ""}" style="color:${it.color}"></i>${it.name} <b></b></span>`;
+    const several = new Set(this.lines.map((it) => it.number)).size > 1;
+    const groups = this.player.runs.map((run, number) => {
+      const keys = this.lines.filter((it) => it.number === number).map(key).join("");
+      return several ? `<div class="of-run"><em></em>${keys}</div>` : keys;
+    });
+    this.part("legend").innerHTML = `<span class="unit">${unit}</span>${groups.join("")}${note}`;
+    this.part("legend").querySelectorAll("em").forEach((it, number) => (it.textContent = this.player.runs[number].short));
     this.values = [...this.part("legend").querySelectorAll("b")];
   }
 
@@ -169,7 +228,11 @@ export class Panel {
     const width = this.plot.over.clientWidth;
     this.mark.style.transform = `translateX(${x}px)`;
     this.mark.hidden = !(x >= -0.5 && x <= width + 0.5);
-    this.lines.forEach((it, k) => (this.values[k].textContent = figure(it.values[it.run.frame], this.quantity.log)));
+    const roundoff = 1e-12 * this.player.runs[0].largestOf(this.quantity);
+    this.lines.forEach((it, k) => {
+      const value = it.values[it.run.frame];
+      this.values[k].textContent = figure(Math.abs(value) < roundoff ? 0 : value, this.quantity.log);
+    });
   }
 
   #resize() {
@@ -180,11 +243,10 @@ export class Panel {
   }
 }
 
-/** The range of an axis: what is nearly constant is no line at full height. */
-function padded(_, low, high) {
-  if (low === null) return [0, 1];
+/** The range of an axis: what is nearly constant, or all roundoff, is no line at full height. */
+function padded(low, high, floor) {
   const middle = Math.abs(low + high) / 2;
-  const half = Math.max((high - low) / 2, 1e-6 * middle, 1e-300);
+  const half = Math.max((high - low) / 2, 1e-6 * middle, floor, 1e-300);
   return [(low + high) / 2 - 1.08 * half, (low + high) / 2 + 1.08 * half];
 }
 

@@ -8,6 +8,8 @@ export class Player {
     this.time = this.start;
     this.playing = false;
     this.listeners = [];
+    this.zooms = []; // listeners to `zoom`
+    this.part = null; // of the time that plots show; null: all
     this.speeds = speeds(this.end - this.start);
     this.speed = usualSpeed(this.end - this.start, this.speeds);
     this.secondShown = true;
@@ -20,6 +22,12 @@ export class Player {
 
   listen(listener) {
     this.listeners.push(listener);
+  }
+
+  /** Plots show this part of the time. */
+  zoom(from, to) {
+    this.part = [from, to];
+    for (const listener of this.zooms) listener(this.part);
   }
 
   seek(time) {

@@ -21,6 +21,10 @@ export class Run {
     this.jointCount = this.joints.names.length;
     this.q = this.series("q"); // frame by frame, 7 a body: position, Euler parameters (scalar first)
     this.v = this.series("v"); // 6 a plotted body
+    this.vdot = this.series("vdot");
+    this.coordinate = this.series("coordinate"); // one a coordinate of `coordinates`
+    this.rate = this.series("rate");
+    this.looseJoints = new Map(this.loose);
     this.force = this.series("force"); // 3 a plotted joint, inertial axes
     this.torque = this.series("torque");
     this.gap = this.series("gap"); // log10 of meters, one a plotted joint
@@ -137,7 +141,15 @@ export class Run {
         { id: "position", label: "Position", unit: "m", of: "body", every: true, parts: xyz, source: [this.q, 7, 0] },
         { id: "velocity", label: "Velocity", unit: "m/s", of: "body", parts: xyz, source: [this.v, 6, 0], norm: true },
         { id: "omega", label: "Angular velocity, body axes", unit: "rad/s", of: "body", parts: xyz, source: [this.v, 6, 3] },
+        { id: "acceleration", label: "Acceleration", unit: "m/s²", of: "body", parts: xyz, source: [this.vdot, 6, 0], norm: true },
+        { id: "alpha", label: "Angular acceleration, body axes", unit: "rad/s²", of: "body", parts: xyz, source: [this.vdot, 6, 3] },
         { id: "orientation", label: "Euler parameters", unit: "1", of: "body", every: true, parts: ["e0", "e1", "e2", "e3"], source: [this.q, 7, 3] },
+      );
+    }
+    if (this.coordinates.length) {
+      found.push(
+        { id: "coordinate", label: "Joint coordinate", unit: "rad or m", of: "coordinate", parts: ["value"], source: [this.coordinate, 1, 0] },
+        { id: "rate", label: "Rate of a joint coordinate", unit: "rad/s or m/s", of: "coordinate", parts: ["rate"], source: [this.rate, 1, 0] },
       );
     }
     if (this.jointCount) {
@@ -150,14 +162,33 @@ export class Run {
     return found;
   }
 
+  names(kind) {
+    return { body: this.bodies.names, joint: this.joints.names, coordinate: this.coordinates }[kind];
+  }
+
+  /** The largest value of a quantity of any object: below 1e-9 of it there is roundoff. */
+  largestOf(quantity) {
+    const own = this.quantities().find((it) => it.id === quantity.id);
+    if (!own?.of || own.power) return 0;
+    const [source, width, first] = own.source;
+    this.largest ??= new Map();
+    if (!this.largest.has(own.id)) {
+      let most = 0;
+      for (let i = 0; i < source.length; i += width) {
+        for (let c = 0; c < own.parts.length; c++) most = Math.max(most, Math.abs(source[i + first + c]));
+      }
+      this.largest.set(own.id, most);
+    }
+    return this.largest.get(own.id);
+  }
+
   /** [name, values] of the lines of a quantity; of `object` where it belongs to bodies or joints. */
   lines(quantity, object) {
     const own = this.quantities().find((it) => it.id === quantity.id);
     if (!own) return [];
     if (!own.of) return own.series;
-    const names = own.of === "body" ? this.bodies.names : this.joints.names;
-    const index = names.indexOf(object);
-    const place = own.every ? index : (own.of === "body" ? this.placeOfBody : this.placeOfJoint).get(index);
+    const index = this.names(own.of).indexOf(object);
+    const place = own.every || own.of === "coordinate" ? index : (own.of === "body" ? this.placeOfBody : this.placeOfJoint).get(index);
     if (index < 0 || place === undefined) return [];
     if (own.id === "gap" && !this.joints.held[index]) return []; // nothing that could be told from poses
     const [source, width, first] = own.source;

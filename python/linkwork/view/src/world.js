@@ -12,6 +12,9 @@ import { turned } from "./run.js";
 const GHOST = "#d1495b";
 const UNIQUE = "#1f9d78";
 const SHARED = "#d99a00";
+const LOOSE = "#e0322b"; // joints that the initial pose violates
+const SELECTED = "#00b7ff";
+const LONGEST = 0.22; // arrow, of the box around everything
 const PATHS = 6; // bodies of which the way is drawn
 const DOTS = 200; // bodies from which on each has a dot
 const FRAMES = 2000; // bodies of which the axes are drawn
@@ -29,9 +32,12 @@ export class World {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.changed());
-    this.shown = { joints: true, forces: true, paths: true, grid: true, axes: false, second: true };
+    this.shown = { joints: true, forces: true, paths: true, grid: true, axes: Boolean(runs[0].still), second: true };
     this.arrows = "none";
     this.coloring = "body";
+    this.hidden = { body: new Set(), joint: new Set(), force: new Set() };
+    this.selected = null; // {kind, index}
+    this.rendered = []; // called after each picture
     this.#place();
     this.#light();
     const instances = runs.reduce((sum, run) => sum + [...run.solids, ...run.spans].reduce((n, it) => n + run.arrays[`${it.key}.color`].shape[0], 0), 0);
@@ -44,10 +50,38 @@ export class World {
   changed() {
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame(() => {
-      this.waiting = false;
-      this.renderer.render(this.scene, this.camera);
-    });
+    requestAnimationFrame(() => this.render());
+  }
+
+  render() {
+    this.waiting = false;
+    this.renderer.render(this.scene, this.camera);
+    for (const listener of this.rendered) listener();
+  }
+
+  /** The picture as it is seen, as a PNG. */
+  async screenshot() {
+    this.render(); // a canvas keeps its picture only until the browser has shown it
+    return new Promise((resolve) => this.renderer.domElement.toBlob(resolve, "image/png"));
+  }
+
+  /** Force [N] or torque [N m] of the longest arrow. */
+  largest(kind) {
+    return Math.max(...this.figures.map((it) => it.largest[kind]));
+  }
+
+  hide(kind, index, hidden) {
+    if (hidden) this.hidden[kind].add(index);
+    else this.hidden[kind].delete(index);
+    this.update();
+  }
+
+  select(kind, index) {
+    const same = this.selected && this.selected.kind === kind && this.selected.index === index;
+    this.selected = same || index === undefined ? null : { kind, index };
+    for (const figure of this.figures) figure.recolor();
+    this.update();
+    return this.selected;
   }
 
   /** The runs have moved, or what is shown of them is another. */
@@ -75,6 +109,19 @@ export class World {
     this.update();
   }
 
+  /** Look at everything along an inertial axis, or from the side that shows the most: "x", "-y", "z", ..., "fit". */
+  look(preset) {
+    if (preset === "fit") return this.fit();
+    const axis = "xyz".indexOf(preset.at(-1));
+    const towards = new Vector3().setComponent(axis, preset.startsWith("-") ? -1 : 1);
+    const up = this.camera.up;
+    if (Math.abs(towards.dot(up)) > 0.999) {
+      const aside = Math.abs(up.y) < 0.5 ? new Vector3(0, 1, 0) : new Vector3(1, 0, 0);
+      towards.addScaledVector(aside, -1e-3).normalize(); // a camera that looks along up has no right
+    }
+    this.#from(towards);
+  }
+
   /** Look at everything from the side that shows the most. */
   fit() {
     this.fitted = true;
@@ -96,7 +143,12 @@ export class World {
       direction.copy(side).multiplyScalar(0.75).addScaledVector(side.clone().cross(up), 1);
     }
     const lies = sides[flat] < 0.25 * Math.max(...sides) && !isFlat; // in a level plane: seen from above
-    direction.normalize().addScaledVector(up, lies ? 1.4 : 0.34).normalize();
+    this.#from(direction.normalize().addScaledVector(up, lies ? 1.4 : 0.34).normalize());
+  }
+
+  #from(direction) {
+    const { up } = this.camera;
+    const sides = this.high.clone().sub(this.low).toArray();
     const center = this.low.clone().add(this.high).multiplyScalar(0.5);
     // the distance at which the eight corners of the box are inside the picture
     const half = Math.tan((this.camera.fov * Math.PI) / 360);
@@ -116,6 +168,13 @@ export class World {
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.changed();
+  }
+
+  /** Pixels of a meter where the camera looks at. */
+  get pixelsOfMeter() {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    const high = 2 * distance * Math.tan((this.camera.fov * Math.PI) / 360);
+    return this.renderer.domElement.clientHeight / high;
   }
 
   /** Where a point (x, y, z) is in the picture, in pixels of the page from the canvas' corner. */
@@ -199,6 +258,7 @@ class Figure {
     this.#dots();
     this.#axes();
     this.#arrows(coarse);
+    this.#gaps();
     this.recolor();
   }
 
@@ -287,6 +347,17 @@ class Figure {
     position.needsUpdate = true;
   }
 
+  /** From point to point of joints that the initial pose violates. */
+  #gaps() {
+    const joints = [...this.run.looseJoints.keys()];
+    if (!joints.length) return;
+    const points = joints.flatMap((joint) => [0, 1].flatMap((side) => [...this.run.jointPoint(joint, side, this.point)]));
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(points), 3));
+    const lines = new LineSegments(geometry, new LineBasicMaterial({ color: LOOSE, depthTest: false }));
+    lines.renderOrder = 4;
+    this.group.add(lines);
+  }
+
   /** x, y, z of every body and of the inertial frame, in red, green, blue. */
   #axes() {
     const count = Math.min(this.run.bodyCount, FRAMES) + 1;
@@ -348,8 +419,8 @@ class Figure {
     const kind = this.world.arrows;
     const values = this.run[kind];
     const width = 3 * this.run.joints.plotted.length;
-    // one scale for both runs: the largest arrow is a third of the picture's box
-    const scale = (0.33 * this.world.size) / (Math.max(...this.world.figures.map((it) => it.largest[kind])) || 1);
+    // one scale for both runs
+    const scale = (LONGEST * this.world.size) / (this.world.largest(kind) || 1);
     const radius = 0.0045 * this.world.size;
     this.run.joints.plotted.forEach((joint, k) => {
       const at = this.run.frame * width + 3 * k;
@@ -386,11 +457,14 @@ class Part {
 
   recolor() {
     const color = new Color();
-    const { ghost, world } = this.figure;
+    const { ghost, world, run } = this.figure;
+    const { selected } = world;
     for (let k = 0; k < this.index.length; k++) {
       setColor(color, this.colors.subarray(3 * k, 3 * k + 3));
       if (ghost) color.set(GHOST);
+      else if (this.layer === "joint" && run.looseJoints.has(this.index[k])) color.set(LOOSE);
       else if (this.layer === "joint" && world.dark) color.set("#d5dae1");
+      if (!ghost && selected && selected.kind === this.layer && selected.index === this.index[k]) color.set(SELECTED);
       this.mesh.setColorAt(k, color);
     }
     this.mesh.instanceColor.needsUpdate = true;
@@ -410,7 +484,12 @@ class Part {
     const { pose, bodyCount } = this.figure.run;
     const { point } = this.figure;
     const matrices = this.mesh.instanceMatrix.array;
+    const hidden = this.figure.world.hidden[this.layer];
     for (let k = 0; k < this.body.length; k++) {
+      if (hidden?.has(this.index[k])) {
+        matrices.fill(0, 16 * k, 16 * k + 15);
+        continue;
+      }
       const body = this.body[k] < 0 ? bodyCount : this.body[k];
       const at = 7 * body;
       const own = 10 * k;
@@ -447,7 +526,9 @@ class Span extends Part {
   update() {
     const { run, point } = this.figure;
     const [a, b] = [new Vector3(), new Vector3()];
+    const hidden = this.figure.world.hidden[this.layer];
     this.radius.forEach((radius, k) => {
+      if (hidden?.has(this.index[k])) radius = 0;
       a.fromArray(run.point(this.bodies, this.ends, k, 0, point));
       b.fromArray(run.point(this.bodies, this.ends, k, 1, point));
       stretch(this.mesh, k, a, b, radius);

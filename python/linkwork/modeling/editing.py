@@ -1,0 +1,172 @@
+"""Other models from a model: without some of its objects, or with other values of one.
+
+The model itself stays as it is, and so do the handles that it gave: a changed model is a new one, made from
+the record that a file of the model would have.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from linkwork.errors import ModelError, ModelFileError, nearest
+from linkwork.functions import TimeFunction
+from linkwork.modeling.files import from_changed_record, record_of
+from linkwork.modeling.files.writing import function_record
+from linkwork.modeling.handles import Body, Force, Joint
+
+if TYPE_CHECKING:
+    from linkwork.modeling.model import Model
+
+__all__ = ["replaced", "values", "without"]
+
+#: How many names a message lists.
+LISTED = 5
+
+#: Sections of a record that have objects with names, and what one is called.
+SECTIONS = {"bodies": "body", "joints": "joint", "forces": "force element"}
+
+#: Ways to say where an element sits; another takes the place of all.
+ATTACHED = "attachment"
+
+Record = dict[str, Any]
+
+
+def values(model: Model, name: str | Body | Joint | Force) -> Record:
+    """As `Model.values`."""
+    record = _record(model)
+    section, place = _found(model, record, name)
+    found: Record = record[section][place]
+    functions = record.get("functions", {})
+    return {
+        what: functions.get(x, x) if isinstance(x, str) and what != "name" else x for what, x in found.items()
+    }
+
+
+def without(model: Model, names: Sequence[str | Body | Joint | Force], attached: bool) -> Model:
+    """As `Model.without`."""
+    record = _record(model)
+    gone = {_found(model, record, name) for name in names}
+    while more := {it: why for it, why in _hanging(record, gone) if it not in gone}:
+        if not attached:
+            _refuse(model, record, more)
+        gone |= set(more)
+    for section in SECTIONS:
+        kept = [it for place, it in enumerate(record.get(section, [])) if (section, place) not in gone]
+        record[section] = kept
+    bodies = {it["name"] for it in record["bodies"]}
+    shapes = [{**it, "bodies": [body for body in it["bodies"] if body == "ground" or body in bodies]}
+              for it in record.get("shapes", [])]  # fmt: skip
+    record["shapes"] = [it for it in shapes if it["bodies"]]
+    record.pop("history", None)  # it belongs to what was there
+    return _built(model, record)
+
+
+def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[str, Any]) -> Model:
+    """As `Model.replaced`."""
+    record = _record(model)
+    section, place = _found(model, record, name)
+    old = record[section][place]
+    if (
+        section != "bodies"
+        and ATTACHED in old
+        and any(what in changes for what in ("at", "axis", "orientation"))
+    ):
+        old = {what: x for what, x in old.items() if what != ATTACHED}
+    record[section][place] = {**old, **{what: _plain(x, what) for what, x in changes.items()}}
+    if changes.get("name", old["name"]) != old["name"]:
+        _rename(record, section, old["name"], changes["name"])
+    return _built(model, record)
+
+
+def _plain(value: Any, what: str) -> Any:
+    """As a file has it."""
+    if isinstance(value, TimeFunction):
+        return function_record(value, what)
+    if isinstance(value, Body):
+        return value.name
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    return [_plain(part, what) for part in value] if isinstance(value, tuple | list) else value
+
+
+def _record(model: Model) -> Record:
+    """ModelError: a Python function in the model."""
+    try:
+        return record_of(model, {})
+    except ModelError as error:
+        raise ModelError(f"{error}; make the change where the model is built", code=error.code) from error
+
+
+def _found(model: Model, record: Record, name: object) -> tuple[str, int]:
+    """Section and place of the object with a name. ModelError: there is none, or several."""
+    text = name.name if isinstance(name, Body | Joint | Force) else name
+    if isinstance(name, Body) and name.model is not model:
+        raise ModelError(f"body '{text}' belongs to another model", code="unknown_body")
+    wanted = {Body: "bodies", Joint: "joints", Force: "forces"}.get(type(name))
+    places = [
+        (section, place)
+        for section in ([wanted] if wanted else SECTIONS)
+        for place, it in enumerate(record.get(section, []))
+        if it["name"] == text
+    ]
+    if len(places) == 1:
+        return places[0]
+    if places:
+        kinds = " and ".join(f"a {SECTIONS[section]}" for section, _ in places)
+        raise ModelError(f"model '{model.name}': '{text}' is {kinds}: give its handle", code="several")
+    known = [it["name"] for section in SECTIONS for it in record.get(section, [])[:10_000]]
+    raise ModelError(
+        f"model '{model.name}': nothing is named {text!r:.80}{nearest(str(text), known)}", code="unknown_name"
+    )
+
+
+def _hanging(record: Record, gone: set[tuple[str, int]]) -> Iterator[tuple[tuple[str, int], str]]:
+    """Joints and forces that need what is gone, each with its name."""
+    bodies = {record["bodies"][place]["name"] for section, place in gone if section == "bodies"}
+    joints = {record["joints"][place]["name"] for section, place in gone if section == "joints"}
+    for section in ("joints", "forces"):
+        for place, it in enumerate(record.get(section, [])):
+            named = {term["joint"] for term in it.get("coordinates", ())} | {it.get("joint")}
+            if bodies & {it.get("a"), it.get("b"), it.get("body")} or joints & named:
+                yield (section, place), it["name"]
+
+
+def _refuse(model: Model, record: Record, hanging: Mapping[tuple[str, int], str]) -> None:
+    """ModelError: what is to go is held by something that stays."""
+    names = [f"'{name}'" for name in hanging.values()]
+    more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
+    raise ModelError(
+        f"model '{model.name}': {', '.join(names[:LISTED])}{more} would hang on nothing: name "
+        "them, too, or say attached=True",
+        code="attached",
+    )
+
+
+def _rename(record: Record, section: str, old: str, new: str) -> None:
+    """In everything that names it."""
+    fields = ("a", "b", "body") if section == "bodies" else ("joint",) if section == "joints" else ()
+    for it in (it for part in ("joints", "forces") for it in record.get(part, [])):
+        it.update({what: new for what in fields if it.get(what) == old})
+        for term in it.get("coordinates", ()) if section == "joints" else ():
+            term["joint"] = new if term["joint"] == old else term["joint"]
+    if section == "bodies":
+        for it in record.get("shapes", []):
+            it["bodies"] = [new if body == old else body for body in it["bodies"]]
+
+
+def _built(model: Model, record: Record) -> Model:
+    """ModelError: a value that its object cannot have, or a field that it has not."""
+    try:
+        return from_changed_record(record, type(model))
+    except ModelFileError as error:
+        fault = error.faults[0]
+        place = re.match(r"(\w+)\[(\d+)\]\.?(.*)", fault.field)
+        if place is None or place[1] not in SECTIONS:
+            raise ModelError(f"model '{model.name}': {fault}", code="value") from error
+        who = f"{SECTIONS[place[1]]} '{record[place[1]][int(place[2])]['name']}'"
+        what = f"{place[3]} " if place[3] else ""
+        raise ModelError(f"{who}: {what}{fault.message}", code="value", field=place[3]) from error

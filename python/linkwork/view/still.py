@@ -1,0 +1,75 @@
+"""A picture of one pose: bodies with their names, inertial axes, and in red the joints that do not hold."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from linkwork.plots.figures import new_figure, written
+from linkwork.view.movie import Painter
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from linkwork.results.result import Result
+
+SIZE = (960, 640)  #: [pixels]
+
+#: How many bodies have their names in the picture.
+NAMED = 40
+
+#: Color of joints that do not hold.
+LOOSE = "#c62828"
+
+
+def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
+    """The first frame. FileError: `path` cannot be written. OptionError: too much to paint."""
+    painter = Painter(result, SIZE)
+    figure = new_figure(SIZE[0] / 100, SIZE[1] / 100)
+    ax = figure.subplots()
+    painter.draw(painter.prepare(ax), float(result.t[0]))
+    _axes(ax, painter)
+    if len(result.body_names) <= NAMED:
+        places = painter.projected(result.recorded("q", np.s_[0, :, :3]))
+        for name, place in zip(result.body_names, places, strict=True):
+            ax.annotate(name, place, fontsize=8, color="0.25", ha="center", va="center", bbox=_paper())
+    loose = result.manifest.get("loose", {})
+    for joint, text in loose.items():
+        place = painter.projected(result.joint_points(joint)[0])
+        ax.plot(*place.T, color=LOOSE, marker="o", ms=5, lw=1.6, zorder=5)
+        words = f"{result.joint_names[joint]}: {text}"
+        ax.annotate(words, place.mean(axis=0), xytext=(8, 8), textcoords="offset points", fontsize=8,
+                    color=LOOSE, bbox=_paper(), zorder=6)  # fmt: skip
+    said = f"; {len(loose)} joint{'s' if len(loose) > 1 else ''} not held" if loose else ""
+    figure.suptitle(f"{result.manifest['model'].replace('_', ' ')}: initial pose{said}", fontsize=11)
+    return written(figure, path)
+
+
+def _axes(ax: Axes, painter: Painter) -> None:
+    """x, y, z in the lower left corner, and a length to compare with."""
+    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+    length = 0.06 * (right - left)
+    corner = np.array([left + 1.5 * length, low + 1.5 * length])
+    for axis, color in zip(range(3), ("#d84040", "#3fa34d", "#3f6fd8"), strict=True):
+        end = corner + length * painter.projected(np.eye(3)[axis : axis + 1])[0]
+        ax.annotate("", tuple(end), tuple(corner), arrowprops={"arrowstyle": "->", "color": color, "lw": 1.6})
+        beyond = corner + 1.25 * (end - corner)
+        ax.text(beyond[0], beyond[1], "xyz"[axis], color=color, fontsize=9, ha="center", va="center")
+    scale = _round(0.2 * (right - left))
+    start = np.array([right - 0.04 * (right - left) - scale, low + 0.06 * (high - low)])
+    ax.plot([start[0], start[0] + scale], [start[1], start[1]], color="0.35", lw=2)
+    ax.text(start[0] + scale / 2, start[1] + 0.012 * (high - low), f"{scale:g} m", color="0.35",
+            fontsize=9, ha="center", va="bottom")  # fmt: skip
+
+
+def _round(length: float) -> float:
+    """1, 2 or 5 times a power of ten, not above."""
+    power = 10.0 ** np.floor(np.log10(length))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= length * (1 + 1e-9)))
+
+
+def _paper() -> dict[str, Any]:
+    return {"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.75}

@@ -1,0 +1,123 @@
+"""Models are read in tables, found by name, and changed into other models."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+
+
+@pytest.fixture
+def pendulums() -> lw.Model:
+    """Two pendulums side by side, a spring between them, a coupler and a shape."""
+    model = lw.Model(name="pendulums")
+    rods = [
+        model.body(
+            f"rod {k}", mass=1.0 + k, inertia=(0.1, 0.2, 0.2), position=(0.5, k, 0), shape=lw.Sphere(0.1)
+        )
+        for k in range(2)
+    ]
+    pins = [
+        model.revolute("ground", rod, at=(0, k, 0), axis=(0, 1, 0), name=f"pin {k}")
+        for k, rod in enumerate(rods)
+    ]
+    model.spring_damper(*rods, at=((1, 0, 0), (1, 1, 0)), stiffness=10.0, name="spring")
+    model.coupler([(pins[0], 1.0), (pins[1], -1.0)], name="belt")
+    return model
+
+
+def test_tables_have_what_was_added(pendulums: lw.Model) -> None:
+    bodies, joints, forces = (pendulums.table(what) for what in ("bodies", "joints", "forces"))
+    assert [row["name"] for row in bodies] == ["rod 0", "rod 1"]
+    assert bodies[1]["mass [kg]"] == "2" and bodies[1]["position [m]"] == "(0.5, 1, 0)"
+    assert joints[1] == {
+        "name": "pin 1", "kind": "revolute", "a": "ground", "b": "rod 1", "at [m]": "(0, 1, 0)",
+        "axis": "(0, 1, 0)", "equations": "5",
+    }  # fmt: skip
+    assert sum(int(row["equations"]) for row in joints) == pendulums.row_count
+    assert "stiffness 10" in forces[0]["parameters"]
+    assert "rod 0" in repr(bodies) and "<td>pin 0</td>" in pendulums._repr_html_()
+
+
+def test_axis_of_a_joint_on_a_turned_body_is_inertial() -> None:
+    model = lw.Model()
+    body = model.body(
+        mass=1.0, inertia=(1, 1, 1), position=(1, 0, 0), orientation=lw.rotation.about((0, 0, 1), 1.0)
+    )
+    other = model.body(mass=1.0, inertia=(1, 1, 1), position=(2, 0, 0))
+    model.revolute(body, other, at=(1.5, 0.25, 0), axis=(0, 1, 0))
+    assert model.table("joints")[0]["at [m]"] == "(1.5, 0.25, 0)"
+    assert model.table("joints")[0]["axis"] == "(0, 1, 0)"
+
+
+def test_a_replaced_value_is_that_of_a_model_built_with_it(pendulums: lw.Model) -> None:
+    """The same bits, and so the same motion."""
+    heavier = pendulums.replaced("rod 1", mass=7.0).replaced("spring", stiffness=20.0)
+    assert heavier.values("rod 1")["mass"] == 7.0 and heavier.values("spring")["stiffness"] == 20.0
+    assert pendulums.values("rod 1")["mass"] == 2.0
+    back = heavier.replaced("rod 1", mass=2.0).replaced("spring", stiffness=10.0)
+    assert back.hash() == pendulums.hash() != heavier.hash()
+
+
+def test_a_joint_moves_to_where_it_is_said(pendulums: lw.Model) -> None:
+    moved = pendulums.replaced("pin 0", at=(0.2, 0, 0), axis=(0, 1, 0))
+    assert moved.table("joints")[0]["at [m]"] == "(0.2, 0, 0)"
+    assert moved.table("joints")[1] == pendulums.table("joints")[1]
+
+
+def test_a_function_takes_the_place_of_a_number(pendulums: lw.Model) -> None:
+    driven = pendulums.without("belt").replaced(
+        "spring", stiffness=lw.functions.harmonic(1.0, 2.0, offset=5.0)
+    )
+    wanted = {"amplitude": 1.0, "frequency": 2.0, "phase": 0.0, "offset": 5.0}
+    assert driven.values("spring")["stiffness"] == {"harmonic": wanted}
+
+
+def test_what_is_left_moves_as_if_built_alone(pendulums: lw.Model) -> None:
+    alone = lw.Model()
+    rod = alone.body("rod 1", mass=2.0, inertia=(0.1, 0.2, 0.2), position=(0.5, 1, 0))
+    alone.revolute("ground", rod, at=(0, 1, 0), axis=(0, 1, 0))
+    left = pendulums.without("rod 0", attached=True)
+    assert (left.body_count, left.joint_count, left.force_count) == (1, 1, 0)
+    ours, theirs = (lw.simulate(it, t_end=0.5, step=1e-2, progress=False).q for it in (left, alone))
+    assert np.array_equal(ours, theirs)
+
+
+def test_what_would_hang_on_nothing_is_named(pendulums: lw.Model) -> None:
+    with pytest.raises(lw.ModelError, match="'pin 0', 'spring' would hang on nothing") as caught:
+        pendulums.without("rod 0")
+    assert caught.value.code == "attached"
+    with pytest.raises(lw.ModelError, match="'belt' would hang on nothing"):
+        pendulums.without("pin 0")
+    assert pendulums.without("pin 0", "belt").joint_count == 1
+
+
+def test_a_new_name_goes_everywhere(pendulums: lw.Model) -> None:
+    named = pendulums.replaced("rod 0", name="arm").replaced("pin 1", name="shoulder")
+    assert named.table("joints")[0]["b"] == "arm"
+    assert named.values("belt")["coordinates"][1]["joint"] == "shoulder"
+    assert named.without("belt").hash() == pendulums.without("belt").hash()
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda model: model.replaced("rod 1", mass=-1.0), "mass"),
+        (lambda model: model.replaced("rod 1", color="red"), "color"),
+        (lambda model: model.replaced("rod 2", mass=1.0), "nothing is named 'rod 2'; the nearest is 'rod"),
+        (lambda model: model.replaced("pin 1", b="rod 9"), "rod 9"),
+        (lambda model: model.values("nothing"), "nothing is named 'nothing'"),
+        (lambda model: model.table("wheels"), "wheels"),
+    ],
+)
+def test_impossible_changes_are_refused(pendulums: lw.Model, change: object, message: str) -> None:
+    before = pendulums.hash()
+    with pytest.raises(lw.LinkworkError, match=message):
+        change(pendulums)  # type: ignore[operator]
+    assert pendulums.hash() == before
+
+
+def test_a_function_of_the_users_own_is_changed_where_it_is_built(pendulums: lw.Model) -> None:
+    pendulums.user_force(lambda t, q, v: np.zeros_like(v), name="wind")
+    with pytest.raises(lw.ModelError, match="'wind' .* make the change where the model is built"):
+        pendulums.without("spring")
