@@ -23,8 +23,7 @@ if TYPE_CHECKING:
 __all__ = [
     "AccuracyError", "BusyError", "Fault", "Faults", "FileError", "LinkworkError", "LinkworkWarning",
     "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
-    "SingularSystemError",
-    "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
+    "SingularSystemError", "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
 ]  # fmt: skip
 
 
