@@ -14,25 +14,13 @@ class Assembler {
   py::tuple positions(const ConstVector& given, const ConstVector& start) {
     check_size(given, system_.q_size(), "given");
     check_size(start, system_.q_size(), "start");
-    VectorXd q = start;
-    bool reached = false;
-    {
-      const py::gil_scoped_release release;
-      reached = conditions_.positions(given, q);
-    }
-    return py::make_tuple(q, reached);
+    return corrected(start, [&](VectorXd& q) { return conditions_.positions(given, q); });
   }
 
   py::tuple velocities(const ConstVector& q, const ConstVector& given) {
     check_size(q, system_.q_size(), "q");
     check_size(given, system_.v_size(), "given");
-    VectorXd v = given;
-    bool reached = false;
-    {
-      const py::gil_scoped_release release;
-      reached = conditions_.velocities(q, v);
-    }
-    return py::make_tuple(v, reached);
+    return corrected(given, [&](VectorXd& v) { return conditions_.velocities(q, v); });
   }
 
   VectorXd row_lengths(const ConstVector& q) const {
@@ -54,6 +42,17 @@ class Assembler {
   int iterations() const { return conditions_.iterations(); }
 
  private:
+  /// What `correct` makes of x, and whether it got there.
+  template <class Correct>
+  static py::tuple corrected(VectorXd x, Correct correct) {
+    bool reached = false;
+    {
+      const py::gil_scoped_release release;
+      reached = correct(x);
+    }
+    return py::make_tuple(x, reached);
+  }
+
   System system_;
   InitialConditions conditions_;
 };

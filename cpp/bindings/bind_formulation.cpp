@@ -182,6 +182,27 @@ py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q
   return py::make_tuple(force, torque);
 }
 
+/// Phi_t of some rows at each of many states.
+py::array_t<double> constraint_rates(const Dynamics& dynamics, const Doubles& t, const Doubles& q, const Doubles& v,
+                                     const std::vector<int>& rows) {
+  const System& system = dynamics.system();
+  const py::ssize_t frames = t.size();
+  if (q.size() != frames * system.q_size() || v.size() != frames * system.v_size())
+    throw OptionError("shape", "q and v need " + std::to_string(system.q_size()) + " and " +
+                                   std::to_string(system.v_size()) + " entries for each of the " +
+                                   std::to_string(frames) + " times");
+  py::array_t<double> out({frames, static_cast<py::ssize_t>(rows.size())});
+  double* next = out.mutable_data();
+  Evaluation at = system.make_evaluation();
+  using Vector = Eigen::Map<const VectorXd>;
+  for (py::ssize_t k = 0; k < frames; ++k) {
+    system.evaluate_constraints(t.data()[k], Vector(q.data() + k * system.q_size(), system.q_size()),
+                                Vector(v.data() + k * system.v_size(), system.v_size()), dynamics.history(), at);
+    for (const int row : rows) *next++ = at.Phi_t[row];
+  }
+  return out;
+}
+
 py::array_t<double> joint_frames(const Dynamics& dynamics, const ConstVector& q) {
   const System& system = dynamics.system();
   check_size(q, system.q_size(), "q");
@@ -429,6 +450,8 @@ void bind_formulation(py::module_& module) {
       .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"), py::arg("history") = py::none(),
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "
            "axes; (k, joints, 3) for k times, states and multipliers.")
+      .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
+           "Phi_t (k, rows) of some equations at k times and states.")
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
       .def("rank", &Dynamics::rank, py::return_value_policy::copy)
       .def("dependent_groups", &groups, py::arg("most"),

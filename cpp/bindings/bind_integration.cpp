@@ -161,16 +161,42 @@ void bind_events(py::module_& module) {
              return event;
            }),
            py::arg("name"), py::arg("function"), py::arg("direction"), py::arg("terminal"), py::arg("change"),
-           py::arg("tolerance"));
+           py::arg("tolerance"))
+      .def_property_readonly(
+          "signature",
+          [](const Event& it) { return py::make_tuple(it.direction, it.terminal, bool(it.change), it.tolerance); },
+          "What beside its functions decides on the steps: direction, terminal, whether it has a change, tolerance.");
+}
+
+/// (t, state), or None.
+py::object to_python(const Checkpoint& it) {
+  if (std::isnan(it.t)) return py::none();
+  return py::make_tuple(it.t, py::bytes(it.state));
+}
+
+void bind_checkpoints(py::class_<Run>& run) {
+  run.def("resume",
+          exclusive(+[](Run& it, const py::bytes& state, double work) { it.resume(std::string(state), work); }),
+          py::arg("state"), py::arg("work"),
+          "Before the first step: goes on from a checkpoint at or before the start, of a run of the same mechanism by "
+          "the same method, as that one would have gone on; `work` [J] at the start.")
+      .def_property_readonly("checkpoint", exclusive(+[](const Run& it) { return to_python(it.checkpoint()); }),
+                             "(t, state), not after the last frame that was taken; None: there is none.")
+      .def_property_readonly("last_checkpoint",
+                             exclusive(+[](const Run& it) { return to_python(it.last_checkpoint()); }),
+                             "The same, not after last_state.")
+      .def_property_readonly("work",
+                             exclusive(+[](const Run& it) { return it.last_state()[it.last_state().size() - 1]; }),
+                             "Of last_state [J].");
 }
 
 void bind_runs(py::module_& module) {
   module.def("time_sampling", exclusive(&time_sampling), py::arg("dynamics"), py::arg("steps"),
              "Time that a run of so many steps spends on following them for its verdict [s].");
-  py::class_<Run>(module, "Run", "A simulation on its way, advanced in pieces.")
-      .def("advance", exclusive(&advance), py::arg("max_frames"), py::arg("max_seconds"),
-           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
-           "history.")
+  py::class_<Run> run(module, "Run", "A simulation on its way, advanced in pieces.");
+  run.def("advance", exclusive(&advance), py::arg("max_frames"), py::arg("max_seconds"),
+          "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
+          "history.")
       .def("take_frames", exclusive(+[](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); }))
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
@@ -202,6 +228,7 @@ void bind_runs(py::module_& module) {
            "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
            "`method`: that of the run, or one that is much more accurate, and `other`.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics
+  bind_checkpoints(run);
 }
 
 void bind_fixed_steps(py::module_& module) {

@@ -24,6 +24,7 @@ void bind_model(py::module_& module);
 void bind_assembler(py::module_& module);
 void bind_formulation(py::module_& module);
 void bind_integration(py::module_& module);
+void bind_driven_motion(py::module_& module);
 
 // A System works for one caller at a time; see Busy.
 inline const Dynamics& dynamics_of(const Dynamics& dynamics) { return dynamics; }

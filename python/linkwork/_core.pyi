@@ -15,6 +15,8 @@ __all__ = [
     "Assembler",
     "CoordinateInfo",
     "CoupledCoordinate",
+    "DrivenLimits",
+    "DrivenMotion",
     "Dynamics",
     "EmbeddedPair",
     "EquationInfo",
@@ -153,6 +155,73 @@ class CoupledCoordinate:
         factor: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
 
+class DrivenLimits:
+    """
+    When a step of a driven motion is trusted; parts of the mechanism.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(self) -> None: ...
+    @property
+    def closed(self) -> float: ...
+    @property
+    def converged(self) -> float: ...
+    @property
+    def iterations(self) -> int: ...
+    @property
+    def largest_correction(self) -> float: ...
+    @property
+    def longest_step(self) -> float: ...
+    @property
+    def rounding(self) -> float: ...
+
+class DrivenMotion:
+    """
+    The motion that drivers prescribe, away from singular poses.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        dynamics: Dynamics,
+        length: typing.SupportsFloat | typing.SupportsIndex,
+        row_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        rounding: typing.SupportsFloat | typing.SupportsIndex,
+        unit: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+    def begin(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v_dot: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> bool:
+        """
+        From a state on the constraints; False: it is singular, or nearly so.
+        """
+    def follow(
+        self,
+        times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        seconds: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> tuple:
+        """
+        (count, frames, costs): as many frames as there are before something unusual, and until `seconds` are over.
+        """
+    def start(
+        self,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> bool:
+        """
+        From the pose at t = 0 to which q leads; False: none is found, or it is singular, or nearly so.
+        """
+    @property
+    def state(self) -> tuple:
+        """
+        (t, q, v, v_dot, history) where it has come.
+        """
+
 class Dynamics:
     """
     A model with a formulation, a stabilization and a linear solver.
@@ -192,6 +261,16 @@ class Dynamics:
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         Of a motion that begins in this state.
+        """
+    def constraint_rates(
+        self,
+        t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        rows: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex],
+    ) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Phi_t (k, rows) of some equations at k times and states.
         """
     def dependent_groups(
         self, most: typing.SupportsInt | typing.SupportsIndex
@@ -368,6 +447,11 @@ class Event:
         | None,
         tolerance: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
+    @property
+    def signature(self) -> tuple:
+        """
+        What beside its functions decides on the steps: direction, terminal, whether it has a change, tolerance.
+        """
 
 class FormulationInfo:
     """
@@ -859,8 +943,17 @@ class Run:
         """
         Largest violation of a position constraint now, relative to the size of the mechanism.
         """
+    def resume(self, state: bytes, work: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        """
+        Before the first step: goes on from a checkpoint at or before the start, of a run of the same mechanism by the same method, as that one would have gone on; `work` [J] at the start.
+        """
     def statistics(self) -> dict: ...
     def take_frames(self) -> dict: ...
+    @property
+    def checkpoint(self) -> typing.Any:
+        """
+        (t, state), not after the last frame that was taken; None: there is none.
+        """
     @property
     def energies(self) -> tuple[float, float, float, float]:
         """
@@ -872,6 +965,11 @@ class Run:
     def history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         Of last_state; see Dynamics.history.
+        """
+    @property
+    def last_checkpoint(self) -> typing.Any:
+        """
+        The same, not after last_state.
         """
     @property
     def last_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
@@ -887,6 +985,11 @@ class Run:
         """
     @property
     def t(self) -> float: ...
+    @property
+    def work(self) -> float:
+        """
+        Of last_state [J].
+        """
 
 class SemiImplicitEuler:
     """

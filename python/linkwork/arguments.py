@@ -10,6 +10,7 @@ import math
 import os
 import stat
 from collections.abc import Iterable, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,10 @@ import numpy as np
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
-__all__ = ["UNREADABLE", "array", "is_number", "is_one_of", "number", "one_of", "path", "whole"]
+__all__ = [
+    "UNREADABLE", "array", "check_new", "check_suffix", "is_number", "is_one_of", "number", "one_of",
+    "optional_package", "path", "whole",
+]  # fmt: skip
 
 #: A shape (size,) of an array; None stands for any length.
 ArrayShape = tuple[int | None, ...]
@@ -26,6 +30,14 @@ ArrayShape = tuple[int | None, ...]
 #: What is no file, by the type of its mode.
 SPECIAL = {
     stat.S_IFCHR: "device", stat.S_IFBLK: "device", stat.S_IFIFO: "pipe", stat.S_IFSOCK: "socket",
+}  # fmt: skip
+
+#: Suffixes of the files that are written, by what is in them.
+SUFFIXES = {
+    "result": (".h5", ".hdf5", ".hdf"), "table": (".csv",), "page": (".html", ".htm"),
+    "movie": (".mp4", ".gif"),
+    "picture": (".png", ".pdf", ".svg", ".eps", ".ps", ".jpg", ".jpeg", ".tif", ".tiff", ".webp"),
+    "model": (".yaml", ".yml", ".json"), "robot": (".urdf", ".sdf", ".xml"),
 }  # fmt: skip
 
 #: What NumPy and Python raise for what is not made of numbers.
@@ -93,6 +105,50 @@ def path(given: Any, what: str) -> Path:
     except TypeError:
         pass
     raise FileError(f"{what} {given!r:.80} is no path of a file: give its name", code="path")
+
+
+def check_suffix(given: Any, what: str) -> Path:
+    """A path whose suffix, where it is one of SUFFIXES, is of a `what`. FileError: it says something else."""
+    found = path(given, what)
+    suffix = found.suffix.lower()
+    for kind, suffixes in SUFFIXES.items():
+        if suffix in suffixes and suffix not in SUFFIXES[what]:
+            raise FileError(
+                f"{what} '{found}': {suffix} is the suffix of a {kind}: a {what} is written to "
+                f"{' or '.join(SUFFIXES[what])}",
+                code="format",
+            )
+    return found
+
+
+def check_new(given: Any, what: str, overwrite: bool) -> Path:
+    """As `check_suffix`. FileError: there is a file, which may not be replaced."""
+    found = check_suffix(given, what)
+    if not isinstance(overwrite, bool):
+        raise OptionError(f"overwrite {overwrite!r:.80} is not True or False", code="overwrite")
+    if not overwrite and found.is_file():
+        raise FileError(
+            f"{what} '{found}': there is such a file already: choose another name, or replace it by "
+            "overwrite=True, --force of a command",
+            code="exists",
+        )
+    return found
+
+
+def optional_package(
+    package: str, extra: str, what: str, error: type[LinkworkError] = OptionError, instead: str = ""
+) -> Any:
+    """A package that linkwork works without. `error`: it is not there, but needed for `what`."""
+    try:
+        return import_module(package)
+    except ImportError as cause:
+        absent = isinstance(cause, ModuleNotFoundError) and cause.name == package
+        why = "is not installed" if absent else f"cannot be imported ({cause})"
+        raise error(
+            f"{what} needs the package {package}, which {why}: pip install 'linkwork[{extra}]'"
+            + (f"; {instead}" if instead else ""),
+            code="missing_package",
+        ) from cause
 
 
 def _refuse_special(found: str, what: str) -> None:

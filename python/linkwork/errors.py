@@ -13,6 +13,7 @@ import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from linkwork.results.result import Result
 
 __all__ = [
-    "AccuracyError", "BusyError", "Fault", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
+    "AccuracyError", "BusyError", "Fault", "Faults", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
     "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError", "SingularSystemError",
     "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
 ]  # fmt: skip
@@ -129,6 +130,30 @@ class Fault:
         return " ".join(": ".join(filter(None, (self.field, self.message))).split())
 
 
+class Faults:
+    """The first faults of a file, and how many there are."""
+
+    def __init__(self) -> None:
+        self._first: list[Fault] = []
+        self.count = 0
+
+    @property
+    def full(self) -> bool:
+        """Further ones are not listed."""
+        return self.count >= MOST_FAULTS
+
+    def add(self, fault: Fault) -> None:
+        self.count += 1
+        if self.count <= MOST_FAULTS:
+            self._first.append(fault)
+
+    def all(self) -> list[Fault]:
+        """With a last one that counts the others."""
+        more, last = self.count - len(self._first), max((it.line for it in self._first), default=1)
+        others = f"and {more} more faults" if more > 1 else "and one more fault"
+        return [*self._first, *([Fault(last, "", others)] if more > 0 else [])]
+
+
 class ModelFileError(FileError):
     """A file with a model is wrong. `faults` are all that were found; str(error) has a line for each."""
 
@@ -152,8 +177,11 @@ class LinkworkWarning(UserWarning):
 #: How alike names are that one can have meant, see difflib.
 NEAR = 0.55
 
-#: So many names are told in a message.
-LISTED = 12
+#: So many names are told in a message; of so many the nearest is looked for, for one no longer than this.
+LISTED, MOST_LOOKED_AT, LONG_NAME = 12, 1000, 100
+
+#: So many faults of a file are listed, the others counted.
+MOST_FAULTS = 20
 
 #: What to do where the operating system refuses to read or write.
 _REMEDIES = {
@@ -197,13 +225,15 @@ def unwritable(what: str, path: str | os.PathLike[str], error: Exception) -> Fil
 
 def nearest(word: str, known: Iterable[str]) -> str:
     """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or what there is."""
-    names = list(known)
-    close = difflib.get_close_matches(str(word), names, n=1, cutoff=NEAR)
+    names, word = list(islice(known, MOST_LOOKED_AT)), str(word)
+    likely = [name for name in names if len(name) <= 3 * len(word)] if len(word) <= LONG_NAME else []
+    close = difflib.get_close_matches(word, likely, n=1, cutoff=NEAR)
     if close:
         return f"; the nearest is '{close[0]}'"
     listed = ", ".join(repr(name) for name in names[:LISTED])
-    more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
-    return f"; choose from {listed}{more}" if names else ""
+    more = f" and {len(names) - LISTED} more" if LISTED < len(names) < MOST_LOOKED_AT else ""
+    short = all(len(name) <= LONG_NAME for name in names[:LISTED])
+    return f"; choose from {listed}{more}" if names and short and len(names) < MOST_LOOKED_AT else ""
 
 
 def warn(message: str) -> None:

@@ -44,6 +44,29 @@ inline Model four_bar_with_tail() {
   return model;
 }
 
+/// A parallelogram with bars of 1, 2, 1 m on 2 m of ground, turned by theta out of its line, which is singular; its
+/// crank turns at `rate`.
+inline Model parallelogram(double theta, double rate = 0.0) {
+  Model model;
+  const Vec3<double> up(std::cos(theta), std::sin(theta), 0), along(2, 0, 0), axis(0, 0, 1);
+  const Vec4<double> turned(std::cos(theta / 2), 0, 0, std::sin(theta / 2));
+  const auto bar = [&](const char* name, const Vec3<double>& center, double arm, bool turns) {
+    Body body = body_at(center);
+    if (turns) body.orientation = turned;
+    if (turns) body.omega = rate * axis;
+    body.velocity = arm * rate * axis.cross(up);
+    model.add_body(name, body);
+  };
+  bar("crank", 0.5 * up, 0.5, true);
+  bar("rod", up + 0.5 * along, 1.0, false);
+  bar("rocker", along + 0.5 * up, 0.5, true);
+  join(model, "revolute", "A", ground, 0, {0, 0, 0});
+  join(model, "revolute", "B", 0, 1, up);
+  join(model, "revolute", "C", 1, 2, up + along);
+  join(model, "revolute", "D", ground, 2, along);
+  return model;
+}
+
 /// The matrix [M D^T; D -E] of an evaluation, and its solution (x, -lambda) for a right-hand side.
 inline MatrixXd dense_kkt(const MatrixXd& M, const MatrixXd& D, const VectorXd& e) {
   MatrixXd K = MatrixXd::Zero(M.rows() + D.rows(), M.rows() + D.rows());

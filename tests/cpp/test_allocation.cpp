@@ -1,8 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "allocation_counter.hpp"
-#include "linkwork/formulation/dynamics.hpp"
-#include "support.hpp"
+#include "integrators.hpp"
 
 #if CAN_COUNT_ALLOCATIONS
 
@@ -114,6 +113,38 @@ TEST_CASE("the block solver does not allocate after the first few solutions, wit
       INFO(std::string(formulation), " ", model.joints().size(), " joints");
       CHECK(allocations_of({formulation, "auto", "block"}, model) == 0);
     }
+}
+
+TEST_CASE("a trial step, its interpolation and a half-explicit step do not allocate after the first") {
+  Options options;
+  options.linear_solver = "dense";
+  options.matrix_form = "schur";
+  Dynamics dynamics(spherical_pendulum(), options);
+  const ErrorMeasure measure(dynamics.system(), {});
+  PairStepper stepper(bs32());
+  stepper.start(dynamics.y_size());
+  VectorXd y = dynamics.initial_y(), between(dynamics.y_size());
+  const auto trial = [&] {
+    dynamics.evaluate(0.0, y);
+    stepper.trial(dynamics, measure, {0.0, 1e-3}, y);
+    stepper.prepare_interpolation(dynamics);
+    stepper.interpolate(dynamics.system(), 0.5, between);
+  };
+  for (int warm_up = 0; warm_up < 3; ++warm_up) trial();
+  CHECK(allocations(trial) == 0);
+
+  options.stabilization = "none";
+  Dynamics bare(spherical_pendulum(), options);
+  const auto method = make_half_explicit(half_explicit_heun());
+  method->start(bare.y_size());
+  const VectorXd start = bare.initial_y();
+  const auto step = [&] {
+    y = start;
+    bare.evaluate(0.0, y);
+    method->step(bare, 0.0, 1e-3, y);
+  };
+  for (int warm_up = 0; warm_up < 3; ++warm_up) step();
+  CHECK(allocations(step) == 0);
 }
 
 #endif

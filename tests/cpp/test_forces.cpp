@@ -78,19 +78,6 @@ TEST_CASE("power balance of every force: g . v = -dV/dt + power") {
   });
 }
 
-TEST_CASE("gyroscopic torques are -omega x J omega and do no work") {
-  Random random(21);
-  Model model(Vec3<double>::Zero());
-  const Body body = random_body(random);
-  model.add_body("a", body);
-  const System system(model);
-  const Evaluation at = evaluate_initially(system);
-  const Vec3<double> expected = -body.omega.cross(body.inertia * body.omega);
-  CHECK(at.g.head<3>().norm() == 0.0);
-  CHECK((at.g.segment<3>(3) - expected).norm() < 1e-15);
-  CHECK(std::abs(at.g.segment<3>(3).dot(body.omega)) < 1e-15);
-}
-
 TEST_CASE("force elements act with equal and opposite forces and moments on their bodies") {
   Random random(22);
   for (const ForceKind& any : force_kinds()) {
@@ -191,46 +178,5 @@ TEST_CASE("a rotational spring turned over several revolutions keeps its angle, 
       CHECK(at.potential == doctest::Approx(0.5 * spring.k * std::pow(theta - spring.theta_0, 2)).epsilon(1e-12));
     }
     CHECK(std::abs(at.history[0]) > 3 * 2 * pi);
-  }
-}
-
-TEST_CASE("gravity gives g = m gravity and the potential -m gravity . r") {
-  Random random(25);
-  Model model(random.vec3(9.81));
-  const Body body = random_body(random);
-  model.add_body("a", body);
-  const System system(model);
-  const Evaluation at = evaluate_initially(system);
-  CHECK((at.g.head<3>() - body.mass * model.gravity()).norm() < 1e-14);
-  CHECK(at.potential == doctest::Approx(-body.mass * model.gravity().dot(body.position)).epsilon(1e-14));
-}
-
-TEST_CASE("a law along a coordinate of a joint has the power Q x_dot, and acts on both bodies alike") {
-  struct Law final : CoordinateLaw {
-    double effort(double t, double x, double x_dot) const override { return 2.0 * t - 3.0 * x + 0.5 * x_dot; }
-  };
-  Random random(21);
-  for (const auto& [kind, coordinate] :
-       std::vector<std::pair<std::string, std::string>>{{"revolute", "angle"},
-                                                        {"translational", "displacement"},
-                                                        {"universal", "angle_a"},
-                                                        {"universal", "angle_b"}}) {
-    INFO(kind, " ", coordinate);
-    Model without(Vec3<double>::Zero());
-    for (const char* name : {"a", "b"}) without.add_body(name, random_body(random));
-    add_joint(without, random, kind, "joint", 0, 1);
-    Model model = without;
-    model.add_joint_force("law", 0, coordinate, std::make_shared<Law>());
-    CHECK_THROWS_AS(model.add_joint_force("other", 0, "nix", std::make_shared<Law>()), ModelError);
-    CHECK_THROWS_AS(model.add_joint_force("law", 0, coordinate, std::make_shared<Law>()), ModelError);
-    const System system(model), plain(without);
-    Evaluation at = system.make_evaluation(), bare = plain.make_evaluation();
-    const VectorXd q = model.initial_q(), v = model.initial_v();
-    system.evaluate(0.3, q, v, system.initial_history(), at);
-    plain.evaluate(0.3, q, v, plain.initial_history(), bare);
-    const VectorXd g = (at.g - bare.g).head(12);
-    CHECK(g.dot(v) == doctest::Approx(at.power));
-    CHECK(std::abs(at.power) > 1e-6);
-    CHECK((g.segment<3>(0) + g.segment<3>(6)).norm() <= 1e-12 * g.norm());
   }
 }

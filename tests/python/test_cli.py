@@ -263,7 +263,7 @@ MISTAKES = [
     (["run", "chain", "--bodies", "many"], 2, "'--bodies': 'many' is not a whole number"),
     (["run", "chain", "--joint", "sferical"], 1, "'sferical' is not available; the nearest is 'spherical'"),
     (
-        ["run", "bricard", "--matrix-form", "kkt", "--linear-solver", "klu"],
+        ["run", "bricard", "--matrix-form", "kkt", "--linear-solver", "dense"],
         1,
         "use matrix_form 'schur', or linear solver",
     ),

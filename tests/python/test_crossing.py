@@ -59,6 +59,37 @@ def test_frames_beside_a_pose_have_the_accelerations_of_the_branch() -> None:
     assert np.abs(result.angular_acceleration[near, 0, 2] - expected).max() <= 1e-6 * 9.81
 
 
+@pytest.mark.parametrize(
+    ("branch", "integrator", "speed", "pose_at", "t_end"),
+    [
+        (
+            "four-bar",
+            "dopri5",
+            3.8688720920343838,
+            0.8203426236068507,
+            3.102,
+        ),  # foreseen at half of its distance
+        ("folding six-bar", "dop853", 1.8382548011524078, 1.2891294118474574, 6.0),
+    ],
+)
+def test_frames_within_leaps_are_as_accurate_as_the_steps(
+    branch: str, integrator: str, speed: float, pose_at: float, t_end: float
+) -> None:
+    """Many times a leap, at a tolerance of 1e-12: energy to 1e-10, constraints as away from poses."""
+    case = singular_poses.Case(branch, integrator, 1e-12, speed, pose_at, t_end, 0)
+    it = BRANCHES[branch]
+    start = it.flow(np.array([it.singular, speed]), np.array([-pose_at]))[-1]
+    result = lw.simulate(
+        it.model(start), case.t_end, rtol=1e-12, atol=1e-12, times=np.linspace(0, t_end, 2001), progress=False,
+        integrator=integrator,
+    )  # fmt: skip
+    scale = result.kinetic_energy.max()
+    assert np.abs(result.energy_error).max() <= 1e-10 * scale
+    near = np.abs(result.t[:, None] - [pose.t for pose in result.singular_poses]).min(axis=1) < 0.02
+    away = result.violation[~near, 0].max()
+    assert result.violation[near, 0].max() <= max(10 * away, 1e-12)
+
+
 @pytest.mark.parametrize("after", [-2e-3, -1e-5, 1e-5, 3e-4, 2e-3])
 @pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 1e-4}, {"rtol": 1e-10}], ids=str)
 @pytest.mark.parametrize("load", [False, True])

@@ -11,14 +11,22 @@ from numpy.typing import ArrayLike
 Z = (0.0, 0.0, 1.0)
 
 
-@pytest.fixture(params=("dense", "sparse"))
+def only_careful(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Frames are found one by one, as near singular poses."""
+    monkeypatch.setattr("linkwork.analyses.kinematics._FastFollower.start", lambda self: False)
+    monkeypatch.setattr("linkwork.analyses.kinematics._FastFollower.resume", lambda self: None)
+
+
+@pytest.fixture(params=("compiled", "dense", "sparse"))
 def matrices(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Both ways to solve with D, whatever the size of the model."""
+    """All ways to solve with D, whatever the size of the model."""
+    if request.param != "compiled":
+        only_careful(monkeypatch)
     if request.param == "sparse":
         monkeypatch.setattr("linkwork.analyses.constraint_solver.DENSE", 0)
 
 
-both_ways = pytest.mark.usefixtures("matrices")
+every_way = pytest.mark.usefixtures("matrices")
 
 
 def link(
@@ -56,7 +64,7 @@ def rates(f: object, t: Floats) -> tuple[Floats, Floats]:
     return (m2 - 8 * m1 + 8 * p1 - p2) / (12 * h), (-m2 + 16 * m1 - 30 * p0 + 16 * p1 - p2) / (12 * h * h)
 
 
-@both_ways
+@every_way
 def test_a_slider_crank_moves_as_its_closed_form_says() -> None:
     """x = r cos + sqrt(l^2 - r^2 sin^2), over several turns, with the derivatives."""
     speed, gain, t = 3.0, 0.2, np.linspace(0, 5, 201)
@@ -216,6 +224,40 @@ def test_a_delta_robot_takes_the_place_that_its_arms_say() -> None:
     assert np.abs(plate_motion.orientation[:, 1:]).max() < 1e-10  # it does not turn
 
 
+def driven_mechanisms() -> dict[str, lw.Model]:
+    turn = lw.functions.polynomial(0.0, 2.0, 0.3)
+    linkage = (0.5, 1.4, 1.2, 1.5)
+    legs = [lw.functions.expression(f"0.1 * sin({2 + 0.2 * k} * t)") for k in range(6)]
+    loops = lw.mechanisms.four_bar(20)
+    loops.angle_driver(
+        "ground", loops.compiled().body_name(0), at=(0, 0, 0), axis=Z, angle=turn, name="motor"
+    )
+    return {
+        "slider-crank": slider_crank(turn),
+        "four-bar": four_bar(turn, linkage),
+        "stewart": stewart(legs, ring(1.0, 15), ring(0.6, 45), 1.2),
+        "20 loops": loops,
+    }
+
+
+@pytest.mark.parametrize("name", driven_mechanisms())
+def test_compiled_frames_are_those_that_a_closer_look_finds(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With the multipliers of redundant rows; none of them takes a dense decomposition."""
+    model, t = driven_mechanisms()[name], np.linspace(0, 0.4, 9)
+    with monkeypatch.context() as context:
+        context.setattr("numpy.linalg.svd", None)
+        quick = lw.kinematics(model, t)
+    only_careful(monkeypatch)
+    careful = lw.kinematics(model, t)
+    for field in ("q", "v", "acceleration", "multipliers", "energy", "work"):
+        found, expected = getattr(quick, field), getattr(careful, field)
+        assert np.abs(found - expected).max() < 1e-9 * (1 + np.abs(expected).max()), field
+    assert quick.violation.max() < 1e-10 * (1 + np.abs(careful.acceleration).max())
+    assert quick.statistics["factorizations"] <= 2 * len(t)
+
+
 # --- singular poses, and what cannot be done ----------------------------------------------------------------
 
 
@@ -223,7 +265,7 @@ def parallelogram() -> lw.Model:
     return four_bar(lw.functions.polynomial(0.0, 1.0), (1.0, 2.0, 1.0, 2.0))
 
 
-@both_ways
+@every_way
 def test_a_parallelogram_passes_its_toggles_and_they_are_told() -> None:
     """All links lie down with the crank at 180 and 360 degrees: there are two ways to go on."""
     t = np.linspace(0, 6, 61)
@@ -236,7 +278,7 @@ def test_a_parallelogram_passes_its_toggles_and_they_are_told() -> None:
     assert set(motion.singular_poses[0].joints) == {"A", "B", "C", "D"}
 
 
-@both_ways
+@every_way
 def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
     t = np.array([0, 1, 2 * np.pi / 3, 3])
     motion = lw.kinematics(parallelogram(), t, on_singular="pass")
@@ -246,7 +288,7 @@ def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
     assert abs(acceleration + np.sin(np.pi / 3 + t[2])) < 1e-3
 
 
-@both_ways
+@every_way
 def test_a_motion_that_starts_in_a_toggle_is_refused() -> None:
     flat = lw.kinematics(parallelogram(), [0, 2 * np.pi / 3], on_singular="pass")
     model = four_bar(lw.functions.polynomial(2 * np.pi / 3, 1.0), (1.0, 2.0, 1.0, 2.0))
@@ -263,7 +305,7 @@ def test_a_toggle_can_stop_the_analysis() -> None:
     assert caught.value.result is not None and len(caught.value.result) == 21
 
 
-@both_ways
+@every_way
 def test_a_slider_pushed_beyond_its_dead_point_is_told_with_its_time() -> None:
     """From the crank at 1 rad the slider goes out with 0.5 m/s, and reaches 4 m when all is in line."""
     turned = lw.kinematics(slider_crank(lw.functions.polynomial(1.0)), [0, 1])
@@ -280,7 +322,7 @@ def test_a_slider_pushed_beyond_its_dead_point_is_told_with_its_time() -> None:
     assert error.result.t[-1] == pytest.approx(np.floor((4 - x) / 0.5 / 0.05) * 0.05)
 
 
-@both_ways
+@every_way
 def test_a_freedom_that_is_left_is_named() -> None:
     with pytest.raises(lw.ModelError, match="1 freedom is left to the model 'slider-crank': body 'crank'"):
         lw.kinematics(slider_crank(None, driver=""), [0, 1])
@@ -302,7 +344,7 @@ def steered_wheel(heading: object, spin: object) -> lw.Model:
     return model
 
 
-@both_ways
+@every_way
 def test_a_wheel_that_is_steered_rolls_in_a_circle() -> None:
     """Of radius r W / w; the tire gives the force m v w to the center, of 5 kg."""
     turn, spin = lw.functions.polynomial(0.0, 0.8), lw.functions.polynomial(0.0, 4.0)
@@ -331,7 +373,7 @@ def test_times_that_do_not_increase_from_zero_are_refused(times: ArrayLike) -> N
         lw.kinematics(slider_crank(0.0), times)
 
 
-@both_ways
+@every_way
 def test_drivers_that_contradict_each_other_are_named() -> None:
     model = slider_crank(0.0)
     model.displacement_driver(
@@ -399,7 +441,7 @@ def test_a_driven_chain_of_1000_links_bends_as_its_angles_say() -> None:
 # --- inverse dynamics ---------------------------------------------------------------------------------------
 
 
-@both_ways
+@every_way
 def test_a_driven_pendulum_needs_its_inertia_and_weight() -> None:
     """n = (J + m l^2) phi'' + m g l cos(phi)."""
     model = lw.Model(gravity=(0, -9.81, 0))

@@ -1,4 +1,4 @@
-"""What a build with LINKWORK_WITH_GPL off, or on, links and offers."""
+"""What a build links and offers: all of SuiteSparse, what of it is not under the GPL, or nothing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from linkwork import _core
 ROOT = Path(__file__).parents[2]
 #: Linear solvers by the library that has them and that is under the GPL.
 OF_GPL = {"umfpack": "libumfpack", "spqr": "libspqr", "cholmod_supernodal": "libcholmod"}
-FREE = {"block", "klu", "eigen_ldlt", "dense"}
+FREE = {"block", "eigen_ldlt", "dense"}
 AVAILABLE = {info.name for info in _core.linear_solvers() if info.available}
 MISSING = [info.name for info in _core.linear_solvers() if not info.available]
 
@@ -33,6 +33,11 @@ def test_the_module_loads_the_libraries_of_what_it_offers_and_no_others() -> Non
     for solver, library in OF_GPL.items():
         assert (library in libraries) == (solver in AVAILABLE), solver
     assert ("libcholmod" in libraries) == ("cholmod" in AVAILABLE)
+    assert ("libklu" in libraries) == ("klu" in AVAILABLE)
+    if "klu" not in AVAILABLE:
+        assert not any(
+            name.startswith(("libamd", "libcolamd", "libsuitesparse", "libblas")) for name in libraries
+        )
     assert AVAILABLE >= FREE
 
 
@@ -42,7 +47,7 @@ def test_parts_under_the_gpl_come_together() -> None:
 
 @pytest.mark.parametrize("solver", MISSING)
 def test_what_is_not_in_this_build_is_refused_with_the_reason_and_what_there_is(solver: str) -> None:
-    with pytest.raises(lw.OptionError, match=f"'{solver}' is not in this build.*GPL") as caught:
+    with pytest.raises(lw.OptionError, match=f"'{solver}' is not in this build.*(GPL|SuiteSparse)") as caught:
         lw.System(lw.mechanisms.four_bar(), linear_solver=solver)
     assert caught.value.code == "linear_solver_not_built"
     assert all(name in str(caught.value).split("choose from:")[1] for name in FREE)
@@ -74,14 +79,17 @@ def test_ranks_and_redundant_equations_need_nothing_under_the_gpl() -> None:
 
 
 @pytest.mark.skipif(not (shutil.which("cmake") and shutil.which("ninja")), reason="needs CMake and Ninja")
-@pytest.mark.parametrize("with_gpl", [False, True])
-def test_a_build_without_gpl_parts_links_none(with_gpl: bool, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("with_gpl", "with_suitesparse"), [(False, True), (True, True), (True, False)])
+def test_a_build_without_gpl_parts_links_none(with_gpl: bool, with_suitesparse: bool, tmp_path: Path) -> None:
     """The command that links a program with the library, as CMake would run it."""
-    options = [f"-DLINKWORK_WITH_GPL={'ON' if with_gpl else 'OFF'}", "-DLINKWORK_BUILD_PYTHON=OFF"]
+    given = {"GPL": with_gpl, "SUITESPARSE": with_suitesparse}
+    options = [f"-DLINKWORK_WITH_{name}={'ON' if on else 'OFF'}" for name, on in given.items()]
+    options.append("-DLINKWORK_BUILD_PYTHON=OFF")
     configure = ["cmake", "-G", "Ninja", "-S", ROOT, "-B", tmp_path, "-DLINKWORK_BUILD_TESTS=ON", *options]
     subprocess.run(configure, capture_output=True, check=True)
     rules = (tmp_path / "build.ninja").read_text()
     linked = " ".join(line for line in rules.splitlines() if line.lstrip().startswith("LINK_LIBRARIES ="))
     for library in ("umfpack", "spqr", "cholmod"):
-        assert (library in linked) == with_gpl, library
-    assert "klu" in linked
+        assert (library in linked) == (with_gpl and with_suitesparse), library
+    for library in ("klu", "btf", "suitesparseconfig"):
+        assert (library in linked) == with_suitesparse, library

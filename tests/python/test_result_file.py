@@ -121,7 +121,7 @@ def test_result_can_be_saved_over_the_file_it_came_from(tmp_path: Path) -> None:
     result = make_result(synthetic.header())
     result.save(tmp_path / "run.h5")
     loaded = Result.load(tmp_path / "run.h5")
-    loaded.save(tmp_path / "run.h5")
+    loaded.save(tmp_path / "run.h5", overwrite=True)
     np.testing.assert_array_equal(loaded.q, result.q)
     assert os.listdir(tmp_path) == ["run.h5"]
 
@@ -144,7 +144,7 @@ def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:
     resource.setrlimit(resource.RLIMIT_FSIZE, (2**20, limits[1]))
     try:
         with pytest.raises(FileError, match=r"run.h5': cannot be written: file too large"):
-            new.save(tmp_path / "run.h5")
+            new.save(tmp_path / "run.h5", overwrite=True)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     np.testing.assert_array_equal(Result.load(tmp_path / "run.h5").q, old.q)
@@ -423,13 +423,13 @@ def test_file_cut_before_the_first_frame_is_refused_in_one_line(tmp_path: Path) 
 def test_frames_of_a_file_that_was_replaced_are_not_mixed_up(tmp_path: Path) -> None:
     make_result(synthetic.header()).save(tmp_path / "run.h5")
     loaded = Result.load(tmp_path / "run.h5")
-    make_result(synthetic.header()).save(tmp_path / "run.h5")
+    make_result(synthetic.header()).save(tmp_path / "run.h5", overwrite=True)
     with pytest.raises(FileError, match=r"run.h5': was replaced by another run since it was loaded"):
         _ = loaded.q
 
 
 def test_finished_file_has_no_spare_room(tmp_path: Path) -> None:
-    make_result(synthetic.header(bodies=1, joints=0), count=10).save(tmp_path / "run.h5")
+    make_result(synthetic.header(bodies=1, joints=0), count=10).save(tmp_path / "run.h5", overwrite=True)
     assert (tmp_path / "run.h5").stat().st_size < 100_000
 
 

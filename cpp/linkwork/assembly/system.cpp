@@ -229,10 +229,10 @@ Evaluation System::make_evaluation() const {
 // g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
 void System::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                       Evaluation& out) const {
-  evaluate_constraints(t, q, v, history, out);
+  evaluate_constraints(t, q, v, history, out);  // D and gamma of (12.2)
   out.potential = body_forces_(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
   out.power = 0.0;
-  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
+  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);  // g of (12.1)
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
 }

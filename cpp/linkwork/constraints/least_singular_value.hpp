@@ -2,6 +2,7 @@
 
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
+#include "linkwork/math/archive.hpp"
 
 namespace linkwork {
 
@@ -16,6 +17,8 @@ class LeastSingularValue {
 
   /// With the last factorization of `saddle`; 0 where nothing finite comes of it.
   double of(SaddleSolver& saddle);
+
+  void keep(Archive& archive) { archive(u_); }
 
  private:
   double iterate(SaddleSolver& saddle);

@@ -13,7 +13,6 @@
 namespace linkwork {
 namespace {
 
-constexpr double rank_tolerance = 1e-9;
 constexpr double assembled = 1e-13;  // |Phi|, relative to the size, below which a pose needs no correction
 constexpr double residual_margin = 10.0, coarsest = 1e-6;
 constexpr std::size_t joints_in_text = 8;

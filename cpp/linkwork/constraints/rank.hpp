@@ -7,6 +7,9 @@
 
 namespace linkwork {
 
+/// What is left of a row of unit length that depends on the others: roundoff.
+constexpr double rank_tolerance = 1e-9;
+
 /// Rank of the constraint matrix at one evaluation.
 struct PoseRank {
   int rows = 0;
@@ -18,7 +21,7 @@ struct PoseRank {
 /// Joints at the ends of open branches are taken off one by one: their equations are independent of all others where
 /// they are independent on the outer body. What is left, the closed loops, goes through a rank-revealing sparse QR of
 /// D^T, rows of D scaled to unit length in velocities of natural size (see velocity_scale). `tolerance` is relative.
-PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance = 1e-9);
+PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance = rank_tolerance);
 
 /// Rank of the constraints of a mechanism: what is redundant in every pose, and what only in the assembled one.
 struct RankReport {
@@ -37,7 +40,7 @@ struct RankReport {
 /// free velocity (its assembled pose is a dead center) has no redundant rows, and singular ones instead. The least
 /// `tolerance` becomes larger where the roundoff of positions or a residual that assembly leaves is of that size: what
 /// the given geometry does not say is not told from its rank.
-RankReport examine_rank(const System& system, double tolerance = 1e-9);
+RankReport examine_rank(const System& system, double tolerance = rank_tolerance);
 
 /// A redundant row with those that imply it; without any one of these it would not be.
 struct DependentGroup {
@@ -52,6 +55,6 @@ std::vector<DependentGroup> dependent_groups(const System& system, const RankRep
 std::string describe(const Model& model, const DependentGroup& group);
 
 /// Bodies with a motion that has no inertia and that no joint resists (ker M and ker D meet).
-std::vector<int> free_massless_bodies(const System& system, const Evaluation& at, double tolerance = 1e-9);
+std::vector<int> free_massless_bodies(const System& system, const Evaluation& at, double tolerance = rank_tolerance);
 
 }  // namespace linkwork

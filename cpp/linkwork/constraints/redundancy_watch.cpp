@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/constraints/rank.hpp"
 #include "linkwork/constraints/row_selection.hpp"
 
 namespace linkwork {
 namespace {
 
-constexpr double rank_tolerance = 1e-9;
 constexpr double noticed = 1e-8;     // of the size or the speed of the mechanism
 constexpr double explained = 100.0;  // times what the others are violated by
 constexpr double louder = 3.0, more = 2.0;

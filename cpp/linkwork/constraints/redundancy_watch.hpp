@@ -5,6 +5,7 @@
 
 #include "linkwork/constraints/consistent_pose.hpp"
 #include "linkwork/constraints/dropped_rows.hpp"
+#include "linkwork/math/archive.hpp"
 
 namespace linkwork {
 
@@ -52,6 +53,11 @@ class RedundancyWatch {
   const Excess& excess() const { return excess_; }  ///< of the last look
   /// What was found is known: the next suspicion is a larger excess.
   void suspect_less();
+
+  void keep(Archive& archive) {
+    archive(size_, speed_, position_level_, velocity_level_, usual_Phi_, usual_Phi_dot_, least_Phi_, least_Phi_dot_);
+    archive(excess_.position, excess_.velocity, excess_.Phi, excess_.kept);
+  }
 
  private:
   bool exceeds(const System& system, const Evaluation& at, const DroppedRows& dropped, const ConstVector& v);

@@ -19,9 +19,9 @@ constexpr double quick_change = 1e-10;
 constexpr double raise_factor = 100.0, most_raised = 1e6;
 constexpr int patience = 10;  // times max_iterations, in the few evaluations where the penalty is raised
 
-/// The iteration (12.16)-(12.18): from lambda_k the accelerations, (12.17), and from them the next multipliers,
-///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b)
-///   lambda_{k+1} = lambda_k + alpha (b - D v_dot_{k+1}),
+/// The iteration (12.16)-(12.18): from lambda_k the accelerations, and from them the next multipliers,
+///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b)                               (12.17)
+///   lambda_{k+1} = lambda_k + alpha (b - D v_dot_{k+1}),                                       (12.18)
 /// in incremental form: with the residuals r_1 = a - M v_dot + D^T lambda and r_2 = b - D v_dot,
 ///   (M + D^T alpha D) dv = r_1 + D^T alpha r_2,   dlambda = alpha (r_2 - D dv),
 /// which has the same limit and loses no digits to the size of alpha. It begins with lambda_0 = 0.
@@ -88,11 +88,11 @@ class AugmentedLagrangian final : public Formulation {
   bool iterate(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda, int most) {
     const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dv,
                                MutableVector dlambda) { saddle_->solve(r_1, r_2, dv, dlambda); };
-    saddle_->solve(a, b, v_dot, lambda);
+    saddle_->solve(a, b, v_dot, lambda);  // (12.16): the first, from lambda_0 = 0
     const double free = size_->of_free_motion(a);
     double last_change = INFINITY;
     for (int iteration = 2; iteration <= most; ++iteration) {
-      refinement_.correct(*at_, a, b, v_dot, lambda, nearby);
+      refinement_.correct(*at_, a, b, v_dot, lambda, nearby);  // (12.17), (12.18)
       const double change = NaturalSize::ratio(size_->of(refinement_.dx()), free + size_->of(v_dot));
       const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;

@@ -47,7 +47,7 @@ std::string choose_form(const FormulationInfo& info, const Options& options, boo
 }
 
 /// Solvers of the blocks themselves need a regular mass matrix, and take redundant rows in every form that they have.
-/// Else a dense one where the matrix is small, or the first of the list that can.
+/// Else a dense one where the matrix is small, or the first of the list that can; a dense one where no other can.
 std::string choose_solver(const std::string& form, const FormulationInfo& info, const Options& options,
                           const System& system) {
   if (options.linear_solver != "auto") return options.linear_solver;
@@ -59,7 +59,8 @@ std::string choose_solver(const std::string& form, const FormulationInfo& info, 
     return best && solver.available() && can_solve(form, solver);
   };
   const auto& all = linear_solvers();
-  return std::find_if(all.begin(), all.end(), suits)->name;
+  const auto found = std::find_if(all.begin(), all.end(), suits);
+  return found == all.end() ? "dense" : found->name;
 }
 
 }  // namespace
@@ -202,6 +203,18 @@ void Dynamics::observe_now() {
   if (observer_) std::exchange(observer_, {})();
 }
 
+void Dynamics::keep(Archive& archive) {
+  RowChoice choice = formulation_->row_choice();
+  archive(choice);
+  if (archive.reading() && !std::isnan(choice.t)) {
+    if (choice.y.size() != y_size()) throw OptionError("start", "start: what it has to go on from is of another model");
+    set_history(choice.history);
+    evaluate(choice.t, choice.y);
+    formulation_->repeat_choice(choice.rows);
+  }
+  archive(now_.history, sides_, switched_, held_, held_u_, first_part_, *formulation_);
+}
+
 void Dynamics::return_to(const Place& place) {
   formulation_->look(true);
   evaluate(place.t, place.y);
@@ -300,7 +313,7 @@ void Dynamics::rates(MutableVector y_dot) {
   b_ = at_.gamma;
   if (kind_ == StabilizationKind::baumgarte) {
     const Gains gains = gains_or(textbook_gains);
-    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;
+    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;  // (12.8)
   } else if (held_) {
     b_ += held_u_;
   }

@@ -98,6 +98,8 @@ class Dynamics {
     VectorXd y;
     bool factorized, fallback;
   };
+  /// What evaluations and solutions from here on depend on beside t and y, with a step to begin.
+  void keep(Archive& archive);
   Place place() const { return {now_.t, now_.y, formulation_->factorized(), formulation_->fallback()}; }
   void return_to(const Place& place);
 

@@ -11,8 +11,7 @@ constexpr double tolerances[] = {1e-8, 1e-7, 1e-6, 1e-4};  // the first that lea
 }  // namespace
 
 RankTolerant::RankTolerant(const System& system, const RegularizedInertia& inertia)
-    : system_(system),
-      inertia_(inertia),
+    : inertia_(inertia),
       solver_(inertia.system()),
       at_(system.make_evaluation()),
       refinement_(system, inertia.lengths()),

@@ -27,7 +27,6 @@ class RankTolerant final : public Formulation {
   bool factorize(const Evaluation& at, double tolerance);
   bool corrects(const ConstVector& a, const ConstVector& b) const;
 
-  const System& system_;
   const RegularizedInertia& inertia_;
   MassWeightedLeastSquares solver_;
   Evaluation at_;  ///< without the rows left out

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "linkwork/constraints/constraint_kernel.hpp"
+#include "linkwork/constraints/rank.hpp"
 #include "linkwork/constraints/row_selection.hpp"
 
 namespace linkwork {
 namespace {
 
-constexpr double rank_tolerance = 1e-9;
 constexpr double involved = 1e-3;          // part of the largest entry of a dependence
 constexpr double margin = 3.0;             // between pivots in one order and in another
 constexpr double recovered = 4.0;          // times the suspicious pivot: the crossing is over

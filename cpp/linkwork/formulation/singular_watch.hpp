@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "linkwork/constraints/consistent_pose.hpp"
+#include "linkwork/math/archive.hpp"
 
 namespace linkwork {
 
@@ -61,6 +62,7 @@ class SingularWatch {
   struct Sample {
     double t = 0.0;
     double root = 0.0;  ///< of the smallest pivot: it falls linearly in time toward a singular pose
+    void keep(Archive& archive) { archive(t, root); }
   };
   /// The last value, and the one of the last few that is farthest from it in time; none before there are two.
   struct Trend {
@@ -93,6 +95,16 @@ class SingularWatch {
     (lists_ && !crossings_.empty() ? crossings_.back().fallback_evaluations : fallback_evaluations_) += 1;
   }
 
+  /// Without what it has listed.
+  void keep(Archive& archive) {
+    archive(level_, suspicious_, untrusted_, suspicion_, open_, samples_, next_sample_, fallback_evaluations_);
+  }
+  /// What it has listed was before this run.
+  void forget_crossings() {
+    crossings_.clear();
+    singular_poses_ = row_changes_ = 0;
+  }
+
   const std::vector<SingularityCrossing>& crossings() const { return crossings_; }  ///< the first ones
   std::int64_t singular_poses() const { return singular_poses_; }                   ///< of all crossings
   std::int64_t row_changes() const { return row_changes_; }
@@ -101,7 +113,8 @@ class SingularWatch {
   void raise(double level);
   void keep(double t, double pivot, std::vector<int> joints, bool rows_changed);
 
-  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = 1e-5;
+  static constexpr double first_suspicion = 1e-5;  ///< pivots below this part of the level are looked at
+  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = first_suspicion;
   bool open_ = false, lists_ = true;
   std::array<Sample, 32> samples_;
   std::size_t next_sample_ = 0;

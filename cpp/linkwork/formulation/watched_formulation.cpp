@@ -139,10 +139,18 @@ double WatchedFormulation::least_singular_value() {
 }
 
 void WatchedFormulation::leave_out(std::vector<int> rows) {
+  choice_ = {now_.t, now_.y, now_.history, rows};
   dropped_.put_back(at_);
   dropped_ = DroppedRows(system_, std::move(rows));
   analyze(system_, at_, {mean_delassus_diagonal(inertia_->system(), at_), dropped_.rows(), inertia_.get()});
   formulation_->factorize(at_);
+}
+
+void WatchedFormulation::repeat_choice(const std::vector<int>& rows) {
+  try {
+    leave_out(rows);
+  } catch (const SingularSystemError&) {  // in a singular pose, as then
+  }
 }
 
 void WatchedFormulation::change_redundant_rows(std::vector<int> rows, std::vector<int> joints) {

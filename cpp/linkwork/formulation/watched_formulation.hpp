@@ -21,6 +21,15 @@ struct Instant {
   int stage = 1;
 };
 
+/// Where rows were left out last, other than those that are at first: what solves was analyzed there.
+struct RowChoice {
+  double t = NAN;
+  VectorXd y, history;
+  std::vector<int> rows;
+
+  void keep(Archive& archive) { archive(t, y, history, rows); }
+};
+
 /// Any formulation, watched for poses in which constraint rows depend on each other. Rows that always do are left out of
 /// it, and others where the motion makes those the wrong ones; where its factorization is not to be trusted, the
 /// rank-revealing fallback solves instead.
@@ -80,6 +89,15 @@ class WatchedFormulation final : public Formulation {
   /// reported, see SingularityCrossing::rows_changed.
   void change_redundant_rows(std::vector<int> rows, std::vector<int> joints);
 
+  /// With t NaN where there was none.
+  const RowChoice& row_choice() const { return choice_; }
+  /// The present state is that where these rows were left out.
+  void repeat_choice(const std::vector<int>& rows);
+  void keep(Archive& archive) {
+    archive(watch_, least_singular_value_, pivot_);
+    saddle().keep(archive);
+  }
+
  private:
   template <class Factorize>
   bool attempt(Factorize factorize);
@@ -103,6 +121,7 @@ class WatchedFormulation final : public Formulation {
   MinimumNorm minimum_norm_;
   LeastSingularValue least_singular_value_;
   SingularWatch watch_;
+  RowChoice choice_;
   VectorXd kept_b_;
   double pivot_ = 1.0, smallest_pivot_ = 1.0;
   std::int64_t factorizations_ = 0;

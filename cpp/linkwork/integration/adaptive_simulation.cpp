@@ -67,7 +67,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
   check(schedule);
   yields_ = formulation_info(dynamics.options().formulation).compliant;
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
-  t_ = last_stop_ = schedule.t_start;
+  t_ = last_stop_ = start_ = schedule.t_start;
   stepper_.start(dynamics.y_size());
   dynamics.require_accuracy(schedule.tolerances.relative);
   workspace_.resize(dynamics.y_size());
@@ -75,10 +75,34 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
 }
 
 void AdaptiveSimulation::take_step() {
+  if (!accepted_) mark(begun_ && near_end());
   if (!begun_) return begin();
   if (!accepted_) return attempt();
   if (output_inside()) return record_inside();
   finish_step();
+}
+
+/// What is left of the run limits the step from here.
+bool AdaptiveSimulation::near_end() const {
+  return !(2.0 * std::min(step_, schedule_.largest_step) < schedule_.t_end - t_);
+}
+
+void AdaptiveSimulation::keep(Archive& archive) {
+  Run::keep(archive);
+  archive(t_, begun_, evaluated_, step_, proposed_, controller_, watch_, last_stop_, last_interval_, shorter_);
+  archive(usual_step_, tries_, best_step_, best_error_);
+  crossing_.keep(archive, false);
+  Dynamics::Place place = dynamics_.place();
+  archive(place.t, place.factorized, place.fallback);
+  if (!archive.reading()) return;
+  if (evaluated_) dynamics_.return_to({place.t, y_, place.factorized, place.fallback});
+  while (next_time_ < schedule_.times.size() && schedule_.times[next_time_] <= start_) next_time_ += 1;
+}
+
+void AdaptiveSimulation::record_start() {
+  evaluate(clock(), y_);
+  const bool due = schedule_.times.empty() || schedule_.times.front() == t_;
+  if (due) recorder_.record(t_, y_);
 }
 
 void AdaptiveSimulation::evaluate(double t, const VectorXd& y) {
@@ -102,10 +126,12 @@ void AdaptiveSimulation::begin() {
 // Hairer, Norsett and Wanner (1993), Solving Ordinary Differential Equations I, section II.4: a step in which the state
 // changes by one percent, then one whose error, judged by the second derivative, is one percent of the tolerances.
 double AdaptiveSimulation::initial_step() {
-  const double most = std::min({schedule_.largest_step, schedule_.t_end - t_, breaks_.next(t_) - t_});
+  const double free = std::min(schedule_.largest_step, breaks_.next(t_) - t_),
+               most = std::min(free, schedule_.t_end - t_);
   dynamics_.rates(rates_);
   const double speed = measure_.of_change(y_, y_, rates_).value;
   const double first = speed > 0.0 ? std::min(0.01 * measure_.of_state(y_) / speed, most) : most;
+  bounded_ = bounded_ || (most < free && first == most);
   evaluated_ = false;
   try {
     workspace_ = y_ + first * rates_;
@@ -118,6 +144,7 @@ double AdaptiveSimulation::initial_step() {
   const double steepest = std::max(speed, measure_.of_change(y_, y_, workspace_).value / first);
   if (!std::isfinite(steepest)) return 0.01 * first;
   const double second = steepest > 0.0 ? std::pow(0.01 / steepest, 1.0 / (stepper_.pair().method.order + 1)) : most;
+  bounded_ = bounded_ || (most < free && std::min(100.0 * first, second) >= most);
   return std::min({100.0 * first, second, most});
 }
 
@@ -168,7 +195,7 @@ bool AdaptiveSimulation::end_at_switch(double h) {
   dynamics_.end_zero_order_hold();
   evaluate(t_, y_);
   const double part = found->theta * h;
-  if (part <= least_step * std::max(t_, schedule_.t_end)) {  // at the start: the step is tried again
+  if (part <= least_step * std::max(t_, t_new_)) {  // at the start: the step is tried again
     switch_ = found;
     settle_history();
     return true;
@@ -211,11 +238,13 @@ bool AdaptiveSimulation::leap() {
     leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, goes_on ? INFINITY : remaining, y_);
     if (!leapt_) dynamics_.evaluate(clock(), y_);
   });
+  bounded_ = bounded_ || (end == schedule_.t_end && crossing_.limited());
   if (!leapt_) return false;
   sampling_.correct(y_, crossing_.last().y);
   accepted_ = true;
   evaluated_ = false;
   if (crossing_.last().h > remaining) crossing_.cut(remaining);
+  bounded_ = bounded_ || (end == schedule_.t_end && crossing_.limited());
   h_ = crossing_.last().followed;
   t_new_ = h_ == remaining ? end : crossing_.last().end();
   y_new_ = crossing_.last().y_new;
@@ -383,7 +412,8 @@ void AdaptiveSimulation::record_inside() {
   dynamics_.formulation().look(true);
   with_time(t, NAN, [&] {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
-    interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
+    if (leapt_) crossing_.place(crossing_.theta(t), workspace_);
+    else interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
     dynamics_.evaluate(std::max(t, breaks_.after(t_)), workspace_);
     if (leapt_) record_in_leap(t, workspace_);
     else recorder_.record(t, workspace_);
@@ -421,7 +451,8 @@ void AdaptiveSimulation::finish_step() {
   finished_ = t_ >= schedule_.t_end;
   if (finished_) sampling_.before(dynamics_, y_);
   if (stop_) finish_event();
-  std::move(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_));
+  const auto seen = [&](const Occurrence& it) { return !repeating() || it.t > start_; };
+  std::copy_if(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_), seen);
   of_step_.clear();
   record_if_due();
   if (finished_ || !(stop_ || at_break)) return;

@@ -61,6 +61,10 @@ class AdaptiveSimulation final : public Run {
     crossing_.restart();
     controller_.restart();
   }
+  void keep(Archive& archive) override;
+  void record_start() override;
+  bool past_start() const override { return t_ >= start_; }
+  bool near_end() const;
   void begin();
   double initial_step();
   void attempt();
@@ -111,6 +115,7 @@ class AdaptiveSimulation final : public Run {
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
+  double start_ = 0.0;      ///< of this run, which may have been resumed from before it
   VectorXd y_new_;          ///< at t_new_
   VectorXd y_before_;       ///< the start of the last finished step
   double step_ = 0.0;       ///< what the controller proposes

@@ -10,7 +10,6 @@
 namespace linkwork {
 namespace {
 
-constexpr double rank_tolerance = 1e-9;
 constexpr double reach = 0.14;         // of a leap [rad]: what the fastest body of the loops turns
 constexpr double fastest = 0.8;        // the same for any body
 constexpr double least_part = 0.1;     // of that, for leaps over a motion that varies more
@@ -28,6 +27,7 @@ constexpr double least_margin = 0.012;             // the same, where nothing be
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
+constexpr double farther = 1e-3;                   // the same, of nodes from poses: what makes a length the better one
 constexpr int most_sweeps = 40, most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
@@ -38,6 +38,7 @@ constexpr double end_part = 1e-2;        // of that, at most
 constexpr double precision = 1e-16;      // of solutions, relative to the square of the angle to the pose
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
+constexpr double too_far = 1.5;          // of the usual distance to the pose: steps go on before the leap
 constexpr double part_of_way = 0.8;      // to a foreseen pose
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
 
@@ -164,17 +165,23 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
   least_ = {t, fastest_ * h > coarse ? dynamics_.formulation().least_singular_value() : INFINITY};
-  const double tau = std::min(foreseen(t), foreseen_by_least(t));
+  const bool known = known_ > t;
+  const double tau = known ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
   if (!(tau >= -h && tau < INFINITY)) return false;
   const auto trend = dynamics_.watch().trend();
   const double root = trend ? trend->last.root : least_.root;
-  if (declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
+  if (!known && declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
   const double usual = usual_length(v, VectorXd::Zero(v.size()));
-  if (!adaptive) return tau < std::max(0.5 * usual, steps_before * h) + h;
-  if (tau <= 0.5 * usual) return true;
+  if (!adaptive) return tau < near_enough(usual, h, adaptive);
+  if (tau <= near_enough(usual, h, adaptive)) return true;
   most_step_ = tau - before_pose * usual;
   return false;
+}
+
+/// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them.
+double Crossing::near_enough(double usual, double h, bool adaptive) {
+  return adaptive ? 0.5 * usual : std::max(0.5 * usual, steps_before * h) + h;
 }
 
 /// Of the nodes from the poses, relative to the length.
@@ -187,42 +194,54 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h) const 
 /// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
 /// than wanted; of equals the shortest.
 double Crossing::best_length(const Search& search) const {
-  const double most = search.most, least = std::min(search.least, most), grid = search.grid;
+  const double least = limit(search, search.least), grid = search.grid;
   double best = least, distance = -1.0;
   const auto consider = [&](double h) {
     const double nearest = nearest_node(search.poses, h) * std::min(h / least, 1.0);
-    if (nearest <= distance + 1e-3) return;
+    if (nearest <= distance + farther) return;
     best = h;
     distance = nearest;
   };
   if (grid > 0.0) {
     const double first = std::max(1.0, std::ceil(least / grid)), last = std::ceil(2.0 * first);
     const double by = std::max(1.0, std::floor((last - first) / 40.0));
-    for (double k = first; k <= last; k += by) consider(std::min(k * grid, most));
+    for (double k = first; k <= last; k += by) consider(limit(search, k * grid));
   } else {
-    for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(std::min(factor * least, most));
+    for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(limit(search, factor * least));
   }
   for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.025)
     consider(allowed_length(search, factor * least));
   return best;
 }
 
-double Crossing::allowed_length(const Search& search, double h) {
-  if (search.grid > 0.0) h = std::max(1.0, std::round(h / search.grid)) * search.grid;
+double Crossing::limit(const Search& search, double h) const {
+  limited_ = limited_ || h >= search.most;
   return std::min(h, search.most);
+}
+
+double Crossing::allowed_length(const Search& search, double h) const {
+  if (search.grid > 0.0) h = std::max(1.0, std::round(h / search.grid)) * search.grid;
+  return limit(search, h);
 }
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   const auto trend = dynamics_.watch().trend();
   declined_ = trend ? trend->last.root : 0.0;
+  limited_ = false;
   if (starting_) begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
   if (!starting_ && !begin(t, y)) return false;
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-  const double pose = starting_ ? 0.0 : std::min(foreseen(t), foreseen_by_least(t));
+  const double trend_says = known_ > t ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
+  const double pose = starting_ ? 0.0 : trend_says;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   search.base = search.least;
-  if (!try_lengths(search, y)) return false;
+  search.too_far = too_far * near_enough(usual, h, !(grid > 0.0)) + h;
+  known_ = -INFINITY;
+  if (!try_lengths(search, y)) {
+    if (known_ > t && !(grid > 0.0)) most_step_ = known_ - t - before_pose * usual;
+    return false;
+  }
   declined_ = 0.0;
   leap_ = std::move(search.best);
   leap_.followed = leap_.h;
@@ -230,7 +249,14 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   return true;
 }
 
+void Crossing::keep(Archive& archive, bool leaping) {
+  archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
+  archive(rows_good_, declined_, poses_);
+  if (leaping) archive(leap_);
+}
+
 void Crossing::cut(double length) {
+  limited_ = true;
   leap_.followed = length;
   state_at(length, leap_.y_new);
 }
@@ -238,7 +264,7 @@ void Crossing::cut(double length) {
 /// A part of the way to the pose that is foreseen: it tells where the pose is.
 bool Crossing::look_ahead(Search& search) {
   if (!(search.poses.front() > 0.0)) return false;
-  leap_.h = std::min(part_of_way * search.poses.front(), search.most);
+  leap_.h = limit(search, part_of_way * search.poses.front());
   if (!attempt().converged) return false;
   std::vector<double> poses = poses_in_leap(1.0);
   if (poses.empty()) return false;
@@ -249,7 +275,7 @@ bool Crossing::look_ahead(Search& search) {
 /// False where no leap was found.
 bool Crossing::try_lengths(Search& search, const VectorXd& y) {
   for (int k = 0; k < most_attempts && !search.done && std::isfinite(search.least); ++k) {
-    const double other = other_lengths[std::max(search.failures - 2, 0)] * std::min(search.base, search.most);
+    const double other = other_lengths[std::max(search.failures - 2, 0)] * limit(search, search.base);
     leap_.h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
     if (std::find(search.tried.begin(), search.tried.end(), leap_.h) != search.tried.end()) {
       search.failures = std::max(search.failures + 1, 2);
@@ -279,6 +305,10 @@ void Crossing::weigh(Search& search, Quality quality) {
   if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
   search.poses = leap_.poses = poses_in_leap(0.5);
   search.done = search.poses.empty();
+  if (!starting_ && !search.done && search.poses.front() > search.too_far) {
+    known_ = search.t + search.poses.front();
+    search.done = true;
+  }
   if (search.done) return;
   const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
   const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
@@ -494,6 +524,23 @@ void Crossing::state_at(double time_in_leap, VectorXd& y) const {
 }
 
 void Crossing::interpolate(const System&, double theta, VectorXd& y) const { state_at(theta * leap_.followed, y); }
+
+void Crossing::place(double theta, VectorXd& y) {
+  const double part = theta * leap_.followed;
+  state_at(part, y);
+  for (const double pose : leap_.poses)
+    if (std::abs(part - pose) < margin * leap_.h) return;
+  const Unwatched unwatched(dynamics_);
+  y_ = y;
+  try {
+    dynamics_.evaluate(leap_.t + part, y_);
+    projection_.positions(leap_.t + part, y_);
+    projection_.velocities(leap_.t + part, y_);
+  } catch (const Error&) {
+    return;
+  }
+  y = y_;
+}
 
 void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {
   const System& system = dynamics_.system();

@@ -21,6 +21,7 @@ struct Leap {
   std::vector<double> poses = {};  ///< singular ones, times from t
 
   double end() const { return t + h; }
+  void keep(Archive& archive) { archive(t, h, followed, y, y_new, k, lambda, poses); }
 };
 
 /// Takes a run through singular poses.
@@ -46,6 +47,7 @@ class Crossing final : public Interpolant {
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() {
     fresh_ = true;
+    known_ = -INFINITY;
     poses_.restart();
   }
 
@@ -55,6 +57,8 @@ class Crossing final : public Interpolant {
   bool leap(double t, double h, double grid, double most, const VectorXd& y);
   /// The run ends in the leap, after `length`.
   void cut(double length);
+  /// Whether `most` has had a say in a leap, or in that there is none.
+  bool limited() const { return limited_; }
 
   // Poses that were passed are listed.
   // True, or nothing: `dynamics` was evaluated somewhere else.
@@ -67,8 +71,13 @@ class Crossing final : public Interpolant {
 
   const Leap& last() const { return leap_; }
   double theta(double t) const { return (t - leap_.t) / leap_.followed; }
+  /// Between steps; `leaping`: in or at the end of the last leap.
+  void keep(Archive& archive, bool leaping);
+
   /// The state in what is followed of the last leap, with unit Euler parameters.
   void interpolate(const System& system, double theta, VectorXd& y) const override;
+  /// The same on the constraints, unless a pose is too near. Leaves `dynamics` evaluated somewhere else.
+  void place(double theta, VectorXd& y);
   /// Accelerations and multipliers there.
   void interpolate(double theta, MutableVector v_dot, MutableVector lambda) const;
 
@@ -98,7 +107,8 @@ class Crossing final : public Interpolant {
     double error = INFINITY;  ///< of it
     double base = 0.0;        ///< of other lengths
     std::vector<double> tried = {};
-    int failures = 0;  ///< since the last that converged
+    double too_far = INFINITY;  ///< a pose
+    int failures = 0;           ///< since the last that converged
     bool any_converged = false, ahead = false, done = false;
   };
 
@@ -121,9 +131,11 @@ class Crossing final : public Interpolant {
   int parts_to(double t) const;
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, Quality quality);
+  static double near_enough(double usual, double h, bool adaptive);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search) const;
-  static double allowed_length(const Search& search, double h);
+  double limit(const Search& search, double h) const;
+  double allowed_length(const Search& search, double h) const;
   void state_at(double time_in_leap, VectorXd& y) const;
   std::vector<double> poses_in_leap(double beyond_it);
   bool look_ahead(Search& search);
@@ -137,14 +149,16 @@ class Crossing final : public Interpolant {
   std::vector<char> in_loops_;  ///< bodies
   double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
-  bool starting_ = false;   ///< the leap begins near the pose, not before it
-  bool in_pose_ = false;    ///< or in it
-  bool fresh_ = true;       ///< no step was looked at yet
+  bool starting_ = false;  ///< the leap begins near the pose, not before it
+  bool in_pose_ = false;   ///< or in it
+  bool fresh_ = true;      ///< no step was looked at yet
+  mutable bool limited_ = false;
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
   double most_step_ = INFINITY;
-  double fastest_ = 0.0;    ///< motion before the step [rad/s]
-  double rows_good_ = 0.0;  ///< root of the pivot from which on the redundant rows are looked at
-  double declined_ = 0.0;   ///< root of the pivot at which there was nothing to leap over
+  double fastest_ = 0.0;      ///< motion before the step [rad/s]
+  double rows_good_ = 0.0;    ///< root of the pivot from which on the redundant rows are looked at
+  double known_ = -INFINITY;  ///< time of a pose that a leap found too far ahead
+  double declined_ = 0.0;     ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   double correction_ = 0.0, jump_ = 0.0;
   double energy_before_ = 0.0;

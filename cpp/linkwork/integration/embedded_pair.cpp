@@ -77,8 +77,10 @@ BodyMaximum PairStepper::estimate(const ErrorMeasure& measure, const VectorXd& y
     return measure.of_change(y, y_new_, workspace_);
   };
   BodyMaximum error = measured(pair_.error);
-  if (pair_.second_error.size() > 0 && error.value > 0.0)
-    error.value /= std::hypot(1.0, 0.1 * measured(pair_.second_error).value / error.value);
+  if (pair_.second_error.size() > 0 && error.value > 0.0) {
+    const double ratio = 0.1 * measured(pair_.second_error).value / error.value;
+    error.value /= ratio < 1e9 ? std::sqrt(1.0 + ratio * ratio) : ratio;  // hypot asks for a new C library
+  }
   return error;
 }
 

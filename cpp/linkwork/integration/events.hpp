@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "linkwork/integration/interpolant.hpp"
+#include "linkwork/math/archive.hpp"
 
 namespace linkwork {
 
@@ -64,6 +65,9 @@ class EventWatch {
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened);
   /// The events of the step from t to t + h in order of time, none after the first that ends the step.
   const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h);
+
+  /// Between steps.
+  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_, barrier_t_); }
 
  private:
   double value(std::size_t index, double t, const VectorXd& y);

@@ -33,7 +33,7 @@ void check(const HalfExplicitTableau& tableau) {
   const Eigen::Index first = tableau.explicit_first_stage ? 1 : 0;
   if (s == first || tableau.A_bar.diagonal().tail(s - first).cwiseAbs().minCoeff() == 0.0)
     refuse("the diagonal of A_bar must not vanish");
-  if (std::abs(tableau.A_bar.row(s - 1).sum() - 1.0) > 1e-12) refuse("the last row of A_bar must add up to 1");
+  if (std::abs(tableau.A_bar.row(s - 1).sum() - 1.0) > consistency) refuse("the last row of A_bar must add up to 1");
 }
 
 /// Half-explicit Runge-Kutta, Brasey and Hairer (1993), SIAM J. Numer. Anal. 30, 538-552, and Murua (1997), Computing

@@ -22,6 +22,8 @@ class TurnGuard {
   /// StepSizeError about the last call of `largest`.
   [[noreturn]] void refuse(double h, double angle) const;
 
+  void keep(Archive& archive) { archive(rates_, fastest_); }
+
  private:
   static constexpr double limit = 2.5;  ///< [rad]
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/math/archive.hpp"
 
 namespace linkwork {
 
@@ -28,9 +29,14 @@ class Integrator {
   virtual void check_run(const Dynamics&) const {}
   /// Forgets earlier steps and sizes its storage.
   virtual void start(int y_size) = 0;
+  /// What it knows of earlier steps.
+  virtual void keep(Archive&) {}
   /// Advances y from t to t + h. On entry `dynamics` is evaluated at (t, y): that evaluation is the first stage.
   virtual void step(Dynamics& dynamics, double t, double h, VectorXd& y) = 0;
 };
+
+/// By how much the weights of a method may miss the sum 1.
+constexpr double consistency = 1e-12;
 
 /// Coefficients of an explicit Runge-Kutta method (Butcher's tableau): A strictly lower triangular, s x s.
 struct ButcherTableau {

@@ -14,8 +14,8 @@ void check(const MultistepCoefficients& method) {
     throw OptionError("multistep", "multistep method '" + method.name + "': " + why);
   };
   if (method.predictor.size() < 1) refuse("has no predictor");
-  if (std::abs(method.predictor.sum() - 1.0) > 1e-12) refuse("the predictor's coefficients must add up to 1");
-  if (method.corrector.size() > 0 && std::abs(method.corrector.sum() - 1.0) > 1e-12)
+  if (std::abs(method.predictor.sum() - 1.0) > consistency) refuse("the predictor's coefficients must add up to 1");
+  if (method.corrector.size() > 0 && std::abs(method.corrector.sum() - 1.0) > consistency)
     refuse("the corrector's coefficients must add up to 1");
   if (method.corrector.size() > method.predictor.size() + 1)
     refuse("the corrector reaches further back than the predictor");
@@ -43,6 +43,8 @@ class Multistep final : public Integrator {
     last_step_ = 0.0;
     starter_->start(y_size);
   }
+
+  void keep(Archive& archive) override { archive(f_, filled_, last_step_); }
 
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     if (filled_ > 0 && std::abs(h - last_step_) > same_step * h) filled_ = 0;  // another step: begin anew

@@ -46,6 +46,7 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   if (!v_dot.allFinite() || !lambda.allFinite()) throw_not_finite(system, y, t);
   const Evaluation& at = dynamics_.evaluation();
   dynamics_.acceleration_residual(v_dot, residual_);
+  if (t <= silent_until_) return;
   frames_.t.push_back(t);
   append(frames_.q, y.head(nq));
   append(frames_.v, y.segment(nq, nv));

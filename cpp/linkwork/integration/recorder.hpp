@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -31,6 +32,8 @@ class Recorder {
 
   /// The same where a step goes on from this state: in the course of it, without changing a bit of it.
   void record_in_step(double t, const VectorXd& y);
+  /// Frames up to t are not kept.
+  void silence_until(double t) { silent_until_ = t; }
   /// A frame that waits for a step which will not come.
   void finish();
 
@@ -40,6 +43,7 @@ class Recorder {
  private:
   Dynamics& dynamics_;
   std::shared_ptr<char> here_ = std::make_shared<char>();  ///< `dynamics` may outlive what it was asked to call
+  double silent_until_ = -INFINITY;
   double waiting_t_ = 0.0;
   VectorXd waiting_y_;
   VectorXd v_dot_, lambda_, residual_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 namespace linkwork {
 namespace {
@@ -36,12 +37,54 @@ constexpr double unbearable = 1e-3, unbearable_speed = 1e-2, certain = 1e-7;
 Frames Run::advance(std::int64_t max_frames, double max_seconds) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  due_ = true;
   while (!finished_ && static_cast<std::int64_t>(recorder_.count()) < max_frames) {
     take_step();
     stop_at_singular_pose();
     if (std::chrono::duration<double>(Clock::now() - start).count() > max_seconds) break;
   }
-  return recorder_.take();
+  return taken();
+}
+
+/// A checkpoint counts with the first frame that is not before it.
+Frames Run::taken() {
+  Frames frames = recorder_.take();
+  if (!frames.t.empty() && frames.t.back() >= latest_.t) settled_ = std::exchange(latest_, {});
+  due_ = true;
+  return frames;
+}
+
+void Run::mark(bool last) {
+  if (repeating_ && past_start()) {
+    repeating_ = false;
+    steps_before_ = steps_done_;
+    sampling_.begin_anew(dynamics_, y_[y_.size() - 1]);
+    dynamics_.formulation().watch().forget_crossings();
+  }
+  const bool marks = !bounded_ && !repeating_ && (due_ || last);
+  bounded_ = bounded_ || last;
+  if (!marks) return;
+  due_ = false;
+  Archive archive;
+  keep(archive);
+  latest_ = {t(), archive.take()};
+}
+
+void Run::resume(const std::string& state, double work) {
+  y_[y_.size() - 1] = work;
+  try {
+    record_start();
+  } catch (const Error&) {  // in a singular pose, where only those can go on that were there before
+  }
+  recorder_.silence_until(t());
+  const Eigen::Index size = y_.size();
+  Archive archive(state);
+  keep(archive);
+  archive.finish();
+  if (y_.size() != size) throw OptionError("start", "start: what it has to go on from is of another model");
+  steps_before_ = steps_done_;
+  repeating_ = true;
+  settled_ = {t(), state};
 }
 
 void Run::stop_at_singular_pose() const {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/formulation/projection.hpp"
@@ -19,6 +20,12 @@ struct Contradiction {
   double t = NAN;        ///< when it was noticed [s]
   double largest = 0.0;  ///< violation [m or 1]
   std::vector<int> joints;
+};
+
+/// What a run can go on from to the last bit, however it went on or ended after it.
+struct Checkpoint {
+  double t = NAN;  ///< [s]; NaN: there is none
+  std::string state;
 };
 
 /// A simulation on its way. `advance` returns now and then so that the caller can show progress, write frames, and end
@@ -45,8 +52,17 @@ class Run {
   /// What was recorded since the last call.
   Frames take_frames() {
     recorder_.finish();
-    return recorder_.take();
+    return taken();
   }
+
+  /// Goes on from a checkpoint of a run of the same mechanism by the same method, which this run, before its first
+  /// step, need not begin at: it takes the steps of the other once more up to its start, unseen, and the rest as that
+  /// one would have taken them. `work` [J] at the start.
+  void resume(const std::string& state, double work);
+  /// The last one that is not after the last frame that was taken.
+  const Checkpoint& checkpoint() const { return settled_; }
+  /// The last one of all.
+  const Checkpoint& last_checkpoint() const { return std::isnan(latest_.t) ? settled_ : latest_; }
 
   const Dynamics& dynamics() const { return dynamics_; }
   bool finished() const { return finished_; }
@@ -54,7 +70,7 @@ class Run {
   /// The last state from which the run went on: y = (q, v, work), where t() is.
   virtual const VectorXd& last_state() const { return y_; }
   virtual std::int64_t steps_total() const { return 0; }  ///< 0: nobody knows
-  std::int64_t steps_done() const { return steps_done_; }
+  std::int64_t steps_done() const { return steps_done_ - steps_before_; }
   const VectorXd& y() const { return y_; }
   const ViolationMonitor& violation_monitor() const { return violation_monitor_; }
   const StepSampling& sampling() const { return sampling_; }
@@ -91,6 +107,17 @@ class Run {
   /// satisfies them; where they contradict the others that is a ViolationError.
   void monitor_violation(double t);
 
+  // Between two steps.
+  /// `last`: no later state is one of a run that goes on longer.
+  void mark(bool last);
+  virtual void keep(Archive& archive) { archive(y_, steps_done_, turns_, redundancy_, dynamics_); }
+  /// Where the run is to begin that has just been resumed from an earlier state: a frame of it.
+  virtual void record_start() = 0;
+  /// Before the start of a run that was resumed.
+  bool repeating() const { return repeating_; }
+  /// Whether the start is passed or reached by now.
+  virtual bool past_start() const = 0;
+
   /// The state has changed: multistep methods forget it.
   virtual void forget() {}
 
@@ -104,14 +131,19 @@ class Run {
   TurnGuard turns_;
   std::int64_t steps_done_ = 0;
   bool finished_ = false;
+  bool bounded_ = false;  ///< steps are no longer those of a run that goes on longer
 
  private:
+  Frames taken();
   void watch_redundant_rows(double t);
   void take_up_rows(double t, RedundancyExamination found);
   std::vector<int> left_joints() const;
   void note_contradiction(double t, std::vector<int> joints, bool certainly);
   bool stops_;                   ///< at singular poses
   std::int64_t singular_poses_;  ///< before this run
+  std::int64_t steps_before_ = 0;
+  bool repeating_ = false, due_ = true;
+  Checkpoint latest_, settled_;
   ViolationMonitor violation_monitor_;
   RedundancyWatch redundancy_;
   Contradiction contradiction_;

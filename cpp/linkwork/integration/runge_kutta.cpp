@@ -15,7 +15,7 @@ void check(const ButcherTableau& tableau) {
   if (!tableau.A.allFinite() || !tableau.b.allFinite() || !tableau.c.allFinite()) refuse("a coefficient is not finite");
   if (tableau.A.triangularView<Eigen::Upper>().toDenseMatrix().cwiseAbs().maxCoeff() > 0.0)
     refuse("A must be strictly lower triangular: only explicit methods");
-  if (std::abs(tableau.b.sum() - 1.0) > 1e-12) refuse("the weights b must add up to 1");
+  if (std::abs(tableau.b.sum() - 1.0) > consistency) refuse("the weights b must add up to 1");
   if (tableau.c[0] != 0.0) refuse("c[0] must be 0: the first stage is at the start of the step");
 }
 

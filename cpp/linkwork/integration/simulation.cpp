@@ -26,6 +26,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
     throw OptionError("t_end", "t_end must be finite and not negative");
   if (schedule.record_every < 1) throw OptionError("record_every", "record_every must be at least 1");
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
+  find_origin();
   count_steps();
   y_dot_.resize(y_.size());
   kept_y_ = y_;
@@ -35,15 +36,19 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   integrator_->start(static_cast<int>(y_.size()));
 }
 
-void Simulation::count_steps() {
-  const double h = schedule_.step, start = schedule_.t_start, end = schedule_.t_end;
-  const auto same = [h](double a, double b) {
-    return std::abs(a - b) <= same_time * h + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(a);
-  };
+bool Simulation::same(double a, double b) const {
+  return std::abs(a - b) <= same_time * schedule_.step + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(a);
+}
+
+void Simulation::find_origin() {
+  const double h = schedule_.step, start = schedule_.t_start;
   if (std::abs(start / h) < 1e15 && same(start, std::round(start / h) * h))
     first_step_ = static_cast<std::int64_t>(std::round(start / h));
   else origin_ = start;
-  const double steps = std::ceil((end - start) / h - same_time);
+}
+
+void Simulation::count_steps() {
+  const double end = schedule_.t_end, steps = std::ceil((end - schedule_.t_start) / schedule_.step - same_time);
   if (steps > 1e15) throw OptionError("step", "t_end / step is more than 1e15 steps; use a larger step");
   steps_total_ = static_cast<std::int64_t>(steps);
   whole_ = true;
@@ -61,8 +66,34 @@ double Simulation::t() const {
   return steps_done_ == 0 ? schedule_.t_start : time_of(steps_done_);
 }
 
+void Simulation::keep(Archive& archive) {
+  const double start = schedule_.t_start;
+  Run::keep(archive);
+  archive(schedule_.t_start, origin_, first_step_, leaping_, leapt_, last_power_, last_t_);
+  crossing_.keep(archive, leaping_ || leapt_);
+  if (integrator_) integrator_->keep(archive);
+  if (archive.reading()) go_on_to(start);
+}
+
+/// Steps are counted as in the run that is resumed, in which the start may be between two of them.
+void Simulation::go_on_to(double start) {
+  const double h = schedule_.step, done = (start - origin_) / h - static_cast<double>(first_step_);
+  count_steps();
+  evaluated_ = finished_ = false;
+  start_step_ = static_cast<std::int64_t>(std::ceil(done - same_time));
+  if (!same(start, time_of(start_step_))) return;
+  given_start_ = start;
+  recorder_.take();  // a frame of it comes with the step
+  recorder_.silence_until(std::nextafter(start, -INFINITY));
+}
+
+void Simulation::record_start() {
+  dynamics_.evaluate(schedule_.t_start, y_);
+  recorder_.record(schedule_.t_start, y_);
+}
+
 bool Simulation::recording_due() const {
-  return steps_done_ == steps_total_ || steps_done_ % schedule_.record_every == 0;
+  return begins() || steps_done_ == steps_total_ || steps_done_ % schedule_.record_every == 0;
 }
 
 void Simulation::take_step() {
@@ -90,6 +121,7 @@ void Simulation::trace_step(double h) {
 
 double Simulation::begin_step() {
   while (!finished_) {
+    if (!evaluated_ && natural()) mark(steps_done_ == steps_total_ - (whole_ ? 0 : 1));
     divergence_.blame(y_, t(), schedule_.step, [&] { with_time(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
@@ -115,9 +147,11 @@ void Simulation::begin_leap() {
   if (!crossing_.due(t(), next_step(), y_, false)) return;
   const double most = dynamics_.system().model().autonomous() ? INFINITY : schedule_.t_end - t();
   leaping_ = crossing_.leap(t(), next_step(), schedule_.step, most, y_);
+  bounded_ = bounded_ || crossing_.limited();
   if (!leaping_) return dynamics_.evaluate(t(), y_);
   sampling_.correct(y_, crossing_.last().y);
   if (crossing_.last().end() > schedule_.t_end) crossing_.cut(schedule_.t_end - t());
+  bounded_ = bounded_ || crossing_.limited();
   crossing_.look_into_leap(std::min(crossing_.last().end(), schedule_.t_end));
   if (integrator_) integrator_->start(static_cast<int>(y_.size()));
   stop_at_singular_pose();
@@ -158,11 +192,12 @@ void Simulation::accept_state() {
 }
 
 void Simulation::record() {
-  if (!leapt_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t(), y_);
-  if (!leapt_) return recorder_.record_in_step(t(), y_);
+  const double t = begins() ? given_start_ : this->t();
+  if (!leapt_ && (!integrator_ || steps_done_ == steps_total_)) return recorder_.record(t, y_);
+  if (!leapt_) return recorder_.record_in_step(t, y_);
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
-  crossing_.interpolate(crossing_.theta(t()), v_dot, lambda);
-  recorder_.record(t(), y_, v_dot, lambda);
+  crossing_.interpolate(crossing_.theta(this->t()), v_dot, lambda);
+  recorder_.record(t, y_, v_dot, lambda);
 }
 
 void Simulation::finish_step() {

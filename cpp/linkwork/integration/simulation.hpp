@@ -27,7 +27,7 @@ class Simulation final : public Run {
 
   double t() const override;
   const VectorXd& last_state() const override { return kept_y_; }
-  std::int64_t steps_total() const override { return steps_total_; }
+  std::int64_t steps_total() const override { return steps_total_ - start_step_; }
 
   // For an integrator of the user's own: begin_step, then accept with the new (q, v).
   /// Size of the step that begins here; 0 at the end.
@@ -37,10 +37,19 @@ class Simulation final : public Run {
  private:
   void take_step() override;
   void forget() override;
+  void keep(Archive& archive) override;
+  void record_start() override;
+  bool past_start() const override { return steps_done_ >= start_step_; }
+  /// With the state at which a resumed run starts.
+  bool begins() const { return steps_done_ == start_step_ && !std::isnan(given_start_); }
+  bool natural() const { return whole_ || steps_done_ < steps_total_; }
   double time_of(std::int64_t step) const;
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }
   bool recording_due() const;
+  void find_origin();
   void count_steps();
+  bool same(double a, double b) const;
+  void go_on_to(double start);
   void evaluate_and_record();
   void accept_state();
   void record();
@@ -58,6 +67,8 @@ class Simulation final : public Run {
   std::int64_t first_step_ = 0;  ///< in this count
   bool whole_ = false;           ///< the last step is not shortened
   std::int64_t steps_total_ = 0;
+  std::int64_t start_step_ = 0;  ///< of a run that was resumed, the first that is not before its start
+  double given_start_ = NAN;     ///< its start, where that is the end of a step
   Crossing crossing_;
   bool evaluated_ = false;
   bool leaping_ = false;  ///< over a singular pose: states come from the leap

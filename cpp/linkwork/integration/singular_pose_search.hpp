@@ -47,10 +47,13 @@ class SingularPoseSearch {
   /// The least singular value. Leaves `dynamics` evaluated there.
   double root_at(double t, const VectorXd& y);
 
+  void keep(Archive& archive) { archive(marks_, count_, highest_, last_listed_); }
+
  private:
   struct Mark {
     double t = 0.0, root = 0.0;
     VectorXd y;
+    void keep(Archive& archive) { archive(t, root, y); }
   };
 
   bool pass(Mark mark);

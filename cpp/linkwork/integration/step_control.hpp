@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/math/archive.hpp"
+
 namespace linkwork {
 
 /// Proportional-integral control of the step, Gustafsson (1991), ACM Trans. Math. Softw. 17, 533-554: with k the order
@@ -30,6 +32,8 @@ class StepController {
 
   /// Forgets the steps so far.
   void restart() { *this = StepController(static_cast<int>(k_)); }
+
+  void keep(Archive& archive) { archive(last_error_, rejected_); }
 
  private:
   static constexpr double safety = 0.9, least_error = 1e-4;

@@ -92,7 +92,7 @@ StepSampling::StepSampling(const Dynamics& dynamics)
       squared_length_(squared_length_of(dynamics.system())),
       most_parts_(std::clamp(most_bytes / bytes_of_part(dynamics) / 2, std::size_t{1}, usual_parts)),
       rates_(VectorXd::Zero(dynamics.system().v_size())),
-      system_(dynamics.system()) {
+      system_(&dynamics.system()) {
   parts_.reserve(2 * most_parts_ + 2);
 }
 
@@ -110,6 +110,14 @@ void StepSampling::expect(std::int64_t steps) {
   const std::int64_t wanted = samples(steps, body_count_), most = static_cast<std::int64_t>(most_parts_);
   const std::int64_t count = std::clamp<std::int64_t>(wanted < steps ? wanted / 2 : wanted, 1, most);
   width_ = std::max<std::int64_t>((steps + count - 1) / count, 1);
+}
+
+void StepSampling::begin_anew(const Dynamics& dynamics, double work) {
+  StepSampling fresh(dynamics);
+  fresh.width_ = width_;
+  fresh.breaks_ = std::move(breaks_);
+  fresh.work_before_ = work;
+  *this = std::move(fresh);
 }
 
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
@@ -135,10 +143,10 @@ void StepSampling::look_for_contacts(const VectorXd& now, const VectorXd& y) {
 
 void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
   const double work = y[y.size() - 1], potential = dynamics.evaluation().potential;
-  const double kinetic = system_.kinetic_energy(y.segment(q_size_, system_.v_size()));
+  const double kinetic = system_->kinetic_energy(y.segment(q_size_, system_->v_size()));
   const double balance = kinetic + potential - work;
   energies_.kinetic = std::max(energies_.kinetic, kinetic);
-  energies_.work = std::max(energies_.work, std::abs(work));
+  energies_.work = std::max(energies_.work, std::abs(work - work_before_));
   energies_.least_potential = std::min(energies_.least_potential, potential);
   energies_.largest_potential = std::max(energies_.largest_potential, potential);
   const double noise = energy_noise * std::max({kinetic, std::abs(potential), std::abs(work)});

@@ -68,6 +68,9 @@ class StepSampling {
   void expect_breaks(std::vector<double> times) { breaks_ = std::move(times); }
   const std::vector<double>& breaks() const { return breaks_; }
 
+  /// The steps so far, and the work up to here [J], are not of the run.
+  void begin_anew(const Dynamics& dynamics, double work);
+
   // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
   void before(const Dynamics& dynamics, const VectorXd& y);
@@ -78,7 +81,7 @@ class StepSampling {
   }
 
   /// The run found its state y off by so much, and went on from another one.
-  void correct(const VectorXd& y, const VectorXd& corrected) { corrections_.raise(system_, y, corrected); }
+  void correct(const VectorXd& y, const VectorXd& corrected) { corrections_.raise(*system_, y, corrected); }
 
   /// The parts with what is to be taken again of them: of short runs less than what was kept.
   std::vector<RunPart> parts() const;
@@ -120,9 +123,10 @@ class StepSampling {
   VectorXd history_;
   std::vector<int> left_out_;
   std::vector<RunPart> parts_;
-  const System& system_;
+  const System* system_;
   double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
   EnergyRange energies_;
+  double work_before_ = 0.0;
   StateDifference corrections_;
   double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none

@@ -14,6 +14,7 @@ class AssembledSolver : public SaddleSolver {
   AssembledSolver(std::unique_ptr<LinearSolver> solver, Storage storage)
       : solver_(std::move(solver)), storage_(storage) {}
 
+  void keep(Archive& archive) override { solver_->keep(archive); }
   std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
   std::optional<double> flops() const override { return solver_->flops(); }
   std::optional<std::int64_t> factor_bytes() const override { return solver_->factor_bytes(); }

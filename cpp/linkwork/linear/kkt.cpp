@@ -28,7 +28,7 @@ class KktSolver final : public AssembledSolver {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
     right_hand_side_.col(0) << a, b;
     right_hand_side_.col(0).array() *= scale_.array();
-    solver_->solve(right_hand_side_);
+    solver_->solve(right_hand_side_);  // (12.3)
     right_hand_side_.col(0).array() *= scale_.array();
     x = right_hand_side_.col(0).head(system_->v_size());
     lambda = -right_hand_side_.col(0).tail(system_->row_count());

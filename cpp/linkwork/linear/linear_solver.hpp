@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "linkwork/linear/sparse_matrix.hpp"
+#include "linkwork/math/archive.hpp"
 
 namespace linkwork {
 
@@ -38,6 +39,8 @@ class LinearSolver {
   virtual Pivot factorize(const SparseMatrix& A) = 0;
   /// Replaces the columns of `x` (right-hand sides) by the solutions.
   virtual void solve(Eigen::Ref<MatrixXd> x) = 0;
+  /// What a factorization depends on beside its matrix; after `analyze`.
+  virtual void keep(Archive&) {}
   /// Entries of the factors.
   virtual std::int64_t factor_nonzeros() const = 0;
   /// Of the last factorization, multiplications and additions, as the backend counts them; none where it does not.

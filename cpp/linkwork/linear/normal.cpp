@@ -32,7 +32,7 @@ class NormalSolver final : public AssembledSolver {
     x = a;
     system_->add_D_transposed(*at_, lambda, x);
     right_hand_side_.col(0) = x;
-    solver_->solve(right_hand_side_);
+    solver_->solve(right_hand_side_);  // (12.14)
     x = right_hand_side_.col(0);
     system_->multiply_D(*at_, x, lambda);
     lambda = penalty_.cwiseProduct(b - lambda);

@@ -37,7 +37,7 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const 
   if (!can_solve(name, solver))
     throw OptionError("linear_solver", "linear solver '" + solver.name + "' needs a positive definite matrix and the " +
                                            name + " matrix is indefinite; use matrix_form 'schur', or linear solver '" +
-                                           first_available({"umfpack", "klu"}) + "'");
+                                           first_available({"umfpack", "klu", "block"}) + "'");
   if (solver.make_saddle) return solver.make_saddle();
   const bool cholesky = form.definite && (solver.positive_definite || solver.dense);
   const Storage storage = cholesky ? Storage::upper : Storage::full;

@@ -36,6 +36,9 @@ class SaddleSolver {
     solve(a, b, x, lambda);
   }
 
+  /// What a factorization depends on beside its evaluation; after `analyze`.
+  virtual void keep(Archive&) {}
+
   /// Of the last factorization; see Pivot.
   double smallest_pivot() const { return smallest_pivot_.ratio; }
   virtual std::int64_t factor_nonzeros() const = 0;

@@ -35,11 +35,11 @@ class SchurSolver final : public AssembledSolver {
     system_->multiply_inverse_mass(a, acceleration_);
     system_->multiply_D(*at_, acceleration_, lambda);
     right_hand_side_.col(0) = b - lambda;
-    solver_->solve(right_hand_side_);
+    solver_->solve(right_hand_side_);  // (12.5)
     lambda = right_hand_side_.col(0);
     acceleration_ = a;
     system_->add_D_transposed(*at_, lambda, acceleration_);
-    system_->multiply_inverse_mass(acceleration_, x);
+    system_->multiply_inverse_mass(acceleration_, x);  // (12.6)
   }
 
  private:

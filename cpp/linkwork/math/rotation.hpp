@@ -46,10 +46,14 @@ Vec4<Real> euler_parameter_rates(const Vec4<Real>& p, const Vec3<Real>& omega) {
   return Real(0.5) * quaternion_product<Real>(p, Vec4<Real>(Real(0), omega[0], omega[1], omega[2]));
 }
 
+/// Angles below which the next term of a series is roundoff: of sin(x / 2) / x after the second, of atan(x) / x after
+/// the first.
+constexpr double second_order_angle = 1e-4, first_order_angle = 1e-8;
+
 /// Euler parameters of the rotation by |phi| about phi [rad].
 inline Vec4<double> exponential(const Vec3<double>& phi) {
   const double angle = phi.norm();
-  const double factor = angle < 1e-4 ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
+  const double factor = angle < second_order_angle ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
   return {std::cos(0.5 * angle), factor * phi[0], factor * phi[1], factor * phi[2]};
 }
 
@@ -57,7 +61,7 @@ inline Vec4<double> exponential(const Vec3<double>& phi) {
 inline Vec3<double> logarithm(const Vec4<double>& p) {
   const Vec3<double> e = p[0] < 0 ? Vec3<double>(-p.tail<3>()) : Vec3<double>(p.tail<3>());
   const double sine = e.norm();
-  const double factor = sine < 1e-8 ? 2.0 : 2.0 * std::atan2(sine, std::abs(p[0])) / sine;
+  const double factor = sine < first_order_angle ? 2.0 : 2.0 * std::atan2(sine, std::abs(p[0])) / sine;
   return factor * e;
 }
 
@@ -67,7 +71,7 @@ Vec3<Real> rotation_vector(const Mat3<Real>& R) {
   using std::atan2;
   const Vec3<Real> axial = Vec3<Real>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) * Real(0.5);
   const Real sine = axial.norm(), cosine = (R.trace() - Real(1)) * Real(0.5);
-  return sine < Real(1e-8) ? axial : Vec3<Real>(axial * (atan2(sine, cosine) / sine));
+  return sine < Real(first_order_angle) ? axial : Vec3<Real>(axial * (atan2(sine, cosine) / sine));
 }
 
 }  // namespace linkwork

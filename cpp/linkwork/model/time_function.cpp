@@ -11,6 +11,8 @@
 namespace linkwork {
 namespace {
 
+constexpr double last_step = 1e-9;  // of a table: roundoff by which a run may end behind it
+
 /// Horner's scheme for a polynomial and its first two derivatives; ascending powers.
 Signal<double> horner(const double* c, std::size_t count, double x) {
   double f = 0.0, df = 0.0, half_ddf = 0.0;
@@ -77,7 +79,7 @@ class PiecewisePolynomial final : public TimeFunction {
   }
 
   Signal<double> evaluate(double t) const override {
-    const double slack = 1e-9 * (breaks_.back() - breaks_.front());  // roundoff of a last step
+    const double slack = last_step * (breaks_.back() - breaks_.front());
     if (!(t >= breaks_.front() - slack && t <= breaks_.back() + slack))
       throw OptionError("time_function_range", "table of a time function covers " + std::to_string(breaks_.front()) +
                                                    " to " + std::to_string(breaks_.back()) + " s, not t = " +

@@ -113,6 +113,7 @@ class Energies:
 
     def __init__(self) -> None:
         self._first: float | None = None
+        self._first_work = 0.0
         self._made = self._kinetic = self._work = 0.0
         self._least, self._largest = math.inf, -math.inf
 
@@ -127,10 +128,13 @@ class Energies:
         kinetic, potential, work = (frames[name] for name in ("kinetic", "potential", "work"))
         balance = kinetic + potential - work
         if self._first is None:
-            self._first = float(balance[0])
+            self._first, self._first_work = float(balance[0]), float(work[0])
         self._made = max(self._made, float(balance.max()) - self._first, self._first - float(balance.min()))
         self.reach(
-            float(kinetic.max()), float(potential.min()), float(potential.max()), float(np.abs(work).max())
+            float(kinetic.max()),
+            float(potential.min()),
+            float(potential.max()),
+            float(np.abs(work - self._first_work).max()),
         )
 
     def error(self) -> tuple[float, float]:

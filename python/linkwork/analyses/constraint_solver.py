@@ -31,6 +31,9 @@ SMALLEST_PIVOT, INVERSE_ITERATIONS = 1e-13, 6
 #: Singular values below this part of the largest count as zero.
 RANK_TOLERANCE = 1e-9
 
+#: Forces of joints, relative to the largest, by which two sets of multipliers may differ and be the same.
+SAME_FORCES = 1e-12
+
 
 @dataclass(frozen=True)
 class Constraints:
@@ -305,7 +308,7 @@ def shared(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Fl
     except LinkworkError:
         share = multipliers
     left = D.T @ (multipliers - share)
-    if np.abs(left).max(initial=0.0) <= 1e-12 * np.abs(D.T @ multipliers).max(initial=0.0):
+    if np.abs(left).max(initial=0.0) <= SAME_FORCES * np.abs(D.T @ multipliers).max(initial=0.0):
         return share
     if D.shape[1] > DENSE:
         return multipliers

@@ -25,6 +25,9 @@ AT_REST = 1e-11
 #: Joints or motions that a message names.
 LISTED = 4
 
+#: In what is told of a motion: sizes that differ by this part are equal, smaller components have no sign.
+EQUAL, SIGNLESS = 1e-9, 1e-6
+
 
 @dataclass(frozen=True)
 class Terms:
@@ -55,9 +58,7 @@ class Equations:
         self.rank = self.dynamics.rank()
         self.independent = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
         self.length = _size(self.core)
-        self._row_lengths, rate, self.rounding = self.dynamics.residual_scales(
-            0.0, self.core.q0, self.core.v0
-        )
+        self.row_lengths, rate, self.rounding = self.dynamics.residual_scales(0.0, self.core.q0, self.core.v0)
         self.rate = rate if rate > AT_REST else 1.0  #: of its motion, or of what its forces would do [1/s]
         self.joint_of_row = np.repeat(np.arange(self.core.joint_count), np.diff(self.core.joint_rows))
         self.holonomic = self._holonomic()
@@ -96,7 +97,7 @@ class Equations:
 
     def violation(self, Phi: Floats) -> float:
         """The largest residual of all, relative to the size of the mechanism."""
-        return float((np.abs(Phi) / self._row_lengths).max(initial=0.0))
+        return float((np.abs(Phi) / self.row_lengths).max(initial=0.0))
 
     def turn(self, q: Floats) -> Sparse:
         """T = diag(I, A^T) (6n, 6n): what has omega in inertial axes to what has it in body axes."""
@@ -128,10 +129,10 @@ class Equations:
         """The largest part of a small motion x (6n,), in words: `body 'rod' turns about (0, 1, 0)`."""
         parts = x.reshape(-1, 2, 3)
         size = np.linalg.norm(parts, axis=2) * (1.0, self.length)
-        size[size > (1 - 1e-9) * size.max()] = size.max()  # of equals the first
+        size[size > (1 - EQUAL) * size.max()] = size.max()  # of equals the first
         body, kind = divmod(int(np.argmax(size)), 2)
         direction = parts[body, kind] / np.linalg.norm(parts[body, kind])
-        direction *= np.sign(direction[np.argmax(np.abs(direction) > 1e-6)])
+        direction *= np.sign(direction[np.argmax(np.abs(direction) > SIGNLESS)])
         where = ", ".join(f"{c:.3g}" for c in np.round(direction, 3) + 0.0)
         return f"body '{self.core.body_name(body)}' {'turns about' if kind else 'moves along'} ({where})"
 

@@ -34,6 +34,12 @@ LONGEST_STEP = 0.3
 #: How the damping mu of the steps grows after one that was not good; mu relative to stiffness that is none.
 GROWTH, UNDAMPED = 10.0, 1e-9
 
+#: The same: the least, the first that damps, and the most.
+LEAST_DAMPING, FIRST_DAMPING, MOST_DAMPING = 1e-13, 1e-4, 1e12
+
+#: Steps [rad, sizes of the mechanism] in which rounding hides the work of the forces.
+TINY_STEP = 1e-7
+
 #: A body that has turned so often [rad] while the imbalance did not fall by this part goes round for ever.
 ROUND, PROGRESS = 4 * np.pi, 0.01
 
@@ -189,7 +195,7 @@ class _Search:
                 return q
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
             unit = float(abs(self._scaled(K)).max()) or scale / self.eq.length
-            found, mu = self._step(q, r, K, max(mu, 1e-13 * unit), unit)
+            found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING * unit), unit)
             self.steps += 1
             if found is None or (self._size(r) <= ACCEPTED * scale and self._size(found[1]) >= self._size(r)):
                 break  # no better: rounding
@@ -207,11 +213,11 @@ class _Search:
         self, q: Floats, r: Floats, K: Sparse, mu: float, unit: float
     ) -> tuple[_Balanced | None, float]:
         """The state after a step, None where none is good, and mu for the next one."""
-        while mu < 1e12 * unit:
+        while mu < MOST_DAMPING * unit:
             found = self._try(q, r, K, mu)
             if not isinstance(found, float):
                 return found, mu / GROWTH
-            mu = found * mu if mu > UNDAMPED * unit else 1e-4 * unit
+            mu = found * mu if mu > UNDAMPED * unit else FIRST_DAMPING * unit
         return None, mu
 
     def _try(self, q: Floats, r: Floats, K: Sparse, mu: float) -> _Balanced | float:
@@ -232,7 +238,7 @@ class _Search:
         x = between(q, new)
         decreased = self._size(after[0]) < self._size(r)
         works = (r + after[0]) @ x > 0 if self.stable else decreased
-        tiny = self._reach(x) < 1e-7
+        tiny = self._reach(x) < TINY_STEP
         return (new, *after) if works or (tiny and decreased) else GROWTH
 
     def _balance(self, q: Floats) -> tuple[Floats, Floats, float]:

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.analyses.equations import Equations
 from linkwork.analyses.kinematics import kinematics
 from linkwork.arrays import Floats
+from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.model import Model
@@ -121,12 +121,8 @@ def _check_names(drivers: Sequence[str]) -> None:
 
 def _rates(model: Model, motion: Result, rows: NDArray[np.integer]) -> Floats:
     """Phi_t (k, rows) along the motion."""
-    dynamics = Equations(model).dynamics
-    found = [
-        dynamics.evaluate(t, q.ravel(), v.ravel())["Phi_t"][rows]
-        for t, q, v in zip(motion.t, motion.q, motion.v, strict=True)
-    ]
-    return np.array(found).reshape(len(motion.t), len(rows))
+    found: Floats = System(model).compiled().constraint_rates(motion.t, motion.q, motion.v, list(rows))
+    return found
 
 
 def _drivers(model: Model) -> list[int]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
+from linkwork.analyses import constraint_solver
 from linkwork.analyses.constraint_solver import (
     Constraints,
     SparseConstraints,
@@ -51,7 +53,11 @@ SINGULAR = 1e-6
 SUSPICIOUS = 0.05
 
 #: The most a predictor may move a body [rad, sizes of the mechanism], and the correction as a part of it.
-LONGEST_STEP, LARGEST_CORRECTION = 0.2, 0.1
+LIMITS = _core.DrivenLimits()
+LONGEST_STEP, LARGEST_CORRECTION = LIMITS.longest_step, LIMITS.largest_correction
+
+#: Frames away from singular poses are found in pieces that take so long [s], then the user is listened to.
+PIECE = 0.2
 
 #: From where a singular pose takes the velocity that it leaves open, as a part of the step.
 NEARBY = 1e-2
@@ -63,10 +69,10 @@ SHORTEST_STEP = 2.0**-40
 ROLLING = 1e-11
 
 #: Violations of joints, relative to the size of the mechanism, of a pose in which all hold.
-CLOSED = 1e-10
+CLOSED = LIMITS.closed
 
 #: Corrections relative to the size of the mechanism at which Newton's method ends.
-CONVERGED, ITERATIONS = 1e-14, 30
+CONVERGED, ITERATIONS = LIMITS.converged, LIMITS.iterations
 
 
 def kinematics(
@@ -102,15 +108,20 @@ def kinematics(
     checks.check_bodies(model)
     checks.check_tables(model, float(t[-1]))
     follower = _Follower(Equations(model), float(t[-1]))
-    follower.begin()
+    follower.prepare()
     frames = _Frames(model)
+    fast = _FastFollower(follower, frames)
+    if not fast.start():
+        follower.begin()
     try:
-        previous = follower.at
-        for moment in t:
-            follower.go_to(float(moment))
-            _watch(follower, previous, on_singular)
-            previous = follower.at
-            frames.add(follower)
+        previous, k = follower.at, 0
+        while k < len(t):
+            if not (taken := fast.follow(t[k:])):
+                follower.go_to(float(t[k]))
+                _watch(follower, previous, on_singular)
+                frames.add(follower)
+                fast.resume()
+            previous, k = follower.at, k + (taken or 1)
     except LinkworkError as error:
         error.result = frames.result(follower, t, began, failed=True) if frames.rows else None
         error.state = Snapshot(follower.at.t, follower.at.q.reshape(-1, 7), follower.at.v.reshape(-1, 6),
@@ -141,8 +152,12 @@ class _Moment:
     q: Floats
     v: Floats
     a: Floats
-    constraints: AnyConstraints
+    factors: Callable[[], AnyConstraints]
     history: Floats  # of couplers and force elements, see linkwork.System
+
+    @cached_property
+    def constraints(self) -> AnyConstraints:
+        return self.factors()
 
     @property
     def x_dot(self) -> Floats:
@@ -179,15 +194,26 @@ class _Follower:
         self.counts["factorizations"] += 1
         return constraints_of(self.equations, D, self.unit)
 
-    def begin(self) -> None:
-        """Onto the constraints at t = 0. ModelError, NotConvergedError."""
+    def jump(self, t: float, q: Floats, v: Floats, a: Floats, history: Floats) -> None:
+        """To where the motion has been found to go."""
+        terms, constraints = self.equations.terms, self._constraints
+        self._accept(_Moment(t, q, v, a, lambda: constraints(terms(t, q).D), history))
+
+    def prepare(self) -> None:
+        """ModelError: freedoms are left. SingularSystemError: a large model in a singular pose."""
         eq = self.equations
         q0 = np.array(eq.core.q0)
         if eq.rank.degrees_of_freedom > 0:
             self._refuse_freedoms(q0)
-        start = self._constraints(eq.terms(0.0, q0).D)
-        if isinstance(start, SparseConstraints):
+        if self.freedoms > constraint_solver.DENSE:
+            start = SparseConstraints.of(eq, eq.terms(0.0, q0).D)
             self.unit = float(np.clip(start.sigma / USUAL, 1e-6, 1.0))
+
+    def begin(self) -> None:
+        """Onto the constraints at t = 0. NotConvergedError."""
+        eq = self.equations
+        q0 = np.array(eq.core.q0)
+        start = self._constraints(eq.terms(0.0, q0).D)
         q = self._corrected(0.0, q0, start)
         if q is None:
             raise self._no_start()
@@ -288,7 +314,7 @@ class _Follower:
             if not np.isfinite(size) or total > largest:
                 return None
             if size > 0.1 * before:
-                if before < 1e-11:  # rounding
+                if before < LIMITS.rounding:
                     return displaced(q, x) if self._closed(Phi) else None
                 constraints = self._constraints(eq.terms(t, q).D)
                 x = constraints.solve(-Phi)
@@ -296,7 +322,7 @@ class _Follower:
             q, before = displaced(q, x), size
             if size < CONVERGED:
                 return q if self._closed(eq.Phi(t, q)) else None
-        return q if before < 1e-10 and self._closed(eq.Phi(t, q)) else None
+        return q if before < 10 * LIMITS.rounding and self._closed(eq.Phi(t, q)) else None
 
     def _closed(self, Phi: Floats) -> bool:
         """Whether redundant equations hold as well as the others."""
@@ -317,7 +343,7 @@ class _Follower:
         a = to_body_axes(q, x_ddot - constraints.solve(terms.D @ x_ddot - gamma))
         self.counts["evaluations"] += 2
         history = self.equations.dynamics.advanced_history(t, q, v)
-        return _Moment(t, q, v, a, constraints, history)
+        return _Moment(t, q, v, a, lambda: constraints, history)
 
     # --- what cannot be done ---
 
@@ -364,6 +390,44 @@ class _Follower:
             time=at.t,
             residuals={"smallest_singular_value": sigma},
         )
+
+
+class _FastFollower:
+    """The same in compiled code while poses are regular, joints restrict positions, and steps are trusted."""
+
+    def __init__(self, follower: _Follower, frames: _Frames) -> None:
+        eq = follower.equations
+        self.follower, self.frames, self.ready = follower, frames, False
+        self.motion = None
+        if eq.holonomic.all() and eq.core.row_count >= follower.freedoms:
+            dynamics = frames.system.compiled()
+            self.motion = _core.DrivenMotion(dynamics, eq.length, eq.row_lengths, eq.rounding, follower.unit)
+
+    def start(self) -> bool:
+        """Onto the constraints at t = 0, with the follower; False: that needs a closer look."""
+        core, dynamics = self.follower.equations.core, self.frames.system.compiled()
+        if self.motion is not None and self.motion.start(core.q0, dynamics.initial_history):
+            self.ready = True
+            self.follower.jump(*self.motion.state)
+        return self.ready
+
+    def resume(self) -> None:
+        """From where the follower is."""
+        at = self.follower.at
+        self.ready = self.motion is not None and self.motion.begin(at.t, at.q, at.v, at.a, at.history)
+
+    def follow(self, t: Floats) -> int:
+        """How many frames at these times have been added; 0: the next one needs a closer look."""
+        if not self.ready or self.motion is None:
+            return 0
+        count, found, costs = self.motion.follow(list(t), PIECE)
+        for name, cost in costs.items():
+            self.follower.counts[name] += cost
+        self.ready = count > 0
+        if count:
+            self.frames.extend(found)
+        self.follower.jump(*self.motion.state)
+        return int(count)
 
 
 def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
@@ -430,8 +494,12 @@ class _Frames:
         self.rows: dict[str, list[Any]] = {}
 
     def add(self, follower: _Follower) -> None:
-        for name, value in self._values(follower.at).items():
-            self.rows.setdefault(name, []).append(value)
+        self.extend({name: [value] for name, value in self._values(follower.at).items()})
+
+    def extend(self, found: Mapping[str, ArrayLike]) -> None:
+        """With frames (k, ...) of each."""
+        for name, values in found.items():
+            self.rows.setdefault(name, []).append(values)
 
     def result(self, follower: _Follower, t: Floats, began: float, failed: bool = False) -> Result:
         fields, dynamics = self._fields(), self.system.compiled()
@@ -465,7 +533,7 @@ class _Frames:
 
     def _fields(self) -> Mapping[str, Floats]:
         mass = np.asarray(self.model.compiled().mass)
-        arrays = {name: np.array(values, dtype=float) for name, values in self.rows.items()}
+        arrays = {name: np.concatenate(values, dtype=float) for name, values in self.rows.items()}
         t, power = arrays["t"], arrays.pop("power")
         parts = arrays["v"].reshape(len(t), -1, 6)
         w = parts[..., 3:]

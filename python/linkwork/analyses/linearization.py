@@ -35,6 +35,26 @@ NEUTRAL = 1e-12
 #: Damping and asymmetry of the stiffness that count as none, relative.
 SMALL = 1e-7
 
+#: A turn of this size [rad] must leave the coefficients as they are, but for such a part; those of damping
+#: and stiffness count from this part of the inertia on.
+TURN, STEADY, COUNTS = 1e-3, 1e-5, 1e-9
+
+#: Mass of a motion, relative to the largest, that is none.
+MASSLESS = 1e-14
+
+#: Imaginary parts, relative to |s|, that are rounding: of one of a conjugate pair they are positive.
+REAL = 1e-12
+
+#: Shifts of the spectrum, relative to the largest possible eigenvalues (squares, or themselves): enough for
+#: factors where there are neutral motions.
+SQUARE_SHIFT, SHIFT = 1e-8, 1e-4
+
+#: Frequencies [rad/s] below which damping is compared with this one.
+STILL = 1e-12
+
+#: In place of zero, where only a division by it is to be avoided.
+TINY = 1e-300
+
 #: Random motions along which coefficients of large models are compared.
 PROBES = 8
 
@@ -222,10 +242,10 @@ def _refuse_velocity_rows(eq: Equations) -> None:
 def _refuse_change(
     eq: Equations, at: Snapshot, now: tuple[Sparse, Sparse, Sparse, Sparse], Z: Floats
 ) -> None:
-    """ModelError: the coefficients are other ones after a turn by a thousandth."""
+    """ModelError: the coefficients are other ones after a small turn."""
     q, v = np.ravel(at.q), np.ravel(at.v)
     rate = float(np.abs(v / eq.scale).max() / eq.length)
-    later = 1e-3 / rate
+    later = TURN / rate
     soon = Snapshot(at.t, displaced(q, later * to_inertial_axes(q, v)).reshape(-1, 7), at.v)
     then = _coefficients(eq, soon, check=False)
     names = ("inertia", "damping", "stiffness")
@@ -233,9 +253,10 @@ def _refuse_change(
     changed = [
         name
         for k, (name, a, b) in enumerate(zip(names, now, then, strict=False))
-        if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z)) > 1e-5 * max(_norm(Z.T @ (a @ Z)), 1e-9 * inertia * rate**k)
+        if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z))
+        > STEADY * max(_norm(Z.T @ (a @ Z)), COUNTS * inertia * rate**k)
     ]
-    if _norm((then[3] @ Z) / np.abs(then[3]).max()) > 1e-5 * _norm(Z):
+    if _norm((then[3] @ Z) / np.abs(then[3]).max()) > STEADY * _norm(Z):
         changed.append("freedoms")
     if changed:
         raise ModelError(
@@ -264,7 +285,7 @@ def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex
         return np.zeros(0, complex), np.zeros((len(Z), 0), complex)
     _refuse_massless(m)
     fastest = np.sqrt(_norm(k) / _norm(m))
-    if _norm(k - k.T) <= SMALL * _norm(k) and _norm(c) <= SMALL * _norm(m) * max(fastest, 1e-12):
+    if _norm(k - k.T) <= SMALL * _norm(k) and _norm(c) <= SMALL * _norm(m) * max(fastest, STILL):
         squares, y = eigh((k + k.T) / 2, m)
         return _from_squares(squares, np.abs(squares).max()), Z @ y.astype(complex)
     f, rate = len(m), fastest or _norm(c) / _norm(m) or 1.0
@@ -280,7 +301,7 @@ def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex
 
 def _refuse_massless(m: Floats) -> None:
     values = np.linalg.eigvalsh(m)
-    if values[0] <= 1e-14 * values[-1]:
+    if values[0] <= MASSLESS * values[-1]:
         raise ModelError(
             "linearize: a motion that the joints allow moves no mass: give its bodies mass and inertia",
             code="massless",
@@ -295,7 +316,7 @@ def _from_squares(squares: Floats, scale: float) -> Complex:
 
 
 def _one_of_each_pair(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
-    keep = s.imag >= -1e-12 * np.abs(s)
+    keep = s.imag >= -REAL * np.abs(s)
     s, shapes = s[keep], shapes[:, keep]
     order = np.argsort(np.abs(s), kind="stable")
     return s[order], shapes[:, order]
@@ -322,12 +343,12 @@ def _sparse(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float)
     count = min(modes, size - m)
     if count < 1:
         return np.zeros(0, complex), np.zeros((size, 0), complex)
-    scale = abs(K).sum(axis=1).max() / max(M.diagonal().max(), 1e-300)
+    scale = abs(K).sum(axis=1).max() / max(M.diagonal().max(), TINY)
     damped = abs(C).max() > SMALL * M.diagonal().max() * np.sqrt(scale)
     try:
         if not damped and _symmetric(K, M, D, scale):
-            return _lanczos(M, K, D, count, near**2 or -1e-8 * scale, scale)
-        return _arnoldi(M, C, K, D, count, complex(0.0, near) if near else complex(-1e-4 * np.sqrt(scale)))
+            return _lanczos(M, K, D, count, near**2 or -SQUARE_SHIFT * scale, scale)
+        return _arnoldi(M, C, K, D, count, complex(0.0, near) if near else complex(-SHIFT * np.sqrt(scale)))
     except ArpackNoConvergence as error:
         raise NotConvergedError(
             f"linearize: the iteration for {count} modes did not converge: ask for fewer, or give `near`",

@@ -18,7 +18,7 @@ from typing import Any
 
 import click
 
-from linkwork.cli import shells
+from linkwork.cli import base, shells
 from linkwork.cli.commands import linkwork
 from linkwork.errors import LinkworkError
 from linkwork.running.interrupts import Terminated
@@ -29,14 +29,18 @@ log = logging.getLogger(__name__)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run one command and exit; `--debug` anywhere on the line lets exceptions through."""
+    """Run one command and exit.
+
+    Anywhere on the line, `--debug` lets exceptions through, and `--force` replaces files that are there.
+    """
     if shells.VARIABLE in os.environ:
         sys.exit(shells.complete(linkwork))
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words
+    base.replace_files("--force" in words)
     warnings.showwarning = _show_warning
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # its remarks on fonts and caches
-    sys.exit(run([word for word in words if word != "--debug"], debug))
+    sys.exit(run([word for word in words if word not in ("--debug", "--force")], debug))
 
 
 def run(words: list[str], debug: bool) -> int:

@@ -98,8 +98,9 @@ def kinematics_and_show(
     t_end: float, step: float, output: str | None, plot: str | None, as_json: bool,
 ) -> None:  # fmt: skip
     """The motion that the drivers prescribe, and what they must exert; `drive`: joints with their speeds."""
-    for path in filter(None, (output, plot)):
-        out.check_writable(path)
+    for what, path in (("result", output), ("picture", plot)):
+        if path is not None:
+            out.check_writable(path, what)
     count = max(1, round(t_end / step))
     model = mechanism.function(**parameters)
     for joint, speed in drive:
@@ -107,7 +108,7 @@ def kinematics_and_show(
     needed = lw.inverse_dynamics(model, np.linspace(0, t_end, count + 1))
     motion = needed.motion
     if output:
-        motion.save(output)
+        motion.save(output, overwrite=True)
     if plot:
         motion.plot(plot)
     drives = [

@@ -8,6 +8,19 @@ import click
 
 from linkwork.errors import nearest
 
+#: Whether files that are there may be replaced.
+_force = [False]
+
+
+def replace_files(force: bool) -> None:
+    """By what commands write from here on, or only new files."""
+    _force[0] = force
+
+
+def may_replace() -> bool:
+    """Whether `--force` was given."""
+    return _force[0]
+
 
 class Group(click.Group):
     """A group that answers an unknown subcommand with the nearest, a missing one with what is needed."""

@@ -9,6 +9,7 @@ from click.shell_completion import CompletionItem
 
 from linkwork.cli import base, shells
 from linkwork.cli.bench_commands import bench
+from linkwork.cli.exporting import export, movie, plot
 from linkwork.cli.report import report
 from linkwork.cli.view import view
 
@@ -34,8 +35,8 @@ def linkwork(context: click.Context, log: str | None) -> None:
     linkwork compare four_bar --t-end 2    a mechanism by many methods, with the error of each
     linkwork validate                      published problems, and our error against each
 
-    --debug, anywhere, shows the Python traceback of an error. `linkwork completion --help` tells how the
-    shell completes commands and mechanisms.
+    --force, anywhere, replaces files that are there; --debug shows the Python traceback of an error.
+    `linkwork completion --help` tells how the shell completes commands and mechanisms.
 
     Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command line is wrong, 130
     interrupted, 143 asked to end. With --json errors are JSON, too: {"error": {"code": ..., ...}}.
@@ -193,6 +194,9 @@ def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -
 
 linkwork.add_command(view)
 linkwork.add_command(report)
+linkwork.add_command(plot)
+linkwork.add_command(movie)
+linkwork.add_command(export)
 
 
 @linkwork.command("list")

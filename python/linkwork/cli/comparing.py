@@ -33,8 +33,9 @@ def compare_and_show(
     from linkwork.comparison import compare
 
     files = {"page": html, "table": csv, "picture": plot}
-    for path in filter(None, files.values()):
-        out.check_writable(path)
+    for what, path in files.items():
+        if path is not None:
+            out.check_writable(path, what)
     if plot is not None:
         from linkwork.plots import figures
 

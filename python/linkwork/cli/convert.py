@@ -22,7 +22,7 @@ def convert_and_show(
     `assemble`: to a state at t = 0 that satisfies the joints. NotConvergedError: there is none near by.
     """
     check_suffix(target)
-    out.check_writable(target)
+    out.check_writable(target, "model")
     notes: list[importers.Note] = []
     if importers.is_importable(source):
         imported = importers.read(source, **options)

@@ -93,14 +93,14 @@ def show(output_dir: str, as_json: bool) -> None:
         "picture": Path(output_dir) / "linkwork-demo.png",
     }
     _make_directory(output_dir)
-    for file in files.values():
-        out.check_writable(file)
+    for what, file in files.items():
+        out.check_writable(file, what, own=True)
 
     settings = dict(MECHANISMS[MECHANISM].settings)
     step, t_end = settings.pop("step"), settings.pop("t_end")
     outcomes = run_methods(t_end, step, settings)
 
-    outcomes[-1].result.save(files["result"])
+    outcomes[-1].result.save(files["result"], overwrite=True)
     title = f"{MECHANISM}, {outcomes[-1].result.manifest['options']['integrator']}, step {step:g} s"
     figures.plot_methods({o.method.label: o.result for o in outcomes}, files["picture"], title)
     if as_json:

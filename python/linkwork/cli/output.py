@@ -11,7 +11,9 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from linkwork.arguments import SUFFIXES, check_new
 from linkwork.arguments import path as path_of
+from linkwork.cli.base import may_replace
 from linkwork.errors import FileError, unwritable
 
 
@@ -53,15 +55,21 @@ def print_table(columns: Sequence[str], rows: Iterable[Sequence[str]], title: st
     Console(highlight=False, width=width).print(table)
 
 
-def check_writable(path: str | os.PathLike[str]) -> None:
-    """FileError, before a long run, where a file to be written at its end could not be."""
+def check_writable(path: str | os.PathLike[str], what: str = "output", *, own: bool = False) -> None:
+    """FileError, before a long run, where a file to be written at its end could not be, or may not.
+
+    A file that is there is replaced where `--force` says so, or where its name is the command's `own`.
+    """
     parent = Path(path).absolute().parent
     if not parent.is_dir():
         raise FileError(
             f"output '{path}': cannot be written: no directory '{parent}'; make it, or choose another place",
             code="not_writable",
         )
-    path_of(path, "output")
+    if what in SUFFIXES:
+        check_new(path, what, own or may_replace())
+    else:
+        path_of(path, what)
     if Path(path).is_dir():
         raise unwritable("output", path, OSError(errno.EISDIR, ""))
     if not os.access(path if os.path.exists(path) else parent, os.W_OK):

@@ -31,7 +31,7 @@ def report(subject: str, output: str, t_end: float | None, step: float | None) -
     from linkwork.cli import output as out
     from linkwork.view.report import report as page_of
 
-    out.check_writable(output)
+    out.check_writable(output, "page")
     page = page_of(_result(subject, {"t_end": t_end, "step": step}))
     page.save(output)
     out.print_pairs([("page", f"{output} ({len(page.html.encode()) / 1e6:.2f} MB)")])

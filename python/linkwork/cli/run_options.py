@@ -35,6 +35,8 @@ def _arguments() -> Iterator[click.Option]:
     hints = {it.name: it.annotation for it in inspect.signature(simulate, eval_str=True).parameters.values()}
     descriptions = re.findall(r"^(\w+) +((?:\S.*\n)(?: .*\n)*)", inspect.getdoc(simulate) or "", re.MULTILINE)
     for name, text in descriptions:
+        if name == "overwrite":  # it is --force of every command
+            continue
         hint = hints.get(name)
         types = set(get_args(hint) or (hint,)) - {type(None)}
         names = [word for it in (hint, *types) if get_origin(it) is Literal for word in get_args(it)]

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
+from linkwork.cli.base import may_replace
 from linkwork.errors import OptionError
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
@@ -32,14 +33,14 @@ def simulate_and_show(
     if plot is not None:
         from linkwork.plots import figures
 
-        out.check_writable(plot)
+        out.check_writable(plot, "picture")
         figures.check_format(plot)
     model = mechanism.function(**parameters)
     settings = _settings(mechanism, options, model)
     if "start" in settings:
         settings["start"] = _last_state(settings["start"], model, settings["t_end"])
     try:
-        result = lw.simulate(model, **settings, output=output)
+        result = lw.simulate(model, **settings, output=output, overwrite=may_replace())
     except KeyboardInterrupt as stop:
         raise type(stop)(
             f"interrupted; '{output}' has the frames so far" if output else "interrupted"

@@ -44,7 +44,7 @@ def view(file: str, page: str | None, other: str | None, limit: float) -> None:
     from linkwork.mechanisms import is_file, is_model_file, named
 
     if page is not None:
-        out.check_writable(page)
+        out.check_writable(page, "page")
     if is_model_file(file) or not (is_file(file) or os.path.exists(file)):
         if other is not None:
             raise click.UsageError("--with lays a second result file over a first, not over a mechanism")

@@ -14,7 +14,7 @@ from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
 from linkwork.comparison.order import OrderStudy, Study
 from linkwork.comparison.reference import GOOD_ENOUGH, Reference, given_reference, solved_reference
-from linkwork.comparison.runs import Outcome, Runs, Sampling
+from linkwork.comparison.runs import AT_END, Outcome, Runs, Sampling
 from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
 from linkwork.comparison.workers import Lost, in_processes, processor_count
@@ -231,7 +231,7 @@ def _checked(reference: Reference, model: Model, t_end: float) -> Reference:
             f"reference: has {bodies} bodies, the model {model.body_count}; give a result of this model",
             code="reference",
         )
-    if not len(reference.motion.t) or reference.motion.t[-1] < t_end * (1 - 1e-9):
+    if not len(reference.motion.t) or reference.motion.t[-1] < t_end * (1 - AT_END):
         last = reference.motion.t[-1] if len(reference.motion.t) else math.nan
         raise OptionError(
             f"reference: ends at {last:g} s, the comparison at {t_end:g} s; shorten it", code="reference"

@@ -49,6 +49,12 @@ WRONG = 1.0
 #: Short runs are repeated until they took so long together [s], at most so often; the shortest time counts.
 SHORT_SECONDS, REPEATS = 0.1, 9
 
+#: Numbers of steps that differ from a whole one by this part are whole.
+WHOLE = 1e-6
+
+#: Times, relative to the end of the run: so near to it they are the end, and so near to each other one.
+AT_END, SAME_TIME = 1e-9, 1e-10
+
 
 @dataclass(frozen=True)
 class Curves:
@@ -142,7 +148,7 @@ class Sampling:
         most = min(FRAMES, max(2, RUN_BYTES // max(frame_bytes, 1)))
         counts = [t_end / step for step in steps]
         whole = [round(count) for count in counts]
-        if any(abs(c - n) > 1e-6 * max(n, 1) or not n for c, n in zip(counts, whole, strict=True)):
+        if any(abs(c - n) > WHOLE * max(n, 1) or not n for c, n in zip(counts, whole, strict=True)):
             return cls(t_end, 0, most)
         common = math.gcd(*whole) if whole else most
         intervals = max(n for n in range(1, min(most, common) + 1) if common % n == 0)
@@ -159,9 +165,9 @@ class Sampling:
         if not self.intervals:
             for step in steps:
                 grid = step * self.every(step) * np.arange(1, int(self.t_end / step / self.every(step)) + 1)
-                grids.append(grid[grid < self.t_end * (1 - 1e-9)])
+                grids.append(grid[grid < self.t_end * (1 - AT_END)])
         times = np.sort(np.concatenate(grids))
-        apart: Floats = times[np.concatenate([[True], np.diff(times) > 1e-10 * self.t_end])]
+        apart: Floats = times[np.concatenate([[True], np.diff(times) > SAME_TIME * self.t_end])]
         return apart
 
     def arguments(self, cell: Cell, times: Floats | None) -> dict[str, Any]:
@@ -172,7 +178,7 @@ class Sampling:
         if times is None or len(times) < 2:
             return {"record_every": self.every(cell.step)}
         apart = float(np.min(np.diff(times))) / cell.step
-        return {"record_every": round(apart) if abs(apart - round(apart)) < 1e-6 and apart > 0.5 else 1}
+        return {"record_every": round(apart) if abs(apart - round(apart)) < WHOLE and apart > 0.5 else 1}
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from dataclasses import asdict, dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from linkwork.arguments import optional_package
 from linkwork.arguments import path as path_of
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
@@ -180,13 +181,9 @@ class Comparison:
 
     def to_frame(self) -> pandas.DataFrame:
         """The table as a pandas.DataFrame. OptionError: pandas is not installed; `rows` needs nothing."""
-        try:
-            import pandas
-        except ImportError as error:
-            raise OptionError(
-                "to_frame needs pandas: pip install pandas, or use rows()", code="missing_package"
-            ) from error
-        return pandas.DataFrame(self._flat_rows())
+        package = optional_package("pandas", "pandas", "to_frame", instead="rows() needs nothing")
+        found: pandas.DataFrame = package.DataFrame(self._flat_rows())
+        return found
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> str:
         """The table as CSV, also written to `path`. FileError."""

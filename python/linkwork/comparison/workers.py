@@ -2,6 +2,10 @@
 
 The processes are forked, so a task may hold anything, such as a model with functions of Python. Where the
 system cannot fork, the tasks are done here, one after the other, without limits of time.
+
+Why no library: the pool of concurrent.futures, and loky on top of it, knows no limit of time for one task,
+and gives up all of them when one process dies. Pebble can do both, but hands tasks over by pickling, and
+forks from a thread of its own, beside which the locks of others may stay closed in the child for ever.
 """
 
 from __future__ import annotations

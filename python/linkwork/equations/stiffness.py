@@ -24,6 +24,9 @@ SLOW = 0.5
 #: By which a motion may grow in a step before the step counts as unstable.
 GROWTH = 1.01
 
+#: Imaginary parts, relative to |s|, that are none; by how much a step is known at which a method is unstable.
+REAL, KNOWN = 1e-6, 1e-3
+
 
 @dataclass(frozen=True)
 class Fastest:
@@ -68,13 +71,13 @@ def stable_step(growth: Callable[[float, float], float], eigenvalue: complex, st
         growing = z.real > 0.1 * abs(z)  # by itself, which is no fault of the method
         if growing or not (damped or abs(z) > SLOW):
             return False
-        real = abs(z.imag) < 1e-6 * abs(z)
+        real = abs(z.imag) < REAL * abs(z)
         return growth(-z.real / 2, 0.0) > GROWTH if real else growth(-z.real, abs(z)) > GROWTH
 
     if not unstable(step):
         return step
     stable, bad = 0.0, step
-    while bad - stable > 1e-3 * bad:
+    while bad - stable > KNOWN * bad:
         middle = (stable + bad) / 2
         stable, bad = (stable, middle) if unstable(middle) else (middle, bad)
     return stable

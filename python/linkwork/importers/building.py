@@ -31,6 +31,12 @@ from linkwork.modeling.placement import Attachment
 
 __all__ = ["Options", "build"]
 
+#: Cosines of the angle between two axes that are perpendicular, up to the digits of a file.
+PERPENDICULAR = 1e-6
+
+#: Second moments of mass, relative to the largest principal moment, that are negative by rounding.
+NEGATIVE = 1e-9
+
 #: Coulomb friction is regularized below these speeds [rad/s], [m/s].
 TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}
 
@@ -136,15 +142,20 @@ def _grouped(
     description: Description, states: Mapping[str, LinkState], merge_fixed: bool
 ) -> dict[str, _Group]:
     """The group of every link and of the world."""
-    group_of = {name: _group(link) for name, link in description.links.items()}
-    group_of[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
+    groups = {name: _group(link) for name, link in description.links.items()}
+    groups[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
+    leader = {name: name for name in groups}  # toward the link that has the group in `groups`
+
+    def find(name: str) -> str:
+        while leader[name] != name:
+            leader[name] = name = leader[leader[name]]
+        return name
 
     def merge(one: str, other: str) -> None:
-        first, second = group_of[one], group_of[other]
-        if first is not second:
-            merged = _merged(first, second, states)
-            for name in merged.links:
-                group_of[name] = merged
+        one, other = find(one), find(other)
+        if one != other:
+            groups[one] = _merged(groups[one], groups.pop(other), states)
+            leader[other] = one
 
     carried = {joint.child for joint in description.joints if not joint.closes_loop}
     for name in description.links:
@@ -156,13 +167,14 @@ def _grouped(
     while changed:
         changed = False
         for joint in fixed:
-            pair = group_of[joint.parent], group_of[joint.child]
-            ends = [group for group in pair if group is group_of[WORLD] or group.is_light]
+            pair = groups[find(joint.parent)], groups[find(joint.child)]
+            world = groups[find(WORLD)]
+            ends = [group for group in pair if group is world or group.is_light]
             if pair[0] is not pair[1] and (ends or merge_fixed):
-                _note_merger(description, pair, group_of[WORLD], joint)
+                _note_merger(description, pair, world, joint)
                 merge(joint.parent, joint.child)
                 changed = True
-    return group_of
+    return {name: groups[find(name)] for name in leader}
 
 
 def _note_merger(
@@ -192,7 +204,8 @@ def _merged(first: _Group, second: _Group, states: Mapping[str, LinkState]) -> _
     """Both in the frame of the heavier one's main link; the world stays the world."""
     if second.mass and not first.mass or second.main == WORLD:
         first, second = second, first
-    links = [*first.links, *second.links]
+    links = first.links  # at its end, or merging many to one would take the square of their number
+    links.extend(second.links)
     if first.main == WORLD:
         return _Group(links, first.main, first.mass, first.center, first.inertia)
     step = states[first.main].frame.inverse @ states[second.main].frame
@@ -234,7 +247,7 @@ def _real_inertia(J: Floats) -> tuple[Floats, str | None]:
     """An inertia that a body can have, and the moments (text) of the one given where it had to be another."""
     moments, axes = np.linalg.eigh(J)
     spread = moments.sum() / 2 - moments
-    if (spread >= -1e-9 * np.abs(moments).max()).all():
+    if (spread >= -NEGATIVE * np.abs(moments).max()).all():
         return J, None
     spread = np.maximum(spread, 0.0)
     return axes @ np.diag(spread.sum() - spread) @ axes.T, _moments(J)

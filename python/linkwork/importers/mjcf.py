@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
+from linkwork.arguments import optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelFileError
-from linkwork.importers.building import Options, build
+from linkwork.importers.building import PERPENDICULAR, Options, build
 from linkwork.importers.coverage import report
 from linkwork.importers.description import (
     WORLD,
@@ -32,6 +33,9 @@ if TYPE_CHECKING:
     import mujoco
 
 __all__ = ["import_mjcf"]
+
+#: Anchors [m] that are one point, and sines of the angle between axes that are one, by rounding.
+SAME_POINT, PARALLEL = 1e-12, 1e-9
 
 
 def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
@@ -82,13 +86,7 @@ def _report(reader: Reader, description: Description) -> None:
 
 def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
     """With the warnings, which MuJoCo would print, and write to a file in the current folder."""
-    try:
-        import mujoco
-    except ImportError as error:
-        raise LinkworkError(
-            f"'{os.fspath(path)}': MJCF needs the package mujoco: pip install 'linkwork[mjcf]'",
-            code="no_mujoco",
-        ) from error
+    mujoco = optional_package("mujoco", "mjcf", f"'{os.fspath(path)}': MJCF", LinkworkError)
     warnings: list[str] = []
     before = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(warnings.append)
@@ -229,12 +227,14 @@ class _MujocoModel:
         turns, slides = ([m for m in motions if m.rotation == r] for r in (True, False))
         if len(types) == 2 and len(turns) == len(slides) == 1 and _parallel(turns[0].axis, slides[0].axis):
             return "cylindrical", motions
-        if len(turns) == 2 and len(types) == 2 and np.abs(anchors[0] - anchors[1]).max() < 1e-12:
-            return ("universal", motions) if abs(turns[0].axis @ turns[1].axis) < 1e-6 else (None, [])
+        if len(turns) == 2 and len(types) == 2 and np.abs(anchors[0] - anchors[1]).max() < SAME_POINT:
+            return (
+                ("universal", motions) if abs(turns[0].axis @ turns[1].axis) < PERPENDICULAR else (None, [])
+            )
         across = len(slides) == 2 and len(turns) == 1 and motions[-1].rotation
         if across:
             axes = np.array([motion.axis for motion in motions])
-            if np.abs(axes @ axes.T - np.eye(3)).max() < 1e-9:
+            if np.abs(axes @ axes.T - np.eye(3)).max() < PARALLEL:
                 return "planar", motions
         return None, []
 
@@ -349,4 +349,4 @@ class _MujocoModel:
 
 
 def _parallel(u: Floats, w: Floats) -> bool:
-    return bool(np.linalg.norm(np.cross(u, w)) < 1e-9)
+    return bool(np.linalg.norm(np.cross(u, w)) < PARALLEL)

@@ -33,13 +33,14 @@ class _Files:
     def expanded(self, node: Node, folder: Path, line: int | None, depth: int) -> Node:
         """With what is included; `line` instead of the node's own, in another file than the first."""
         out = Node(node.tag, node.attributes, node.line if line is None else line)
+        out.children = children = list[Node]()
         for child in node.children:
             if child.tag == "include":
-                out.children += self._read(child, folder, line, depth)
+                children += self._read(child, folder, line, depth)
                 continue
-            out.children.append(self.expanded(child, folder, line, depth))
+            children.append(self.expanded(child, folder, line, depth))
             if (node.tag, child.tag) == ("asset", "model"):
-                root = Node("mujoco", {}, out.children[-1].line)
+                root = Node("mujoco", {}, children[-1].line)
                 root.children = self._read(child, folder, line, depth)
                 self.attached.append(root)
         return out

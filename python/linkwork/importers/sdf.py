@@ -9,7 +9,7 @@ from typing import Unpack
 import numpy as np
 
 from linkwork.arrays import Floats
-from linkwork.importers.building import Options, build
+from linkwork.importers.building import PERPENDICULAR, Options, build
 from linkwork.importers.coverage import report
 from linkwork.importers.description import (
     WORLD,
@@ -29,6 +29,9 @@ from linkwork.importers.xml_text import Node, Reader, is_true
 __all__ = ["import_sdf"]
 
 Z = np.array([0.0, 0.0, 1.0])
+
+#: Cosines of an angle from which on two axes are one, up to their sense: 1 less this.
+SAME_AXIS = 1e-5
 
 #: Acceleration [m/s2] where a file has no other.
 GRAVITY = [0.0, 0.0, -9.8]
@@ -189,7 +192,7 @@ class _SdfFile(RobotFile):
         full = scope.prefix + name
         who = f"joint '{full}'"
         ends = self._ends(scope, name, node)
-        if ends is None or reader.faults:
+        if ends is None or reader.faults.count:
             return None
         if type_ == "gearbox":
             self._gearboxes.append((scope, name, node))
@@ -203,7 +206,7 @@ class _SdfFile(RobotFile):
         joint = JointDescription(full, KINDS[type_], *ends, in_parent, in_child)
         count = {"universal": 2, "fixed": 0, "spherical": 0}.get(joint.kind, 1)
         axes = [self._axis(scope, node, tag, who, here) for tag in ("axis", "axis2")[:count]]
-        if joint.kind == "universal" and abs(axes[0] @ axes[1]) > 1e-6:
+        if joint.kind == "universal" and abs(axes[0] @ axes[1]) > PERPENDICULAR:
             reader.add(node, f"{who} axis2", "is not perpendicular to axis")
         joint.motions = tuple(Motion(joint.kind != "translational", axis) for axis in axes)
         if joint.kind == "screw":
@@ -302,7 +305,7 @@ class _SdfFile(RobotFile):
             if joint.kind == "revolute" and {joint.parent, joint.child} == {a, b}:
                 here = self._pose_of_link(joint.parent) @ joint.in_parent
                 along = float(axis @ (here.A @ joint.motions[0].axis))
-                if abs(along) > 1 - 1e-5:
+                if abs(along) > 1 - SAME_AXIS:
                     return joint.name, np.sign(along) * (1.0 if joint.parent == a else -1.0)
         return None
 

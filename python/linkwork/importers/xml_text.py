@@ -9,19 +9,26 @@ from typing import Any, NoReturn
 from xml.parsers import expat
 
 from linkwork.arguments import path as path_of
-from linkwork.errors import Fault, FileError, ModelFileError, cause
+from linkwork.errors import Fault, Faults, FileError, ModelFileError, cause
+from linkwork.modeling.files import content
 
-#: Largest file [bytes], and levels of elements in each other.
-SIZE, DEPTH = 2**26, 100
+#: Largest file [bytes], levels of elements in each other, and attributes of one.
+SIZE, DEPTH, ATTRIBUTES = 2**26, 100, 1000
+
+
+#: Of elements without attributes: one for all.
+_NO_ATTRIBUTES: dict[str, str] = {}
 
 
 class Node:
     """An element: its tag, attributes, text, children, and line in the file."""
 
+    __slots__ = ("attributes", "children", "line", "tag", "text")
+
     def __init__(self, tag: str, attributes: dict[str, str], line: int) -> None:
-        self.tag, self.attributes, self.line = tag, attributes, line
+        self.tag, self.attributes, self.line = tag, attributes or _NO_ATTRIBUTES, line
         self.text = ""
-        self.children: list[Node] = []
+        self.children: Sequence[Node] = ()
 
     def all(self, tag: str) -> Iterator[Node]:
         """Children of this tag."""
@@ -55,7 +62,7 @@ class Reader:
     def __init__(self, path: str | os.PathLike[str], root_tag: str | None) -> None:
         """FileError: it cannot be read. ModelFileError: no XML, or another root than one of this tag."""
         self.path = str(path_of(path, f"<{root_tag}> file" if root_tag else "XML file"))
-        self.faults: list[Fault] = []
+        self.faults = Faults()
         self.root = self._parse()
         if root_tag is not None and self.root.tag != root_tag:
             reason = f"<{self.root.tag}> is not the <{root_tag}> that was expected"
@@ -65,12 +72,12 @@ class Reader:
         self.add_line(node.line, field, message)
 
     def add_line(self, line: int, field: str, message: str) -> None:
-        self.faults.append(Fault(line, field, message))
+        self.faults.add(Fault(line, field, message))
 
     def finish(self) -> None:
         """ModelFileError: there are faults."""
-        if self.faults:
-            raise ModelFileError(self.path, self.faults)
+        if self.faults.count:
+            raise ModelFileError(self.path, self.faults.all())
 
     def numbers(
         self, node: Node, text: str | None, count: int, field: str, default: Sequence[float] | None = None
@@ -95,24 +102,24 @@ class Reader:
 
     def _parse(self) -> Node:
         try:
-            if os.stat(self.path).st_size > SIZE:
-                self._refuse(1, f"has more than {SIZE // 2**20} MiB")
-            with open(self.path, "rb") as file:
-                content = file.read(SIZE + 1)
+            found = content.read(self.path, SIZE) if os.stat(self.path).st_size <= SIZE else None
         except OSError as error:
             raise FileError(f"'{self.path}': {cause(error)}", code="not_readable") from error
-        if not content.strip():
+        if found is None:
+            self._refuse(1, f"has more than {SIZE // 2**20} MiB")
+        if not found.strip():
             self._refuse(1, "the file is empty")
         builder = _Builder(self)
         parser = expat.ParserCreate()
         parser.StartElementHandler = lambda tag, found: builder.start(tag, found, parser.CurrentLineNumber)
         parser.EndElementHandler = builder.end
         parser.CharacterDataHandler = builder.data
+        parser.buffer_text = True
         parser.StartDoctypeDeclHandler = lambda *_: self._refuse(
             parser.CurrentLineNumber, "DOCTYPE is not taken: it can make the file mean anything"
         )
         try:
-            parser.Parse(content, True)
+            parser.Parse(found, True)
         except expat.ExpatError as error:
             self._refuse(
                 error.lineno, f"is no XML: {expat.ErrorString(error.code)}, column {error.offset + 1}"
@@ -129,20 +136,28 @@ class _Builder:
     def __init__(self, reader: Reader) -> None:
         self.root: Node | None = None
         self._open: list[Node] = []
+        self._texts: list[list[str]] = []  # of the open ones
         self._reader = reader
 
     def start(self, tag: str, attributes: dict[str, str], line: int) -> None:
+        if len(attributes) > ATTRIBUTES:
+            self._reader._refuse(line, f"<{tag[:80]}> has more than {ATTRIBUTES} attributes")
         node = Node(tag, attributes, line)
         if self._open:
-            self._open[-1].children.append(node)
+            parent = self._open[-1]
+            if not isinstance(parent.children, list):
+                parent.children = []
+            parent.children.append(node)
         else:
             self.root = node
         self._open.append(node)
+        self._texts.append([])
         if len(self._open) > DEPTH:
             self._reader._refuse(line, f"elements are nested more than {DEPTH} deep")
 
     def end(self, _: Any) -> None:
-        self._open.pop()
+        texts = self._texts.pop()
+        self._open.pop().text = "".join(texts)
 
     def data(self, text: str) -> None:
-        self._open[-1].text += text
+        self._texts[-1].append(text)

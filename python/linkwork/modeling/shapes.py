@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import rotation
-from linkwork.arguments import array, is_number
+from linkwork.arguments import array, is_number, optional_package
 from linkwork.arrays import Floats, Indices
 from linkwork.errors import FileError, ModelError
 
@@ -186,12 +186,7 @@ class Mesh(Shape):
             )
         if not Path(path).is_file():
             raise FileError(f"mesh '{path}': no such file", code="not_found")
-        try:
-            import trimesh
-        except ImportError as error:
-            raise FileError(
-                f"mesh '{path}': needs trimesh: pip install 'linkwork[mesh]'", code="missing_package"
-            ) from error
+        trimesh = optional_package("trimesh", "mesh", f"mesh '{path}'", FileError)
         try:
             found: Any = trimesh.load(Path(path), force="mesh", process=True)
             vertices, faces = np.asarray(found.vertices, float), np.asarray(found.faces)

@@ -164,6 +164,17 @@ def frame_shapes(bodies: int, joints: int, rows: int, history: int = 0) -> dict[
     }
 
 
+#: Units of the recorded fields and of the model's arrays, as attributes in a result file.
+UNITS = {
+    "t": "s", "q": "m, then 1", "v": "m/s, then rad/s", "vdot": "m/s2, then rad/s2",
+    "lambda": "N or N m, by the equation", "kinetic": "J", "potential": "J", "work": "J",
+    "violation": "m or 1, with 1/s and 1/s2", "history": "rad, m/s or m, by the variable",
+    "reaction_force": "N", "reaction_torque": "N m",
+    "gravity": "m/s2", "mass": "kg", "inertia": "kg m2", "q0": "m, then 1", "v0": "m/s, then rad/s",
+    "joint_origin": "m", "force_origin": "m",
+}  # fmt: skip
+
+
 def _parameters(role: str, arrays: Mapping[str, Any]) -> dict[str, Any]:
     """The numbers of all elements one after the other, and where those of each begin."""
     values = np.where(arrays["signals"] < 0, arrays["parameters"], np.nan)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, NoReturn
@@ -10,7 +11,17 @@ import numpy as np
 
 from linkwork.arrays import Floats
 
-__all__ = ["BodyResult", "Excess", "Occurrence", "Reaction", "SingularPose", "Snapshot", "rotate"]
+__all__ = [
+    "BodyResult",
+    "Checkpoint",
+    "Excess",
+    "Occurrence",
+    "Reaction",
+    "Resume",
+    "SingularPose",
+    "Snapshot",
+    "rotate",
+]
 
 
 class Reaction(NamedTuple):
@@ -38,6 +49,28 @@ class BodyResult:
         return rotate(self.orientation, self.omega)
 
 
+class Checkpoint(NamedTuple):
+    """What the driver of a run can go on from to the last bit."""
+
+    method: str  #: digest of the mechanism and of all that decides on the steps
+    t: float  #: [s]
+    state: bytes
+
+    def __repr__(self) -> str:
+        return f"<Checkpoint: t = {self.t:g} s, {len(self.state)} bytes>"
+
+
+class Resume(NamedTuple):
+    """What a snapshot has beside its state, for the run that it is of to go on to the last bit."""
+
+    checkpoint: Checkpoint  #: not after the snapshot: steps from there on are taken once more
+    work: float  #: up to the snapshot [J]
+    state: str  #: digest of the state of the snapshot
+
+    def __repr__(self) -> str:
+        return f"<Resume: {self.checkpoint!r}>"
+
+
 class Snapshot(NamedTuple):
     """The state of a run at one time, from which another can start."""
 
@@ -49,6 +82,8 @@ class Snapshot(NamedTuple):
     history: Sequence[float] | Floats = ()
     #: of the runs that led there, see `Verdict.before`
     error: float = 0.0
+    #: of the end of a run: it goes on from there by the same method to the last bit, see linkwork.simulate
+    resume: Resume | None = None
 
     @classmethod
     def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:
@@ -60,6 +95,19 @@ class Snapshot(NamedTuple):
     def memory(self) -> NoReturn:
         """AttributeError: the former name of `history`."""
         raise AttributeError("'memory' is called 'history' now: ask for that")
+
+    def resumable(self, checkpoint: Checkpoint | None, work: float) -> Snapshot:
+        """The same with what the run needs to go on to the last bit; `work` [J] up to here."""
+        if checkpoint is None or checkpoint.t > self.t:
+            return self
+        return self._replace(resume=Resume(checkpoint, work, self.digest))
+
+    @property
+    def digest(self) -> str:
+        """Of its time, state and history."""
+        parts = (self.t, self.q, self.v, self.history)
+        values = np.concatenate([np.ravel(part).astype(float) for part in parts])
+        return hashlib.blake2b(values.tobytes(), digest_size=16).hexdigest()
 
     @property
     def y(self) -> Floats:

@@ -72,6 +72,47 @@ def _violation(result: Result, chosen: Chosen) -> Figure:
     return figure
 
 
+def _positions(result: Result, chosen: Chosen) -> Figure:
+    figure, (ax,) = _over_time(1)
+    figures.plot_positions(ax, result, chosen.bodies)
+    return figure
+
+
+def _velocities(result: Result, chosen: Chosen) -> Figure:
+    return _of_bodies(result, chosen, ("velocity", "m/s"), ("omega", "rad/s"))
+
+
+def _accelerations(result: Result, chosen: Chosen) -> Figure:
+    return _of_bodies(result, chosen, ("acceleration", "m/s2"), ("angular_acceleration", "rad/s2"))
+
+
+def _of_bodies(result: Result, chosen: Chosen, *quantities: tuple[str, str]) -> Figure:
+    """Color tells the body, line style the component; those that stay small are left out."""
+    figure, axes = _over_time(len(quantities))
+    bodies = chosen.bodies or figures.largest_places(figures.travel_of(result), BODIES)
+    which = "" if chosen.bodies else figures.share(
+        len(bodies), len(result.body_names), "bodies, those that move most"
+    )  # fmt: skip
+    for ax, (quantity, unit) in zip(axes, quantities, strict=True):
+        rotates = quantity in ("omega", "angular_acceleration")
+        figures.style(ax, f"{quantity.replace('_', ' ')}{', body axes' if rotates else ''} [{unit}]")
+        values = {result.body_names[i]: getattr(result.body(i), quantity) for i in bodies}
+        most = max((np.abs(value).max(initial=0.0) for value in values.values()), default=0.0)
+        for color, (name, value) in zip(COLORS, values.items(), strict=False):
+            for axis, (component, line) in enumerate(figures.COORDINATES):
+                if np.abs(value[:, axis]).max(initial=0.0) > 1e-3 * most:
+                    ax.plot(result.t, value[:, axis], color=color, ls=line, label=f"{name}  {component}")
+                    error = partial(_body_error, result, name, quantity, axis)
+                    figures.plot_band(ax, result, value[:, axis], color, error)
+        figures.legend(ax, which)
+    return figure
+
+
+def _body_error(result: Result, body: str, quantity: str, axis: int) -> Floats:
+    found: Floats = getattr(result.error_of("body", body), quantity)[:, axis]
+    return found
+
+
 def _reactions(result: Result, chosen: Chosen) -> Figure:
     figure, (upper, lower) = _over_time(2)
     figures.plot_reactions(upper, result, "force", "N", chosen.joints)
@@ -155,6 +196,9 @@ KINDS: dict[str, Callable[[Result, Chosen], Figure]] = {
     "overview": lambda result, chosen: figures.plot(result),
     "energy": _energy,
     "violation": _violation,
+    "positions": _positions,
+    "velocities": _velocities,
+    "accelerations": _accelerations,
     "coordinates": _coordinates,
     "reactions": _reactions,
     "phase": _phase,

@@ -1,7 +1,8 @@
 """Digests of what is in a result file: whether a bit of it is another than was written.
 
     /          attribute `digest`: of the attributes of the beginning, /model/ and the shapes of /frames/;
-               attribute `closing`: of `statistics`, the last row of /digests/ and the digest of /finer/
+               attribute `closing`: of `statistics`, the last row of /digests/ and the digests of /finer/ and
+               of /checkpoint
     /digests   (b, 4), a row for each block of frames: how many frames and events there are up to its end, and
                a digest of its frames and one of its events, each of them chained to that of the row before
     /finer/    attribute `digest`
@@ -146,9 +147,12 @@ def of_finer(group: h5py.Group, start: int, limit: float = np.inf) -> int:
     return content(group, _crc(float(group.attrs["factor"]).hex().encode(), int(start)), limit)
 
 
-def closing(statistics: str, last: Row, finer: int = 0) -> int:
-    """Of a run's end: its statistics, the last row of /digests, and the digest of /finer/ (0: none)."""
-    return _crc(statistics.encode(), _joined(*last, finer))
+def closing(statistics: str, last: Row, finer: int = 0, checkpoint: int = 0) -> int:
+    """Of a run's end: its statistics, the last row of /digests, and the digests of /finer/ and /checkpoint.
+
+    0: there is none.
+    """
+    return _crc(statistics.encode(), _joined(*last, finer, *([checkpoint] if checkpoint else ())))
 
 
 def last_row(file: h5py.File) -> Row:

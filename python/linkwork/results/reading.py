@@ -25,8 +25,8 @@ from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import MODEL_NAMES, Header
-from linkwork.motion.records import Occurrence
-from linkwork.results import digests
+from linkwork.motion.records import Checkpoint, Occurrence
+from linkwork.results import checkpoints, digests
 from linkwork.results.shapes import read_shapes
 from linkwork.results.writing import FORMAT, MODEL_ARRAYS, VERSION
 
@@ -86,6 +86,7 @@ class StoredRun:
     fields: dict[str, StoredField]
     events: list[Occurrence]
     finer: tuple[float, dict[str, StoredField]] | None  #: see `verification`
+    checkpoint: Checkpoint | None
 
 
 class _Content(NamedTuple):
@@ -96,6 +97,7 @@ class _Content(NamedTuple):
     statistics: dict[str, Any]
     finer: tuple[float, int] | None  #: factor and frames
     notes: dict[str, Any]  #: for the manifest
+    checkpoint: Checkpoint | None = None
 
 
 #: Of a file that a run began and did not end.
@@ -134,7 +136,13 @@ def _stored(path: Path, run: str, header: Header, content: _Content) -> StoredRu
         return {name: StoredField(path, run, name, (count, *shape), group) for name, shape in shapes}
 
     finer = None if content.finer is None else (content.finer[0], fields("finer", content.finer[1]))
-    return StoredRun(run, header, content.statistics, fields("frames", content.frames), content.events, finer)
+    frames = fields("frames", content.frames)
+    checkpoint = content.checkpoint
+    if checkpoint is None and not content.statistics:
+        checkpoint = _or_none(lambda: checkpoints.read_beside(path, run))
+    if checkpoint is not None and not (content.frames and checkpoint.t <= frames["t"][content.frames - 1]):
+        checkpoint = None
+    return StoredRun(run, header, content.statistics, frames, content.events, finer, checkpoint)
 
 
 def _check_kind(path: Path, file: h5py.File) -> bool:
@@ -168,7 +176,8 @@ def _as_it_is(file: h5py.File, size: int, notes: dict[str, Any]) -> _Content:
     count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], size))
     finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
     statistics = renamed_statistics(json.loads(file.attrs.get("statistics") or "{}"))
-    return _Content(count, _read_events(file), statistics, finer, notes)
+    checkpoint = _or_none(lambda: checkpoints.read(file, str(file.attrs["run"]), size))
+    return _Content(count, _read_events(file), statistics, finer, notes, checkpoint)
 
 
 def _compared(file: h5py.File, header: Header, start: int, size: int) -> _Content:
@@ -184,14 +193,19 @@ def _compared(file: h5py.File, header: Header, start: int, size: int) -> _Conten
         finer = _or_none(lambda: _read_finer(file["finer"], start, finer_digest, size))
         if finer is None:
             missing.append("the second, finer run")
+    kept = _or_none(lambda: checkpoints.digest_of(file)) or 0
+    checkpoint = _or_none(lambda: checkpoints.read(file, str(file.attrs["run"]), size)) if kept else None
+    if kept and checkpoint is None:
+        missing.append("what a run that goes on to the last bit begins with")
     closed = text is not None and _or_none(lambda: int(file.attrs[digests.CLOSING])) == digests.closing(
-        text, last, finer_digest
+        text, last, finer_digest, kept
     )
     events = _whole_events(file, rows, start, last.events, size, missing)
     if not closed:
         missing.append(_lost_end(file["frames"], last.frames, whole < len(rows), text))
     statistics = renamed_statistics(json.loads(text)) if closed and text is not None else {}
-    return _Content(last.frames, events, statistics, finer, {"missing": missing} if missing else {})
+    notes = {"missing": missing} if missing else {}
+    return _Content(last.frames, events, statistics, finer, notes, checkpoint)
 
 
 def _lost_end(frames: h5py.Group, whole: int, more: bool, statistics: str | None) -> str:

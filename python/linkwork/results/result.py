@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from linkwork import rotation
 from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
-from linkwork.arguments import one_of
+from linkwork.arguments import check_new, check_suffix, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, warn
@@ -25,9 +25,11 @@ from linkwork.motion.header import Header, record_reactions
 from linkwork.motion.records import BodyResult, Excess, Reaction, SingularPose, Snapshot, rotate
 
 if TYPE_CHECKING:
+    import pandas
+    import xarray
     from matplotlib.figure import Figure
 
-    from linkwork.motion.records import Occurrence
+    from linkwork.motion.records import Checkpoint, Occurrence
     from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
@@ -45,7 +47,8 @@ class Result:
     """
 
     def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
-                 run: str | None = None, events: Sequence[Occurrence] = ()) -> None:  # fmt: skip
+                 run: str | None = None, events: Sequence[Occurrence] = (),
+                 checkpoint: Checkpoint | None = None) -> None:  # fmt: skip
         """`frames`: the arrays of `Simulation.advance` joined over time, or the fields of a result file."""
         shapes = header.frame_shapes()
         count = len(frames["t"])
@@ -56,6 +59,7 @@ class Result:
         self._header = header
         self._run = run or uuid.uuid4().hex
         self._events = tuple(events)
+        self._checkpoint = checkpoint
         self._places: dict[str, dict[str, int]] = {}
         self.statistics = dict(statistics)
         self.t: Floats = self._frames["t"][:]
@@ -212,7 +216,8 @@ class Result:
     def snapshot(self, frame: int = -1) -> Snapshot:
         """The state of one frame, for simulate(..., start=...), with its history variables.
 
-        Files of version 0.1 do not have these: full turns and contacts then begin anew.
+        From the last frame the run goes on to the last bit, see linkwork.simulate. Files of version 0.1 have
+        no history variables: full turns and contacts then begin anew.
         OptionError: there is no such frame.
         """
         count = len(self)
@@ -224,7 +229,9 @@ class Result:
                 code="frame",
             )
         state = self._field("q", frame), self._field("v", frame)
-        return Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
+        found = Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
+        last = int(frame) % count == count - 1
+        return found.resumable(self._checkpoint, float(self._field("work", frame))) if last else found
 
     def _error_at(self, frame: int) -> float:
         """The part of the accumulated error that a run has made up to a frame."""
@@ -361,14 +368,17 @@ class Result:
 
     @property
     def work(self) -> Floats:
-        """Done since the start by what has no potential: applied forces, dampers, driven joints (k,) [J]."""
+        """Done since the start by what has no potential: applied forces, dampers, driven joints (k,) [J].
+
+        A run that goes on to the last bit counts from the start of the one before.
+        """
         return self._field("work")
 
     @property
     def energy_error(self) -> Floats:
-        """Energy that the method made or lost (k,) [J]: energy - energy[0] - work."""
+        """Energy that the method made or lost (k,) [J]: change of the energy, less the work."""
         energy = self.energy
-        return energy - energy[:1] - self.work
+        return energy - energy[:1] - (self.work - self.work[:1])
 
     @property
     def violation(self) -> Floats:
@@ -401,16 +411,22 @@ class Result:
 
     # --- files, pictures, text ---
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write everything to an HDF5 file (replaced only when the new one is complete). FileError."""
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write everything to an HDF5 file.
+
+        overwrite  whether it may replace a file, which then stays until the new one is complete
+
+        FileError: there is a file, `path` has the suffix of another kind of file, or cannot be written.
+        """
         from linkwork.results import writing
 
+        target = check_new(path, "result", overwrite)
         self._need_reactions()
         writing.save(
-            path_of(path, "result"), self._header, self._frames, self.statistics, self._run, self._events
+            target, self._header, self._frames, self.statistics, self._run, self._events, self._checkpoint
         )
         if self._finer is not None:
-            writing.add_finer(path_of(path, "result"), self._finer, self.statistics)
+            writing.add_finer(target, self._finer, self.statistics)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
@@ -426,11 +442,61 @@ class Result:
         from linkwork.results import reading
 
         stored = reading.read(path_of(path, "result"), trusted=trusted)
-        result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events)
+        result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events,
+                     checkpoint=stored.checkpoint)  # fmt: skip
         if stored.finer is not None:
             factor, fields = stored.finer
             result._finer = Finer(cls(fields, stored.header, {}, run=stored.run), factor)
         return result
+
+    def to_frame(
+        self, *, bodies: Sequence[Named] = (), joints: Sequence[Named] = (), quantities: Sequence[str] = ()
+    ) -> pandas.DataFrame:
+        """A pandas.DataFrame over the time, a column a number, such as "crank.position.x [m]".
+
+            result.to_frame(bodies=["crank"], quantities=["position", "coordinate"])
+
+        bodies, joints  by name, index or handle; without, all
+        quantities      of position, orientation, velocity, omega, acceleration, angular_acceleration,
+                        reaction_force, reaction_torque, kinetic_energy, potential_energy, work, energy_error,
+                        violation, coordinate (of joints, with their rates); without, all
+
+        `attrs` has the model and the unit of each column. OptionError: no such quantity, or no pandas:
+        pip install 'linkwork[pandas]'. ModelError: no such body or joint.
+        """
+        from linkwork.results import tables
+
+        return tables.to_frame(self, tables.Choice(bodies, joints, quantities))
+
+    def to_csv(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
+        quantities: Sequence[str] = (),
+        overwrite: bool = False,
+    ) -> str:
+        """The columns of `to_frame` as CSV, every digit kept; written to `path` when given.
+
+        FileError: `path` is there already, is no .csv, or cannot be written. Others as for `to_frame`.
+        """
+        from linkwork.results import tables
+
+        return tables.to_csv(self, path, tables.Choice(bodies, joints, quantities), overwrite)
+
+    def to_xarray(
+        self, *, bodies: Sequence[Named] = (), joints: Sequence[Named] = (), quantities: Sequence[str] = ()
+    ) -> xarray.Dataset:
+        """An xarray.Dataset with named axes: `found.position.sel(body="crank", xyz="x")` over the time.
+
+        Every variable has its `units` and `long_name`, the data set the manifest. Angles and displacements of
+        joints, and their rates, are over the joints that have them. Arguments and errors as for `to_frame`;
+        pip install 'linkwork[xarray]'.
+        """
+        from linkwork.results import tables
+
+        return tables.to_xarray(self, tables.Choice(bodies, joints, quantities))
 
     def plot(
         self,
@@ -443,6 +509,7 @@ class Result:
         """A figure of the run, written to `path` when given.
 
         kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
+                "positions", "velocities", "accelerations" (of bodies, the last two with those of rotations),
                 "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
                 coordinates), "step" (sizes of steps)
         bodies  by name, index or handle; without, those that move most
@@ -453,7 +520,7 @@ class Result:
         """
         from linkwork.plots import kinds
 
-        path = None if path is None else path_of(path, "picture")
+        path = None if path is None else check_suffix(path, "picture")
         return kinds.plot(self, path, kind, bodies, joints)
 
     def index(self, what: Literal["body", "joint"], name: Named) -> int:
@@ -501,7 +568,7 @@ class Result:
 
         page = view([self] if other is None else [self, other], labels, limit)
         if path is not None:
-            page.save(path_of(path, "page"))
+            page.save(path)
         return page
 
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
@@ -513,7 +580,7 @@ class Result:
 
         page = report(self)
         if path is not None:
-            page.save(path_of(path, "page"))
+            page.save(path)
         return page
 
     def summary(self) -> str:
@@ -530,6 +597,7 @@ class Result:
     def __setstate__(self, state: dict[str, Any]) -> None:
         """What earlier versions pickled says of itself what it says today."""
         header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
+        self._checkpoint = None
         self.__dict__.update(state, _header=header, statistics=renamed_statistics(state["statistics"]))
 
     # --- how it works ---

@@ -9,13 +9,15 @@
     /finer/    of a run that was verified: the fields of /frames/ by a finer run, at the same times, and the
                attribute `factor` by which the difference is an error
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
+    /checkpoint  what the run can go on from to the last bit, see `checkpoints`
     /digests   of all this, see `digests`; not in files of versions 1 to 3
 
 The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
 a run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when
 there is none the file is closed with what it has. The reactions are stored, not recomputed: what was recorded
 needs no model to be read, so a mechanism driven by a Python function (which no file can hold) loads like any
-other. A field of no width (the multipliers of a free body) is not stored.
+other. Fields and arrays have an attribute
+`units` where they have one. A field of no width (the multipliers of a free body) is not stored.
 """
 
 from __future__ import annotations
@@ -27,8 +29,8 @@ import os
 import shutil
 import time
 import uuid
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import ModuleType, TracebackType
 from typing import Any, Self
@@ -41,9 +43,9 @@ from linkwork.accuracy.verification import Finer
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause, unwritable
-from linkwork.motion.header import MODEL_NAMES, Header, record_reactions
-from linkwork.motion.records import Occurrence
-from linkwork.results import digests
+from linkwork.motion.header import MODEL_NAMES, UNITS, Header, record_reactions
+from linkwork.motion.records import Checkpoint, Occurrence
+from linkwork.results import checkpoints, digests
 from linkwork.results.shapes import write_shapes
 
 fcntl: ModuleType | None
@@ -56,6 +58,9 @@ FORMAT, VERSION = "linkwork result", 4
 
 #: Together with the driver's chunk of frames, a kill loses at most the last second.
 FLUSH_SECONDS = 0.5
+
+#: A kill costs a run that is resumed so much more.
+CHECKPOINT_SECONDS = 5.0
 
 #: HDF5's index of chunks splits beyond 64 chunks, and is inconsistent for an instant.
 CHUNKS = 48
@@ -93,12 +98,21 @@ class ResultWriter:
     frames; during it, where the disk is full (the frames so far stay readable).
     """
 
-    def __init__(self, path: str | os.PathLike[str], header: Header, *, run: str | None = None) -> None:
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        header: Header,
+        *,
+        run: str | None = None,
+        checkpoint: Callable[[], Checkpoint | None] = lambda: None,
+    ) -> None:
+        """`checkpoint` for the last frame that was written."""
         self.path = path_of(path, "result")
         self._header = header
         self._frames = 0
         self._pending: list[Floats] = []
         self._failure: FileError | None = None
+        self._checkpoint, self._checkpoint_due = checkpoint, 0.0
         self._flushed_at = time.monotonic()
         self._size = self._reserved = 0  # of the file [bytes]: with all chunks begun so far; made sure of
         self._fields: dict[str, h5py.Dataset] = {}
@@ -163,6 +177,16 @@ class ResultWriter:
                 self._pending.clear()
                 self._file.flush()
         self._flushed_at = time.monotonic()
+        if self._flushed_at >= self._checkpoint_due:
+            self._write_checkpoint_beside()
+
+    def _write_checkpoint_beside(self) -> None:
+        """Without it the run can be gone on from, but not to the last bit: no reason to end."""
+        checkpoint = self._checkpoint()
+        self._checkpoint_due = self._flushed_at + CHECKPOINT_SECONDS
+        if checkpoint is not None:
+            with suppress(OSError):
+                checkpoints.write_beside(self._target, checkpoint, self._run)
 
     def _write_digests(self) -> None:
         self._blocks.seal()
@@ -183,6 +207,7 @@ class ResultWriter:
             self._file.close()
             raise
         with self._failures():
+            self._write_checkpoint()
             if statistics is not None:
                 _write_statistics(self._file, statistics, self._blocks.last)
             self._file.flush()
@@ -190,6 +215,21 @@ class ResultWriter:
             self._file.close()
             if os.path.getsize(self.path) > size:
                 os.truncate(self.path, size)
+            checkpoints.beside(self._target).unlink(missing_ok=True)
+
+    def _write_checkpoint(self) -> None:
+        """Where there is room for it."""
+        checkpoint = self._checkpoint()
+        if checkpoint is None:
+            return
+        needed = self._file.id.get_filesize() + 2 * len(checkpoint.state) + MARGIN_BYTES
+        if needed > self._reserved:
+            try:
+                self._check_room(needed - os.stat(self.path).st_blocks * 512)
+                _allocate(self.path, self._reserved, needed)
+            except (FileError, OSError):
+                return
+        checkpoints.write(self._file, checkpoint, self._run)
 
     def __enter__(self) -> Self:
         return self
@@ -214,6 +254,8 @@ class ResultWriter:
                 f"output '{self.path}': another run is writing it; give each run an output of its own",
                 code="busy",
             )
+        self._target, self._run = target, run
+        checkpoints.beside(target).unlink(missing_ok=True)
         begun = target.with_name(f".{target.name}.{run}.begun")
         try:
             self._file = h5py.File(begun, "w")
@@ -231,6 +273,7 @@ class ResultWriter:
         model = self._file.create_group("model")
         for name in MODEL_ARRAYS:
             model[name] = getattr(self._header, name)
+            _name_unit(model[name], name)
         for name in MODEL_NAMES:
             model[name] = _encoded(getattr(self._header, name))
         write_shapes(model, self._header.shapes)
@@ -244,6 +287,8 @@ class ResultWriter:
                 self._fields[name] = frames.create_dataset(
                     name, (0, *shape), "f8", maxshape=(None, *shape), chunks=chunk, fillvalue=math.nan
                 )
+                _name_unit(frames[name], name)
+        checkpoints.make_place(self._file, self._header.body_count)
         rows = digests.CHUNK_ROWS, digests.COLUMNS
         self._file.create_dataset(digests.BLOCKS, (0, rows[1]), "u8", maxshape=(None, rows[1]), chunks=rows)
         start = self._file.attrs[digests.DIGEST] = digests.head(self._file)
@@ -315,13 +360,14 @@ def save(
     statistics: Mapping[str, Any],
     run: str,
     events: Sequence[Occurrence] = (),
+    checkpoint: Checkpoint | None = None,
 ) -> None:
     """Write a whole result: to a file beside, then renamed, so that `path` is never half written."""
     path = Path(path)
     beside = path.with_name(f".{path.name}.{os.getpid()}.part")
     count = len(frames["t"])
     try:
-        with ResultWriter(beside, header, run=run) as writer:
+        with ResultWriter(beside, header, run=run, checkpoint=lambda: checkpoint) as writer:
             block = max(1, 2**26 // _frame_bytes(header))
             for start in range(0, count, block):
                 writer.write({name: values[start : start + block] for name, values in frames.items()})
@@ -362,7 +408,8 @@ def _write_statistics(
     """
     text = json.dumps(dict(statistics), default=_plain)
     file.attrs.modify("statistics", text)
-    file.attrs.modify(digests.CLOSING, digests.closing(text, last, finer))
+    closing = digests.closing(text, last, finer, checkpoints.digest_of(file))
+    file.attrs.modify(digests.CLOSING, closing)
 
 
 def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
@@ -373,6 +420,11 @@ def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
         "name": ((), h5py.string_dtype()),
         "t": ((), "f8"),
     }
+
+
+def _name_unit(dataset: h5py.Dataset, name: str) -> None:
+    if name in UNITS:
+        dataset.attrs["units"] = UNITS[name]
 
 
 def _event_value(it: Occurrence, name: str) -> Any:

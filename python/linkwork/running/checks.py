@@ -56,6 +56,12 @@ LISTED = 5
 #: Gains times step above which continuous Baumgarte stabilization lowers the order of the integrator.
 ACCURATE_GAIN = 0.1
 
+#: A violation may grow so much in a step, by rounding of what tells its growth.
+STABLE = 1e-9
+
+#: Imaginary parts, relative to |s|, that are none.
+REAL = 1e-6
+
 
 def check_bodies(model: Model) -> None:
     """ModelError: no model, or nothing to simulate in it."""
@@ -150,18 +156,20 @@ def joint_residuals(
     return position.value, velocity.value
 
 
-def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> Assembly | None:
+def consistent(
+    model: Model, dynamics: _core.Dynamics, correct: bool = True, *, quiet: bool = False
+) -> Assembly | None:
     """Correct initial conditions that violate the joints by a little more than rounding; None: nothing to do.
 
     LinkworkWarning: what was corrected; with `correct` False any violation, which then stays. ModelError: the
     violation is too large to be an inaccuracy; its `joints` and `residuals` are those that violate it.
-    NotConvergedError: joints contradict each other.
+    NotConvergedError: joints contradict each other. `quiet`: without the warnings, which were given.
     """
     core = model.compiled()
     small = SMALL_RESIDUAL if correct else np.inf
     remarks = (_inaccuracy(core, level, level.rounding, small) for level in residuals(model, dynamics))
     found = "; ".join(filter(None, remarks))
-    if found and not correct:
+    if found and not correct and not quiet:
         warn(found)
     if not found or not correct:
         return None
@@ -170,7 +178,8 @@ def consistent(model: Model, dynamics: _core.Dynamics, correct: bool = True) -> 
         float(x.max()) for x in (assembly.moved, assembly.turned, assembly.velocity_change)
     )
     changes = f"bodies by at most {moved:.2g} m and {turned:.2g} rad, velocities by {faster:.2g} m/s"
-    warn(f"{found}: corrected {changes}")
+    if not quiet:
+        warn(f"{found}: corrected {changes}")
     return assembly
 
 
@@ -184,10 +193,11 @@ def start_time(start: Snapshot | None) -> float:
     return number(t, "start: t", code="start")
 
 
-def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None:
+def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, known: bool = False) -> None:
     """OptionError: the state of another mechanism.
 
-    LinkworkWarning: the joints do not hold in it, or force elements had more to go on from than the state.
+    LinkworkWarning: the joints do not hold in it, unless it is `known` to be that of the run which goes on;
+    force elements had more to go on from than the state.
     """
     core, count = model.compiled(), model.body_count
     q, v = array(start.q, "start: q"), array(start.v, "start: v")
@@ -207,6 +217,8 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot) -> None
             bodies=[core.body_name(body)],
         )
     _take_history(core, dynamics, start)
+    if known:
+        return
     remarks = [
         _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
     ]
@@ -298,7 +310,7 @@ def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> No
         return
     gains = f"baumgarte_alpha {alpha:g} 1/s and baumgarte_beta {beta:g} 1/s"
     growth = method.growth(alpha * step, beta * step)
-    if growth > 1 + 1e-9:
+    if growth > 1 + STABLE:
         raise OptionError(
             f"{gains} are unstable with integrator '{method.name}' and step {step:g} s: a violation grows "
             f"by the factor {growth:.3g} in each step; use smaller gains, a smaller step, or stabilization "
@@ -329,7 +341,7 @@ def check_stiffness(method: Integrator, system: System, step: float) -> None:
 
 
 def _complex(value: complex) -> str:
-    real = abs(value.imag) < 1e-6 * abs(value)
+    real = abs(value.imag) < REAL * abs(value)
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 

@@ -104,6 +104,7 @@ def reporting(
 
         def report(t: float, steps_done: int, violation: float | None = None) -> None:
             nonlocal before
+            t = max(t, t_start)  # one that is resumed takes some steps again
             taken = steps_done - before[1]
             step = (t - before[0]) / taken if taken > 0 and before[1] > 0 else None
             before = t, steps_done

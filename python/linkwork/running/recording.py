@@ -18,7 +18,7 @@ from linkwork.errors import FileError, LinkworkError, OptionError, warn
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header, frame_shapes
-from linkwork.motion.records import Occurrence, Snapshot
+from linkwork.motion.records import Checkpoint, Occurrence, Snapshot
 from linkwork.results.result import Result
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
@@ -26,7 +26,7 @@ from linkwork.running.progress import Report
 if TYPE_CHECKING:
     from linkwork.running.estimation import ErrorEstimator
 
-__all__ = ["PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
+__all__ = ["Checkpoints", "PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
 
 Frames = Mapping[str, Floats]
 
@@ -46,9 +46,27 @@ class Recorder(Protocol):
     def result(self, statistics: Mapping[str, Any]) -> Result: ...
 
 
+class Checkpoints:
+    """Where a run can be gone on from to the last bit; `method`: see `Checkpoint`."""
+
+    def __init__(self, run: _core.Run, method: str) -> None:
+        self._run, self._method = run, method
+
+    def of_frames(self) -> Checkpoint | None:
+        """For the last frame that the run gave out."""
+        return self._of(self._run.checkpoint)
+
+    def of_state(self) -> Checkpoint | None:
+        """For its last state."""
+        return self._of(self._run.last_checkpoint)
+
+    def _of(self, found: tuple[float, bytes] | None) -> Checkpoint | None:
+        return None if found is None else Checkpoint(self._method, *found)
+
+
 class _Memory:
-    def __init__(self, header: Header) -> None:
-        self._header = header
+    def __init__(self, header: Header, checkpoints: Checkpoints) -> None:
+        self._header, self._checkpoints = header, checkpoints
         self._pieces: list[Frames] = []
         self._occurrences: list[Occurrence] = []
 
@@ -64,14 +82,15 @@ class _Memory:
 
     def result(self, statistics: Mapping[str, Any]) -> Result:
         joined = {name: np.concatenate([piece[name] for piece in self._pieces]) for name in self._pieces[0]}
-        return Result(joined, self._header, statistics, events=self._occurrences)
+        checkpoint = self._checkpoints.of_frames()
+        return Result(joined, self._header, statistics, events=self._occurrences, checkpoint=checkpoint)
 
 
 class _File:
-    def __init__(self, path: str | os.PathLike[str], header: Header) -> None:
+    def __init__(self, path: str | os.PathLike[str], header: Header, checkpoints: Checkpoints) -> None:
         from linkwork.results.writing import ResultWriter
 
-        self._writer = ResultWriter(path, header)
+        self._writer = ResultWriter(path, header, checkpoint=checkpoints.of_frames)
 
     def write(self, frames: Frames) -> None:
         self._writer.write(frames)
@@ -93,11 +112,11 @@ class _File:
         return Result._read(self._writer.path, trusted=True)
 
 
-def recorder(output: str | os.PathLike[str] | None, header: Header) -> Recorder:
+def recorder(output: str | os.PathLike[str] | None, header: Header, checkpoints: Checkpoints) -> Recorder:
     """To a file, or to memory. FileError: the file cannot be written."""
     if output is None:
-        return _Memory(header)
-    return _File(output, header)
+        return _Memory(header, checkpoints)
+    return _File(output, header, checkpoints)
 
 
 def frame_bytes(model: Model) -> int:
@@ -113,6 +132,7 @@ def record(
     report: Report,
     labels: Sequence[str],
     estimator: ErrorEstimator,
+    checkpoints: Checkpoints,
     *,
     warns: bool = False,
 ) -> float:
@@ -136,12 +156,14 @@ def record(
                 warned = _warn_of_singular_poses(run.statistics(), warned)
             before = time.perf_counter()
     except BaseException as error:
-        _abandon(run, to, labels, error)
+        _abandon(run, to, labels, error, checkpoints)
         raise
     return spent
 
 
-def _abandon(run: _core.Run, to: Recorder, labels: Sequence[str], error: BaseException) -> None:
+def _abandon(
+    run: _core.Run, to: Recorder, labels: Sequence[str], error: BaseException, checkpoints: Checkpoints
+) -> None:
     """Keep what there is, and say in the error how far the run came."""
     try:
         to.note(_occurrences(run, labels))
@@ -149,7 +171,8 @@ def _abandon(run: _core.Run, to: Recorder, labels: Sequence[str], error: BaseExc
     finally:
         result = to.abandon()
         if isinstance(error, LinkworkError):
-            error.state, error.result = Snapshot.of(run.t, run.last_state, run.history), result
+            state = Snapshot.of(run.t, run.last_state, run.history)
+            error.state, error.result = state.resumable(checkpoints.of_state(), run.work), result
             if result is not None:
                 result.statistics.update(run.statistics(), failed=True)
         elif isinstance(error, Exception):  # of the user's own function

@@ -49,7 +49,7 @@ class Fixed:
     usual_integrator: ClassVar[str] = "rk4"
 
     def expected_frames(self, run: _core.Run) -> int:
-        return run.steps_total // self.record_every + 2
+        return run.steps_total // self.record_every + 3
 
     def finer(self, times: NDArray[np.float64]) -> dict[str, Any]:
         """Arguments of a run with half the step and frames at the same times."""
@@ -64,6 +64,10 @@ class Fixed:
 
     def chosen(self) -> dict[str, Any]:
         return {"t_end": self.t_end, "step": self.step, "record_every": self.record_every}
+
+    def steps(self) -> dict[str, Any]:
+        """What decides on the steps."""
+        return {"step": self.step}
 
     def check(self, method: Integrator | PythonStep, system: System) -> None:
         """OptionError: gains or force elements that are too stiff for the integrator at this step."""
@@ -142,6 +146,10 @@ class Adaptive:
             "largest_step": self.largest_step if math.isfinite(self.largest_step) else None,
             "record_every": self.record_every or None,
         }
+
+    def steps(self) -> dict[str, Any]:
+        """What decides on the steps."""
+        return {"rtol": self.rtol, "atol": self.atol, "largest_step": self.largest_step}
 
     def check(self, method: Integrator | PythonStep, system: System) -> None:
         """OptionError: an integrator without an error estimate."""

@@ -14,7 +14,7 @@ from typing import Any, Unpack
 from numpy.typing import ArrayLike
 
 from linkwork import _core, integrators
-from linkwork.arguments import path as path_of
+from linkwork.arguments import check_new
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
 from linkwork.errors import OptionError, unwritable
@@ -25,7 +25,7 @@ from linkwork.motion.records import Snapshot
 from linkwork.options import TABLE, Options, Policy, check_name, check_option, names
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
-from linkwork.running import breakpoints, checks, duration, estimation, recording, schedule
+from linkwork.running import breakpoints, checks, duration, estimation, recording, resuming, schedule
 from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
@@ -51,6 +51,7 @@ def simulate(
     breaks: ArrayLike = (),
     start: Snapshot | None = None,
     output: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
     progress: ProgressOption = None,
     assemble: bool = True,
     on_inaccurate: Policy = "warn",
@@ -79,10 +80,14 @@ def simulate(
                   declare: steps that follow tolerances end there; of fixed ones the summary says how many
                   contain one
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot(frame)` or the
-                  `state` of an error. The work and multistep methods begin anew; with a fixed step other
-                  methods go on to the last bit. Where a state has no history variables (of a file of
-                  version 0.1), full turns and contacts under way begin anew: a LinkworkWarning names them
+                  `state` of an error. From the last frame of a result, in memory or in a file, and from the
+                  state of an error, a run of the same model by the same method goes on to the last bit, as if
+                  it had never ended (manifest["resumed"]; steps that the end had shortened are taken once
+                  more, unseen). Otherwise the work, multistep methods and step control begin anew. Where a
+                  state has no history variables (of a file of version 0.1), full turns and contacts under way
+                  begin anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
+    overwrite     whether `output` may replace a file that is there
     progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
                   of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
     assemble      correct initial poses and velocities that violate the joints a little. Up to 1/1000 of the
@@ -122,7 +127,7 @@ def simulate(
              "record_every": record_every, "breaks": breaks, "assemble": assemble,
              "on_inaccurate": on_inaccurate, **options}  # fmt: skip
     prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
-    _check_folder(output)
+    _check_output(output, overwrite)
     duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
     result, estimator = _carried_out(prepared, output, progress, started)
     if verify:
@@ -166,6 +171,7 @@ class _Prepared:
     run: _core.Run
     chosen: Mapping[str, Any]  # options with none left open
     facts: Mapping[str, Any]  # for the manifest
+    key: str  # of checkpoints, see `resuming`
 
     @property
     def t_start(self) -> float:
@@ -190,11 +196,23 @@ def _prepared(
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
     t_start = checks.start_time(start)
     checks.check_tables(model, plan.t_end)
-    breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
     breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
+    options = _honored(method, options)
     system, assembly = _system(model, method, options, plan, given["assemble"], start)
-    run = plan.run(method, system, [event for _, event in watched], start, breaks)
+    key = resuming.key(model, method, {**plan.steps(), **system.options}, watched, given, assembly)
+    resume = resuming.of(start, key, plan.t_end)
+    if start is not None:
+        checks.check_start(model, system.compiled(), start, known=resume is not None)
+    if resume is not None:
+        key = resume.checkpoint.method
+        system = _as_then(system, model, options, given["assemble"], key)
+    since = t_start if resume is None else resume.checkpoint.t
+    known = breakpoints.of_run(model, given["breaks"], since, plan.t_end)
+    run = plan.run(method, system, [event for _, event in watched], start, known)
+    if resume is not None:
+        run.resume(resume.checkpoint.state, resume.work)
+    breaks = [t for t in known if t > t_start]
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, given, chosen),
@@ -202,15 +220,17 @@ def _prepared(
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
         "events": [label for label, _ in watched],
+        **({} if start is None else {"resumed": resume is not None}),
     }
-    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts)
+    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
 
 
 def _carried_out(
     it: _Prepared, output: str | os.PathLike[str] | None, progress: ProgressOption, started: float
 ) -> tuple[Result, estimation.ErrorEstimator]:
     """The result, with what the run took since `started` [s], and who can take steps of it again."""
-    recorder = recording.recorder(output, it.header())
+    checkpoints = recording.Checkpoints(it.run, it.key)
+    recorder = recording.recorder(output, it.header(), checkpoints)
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
@@ -225,7 +245,7 @@ def _carried_out(
             stops=it.given["on_inaccurate"] == "stop",
         )  # fmt: skip
         spent["driver_seconds"] = recording.record(
-            run, pieces, recorder, report, labels, estimator, warns=warns
+            run, pieces, recorder, report, labels, estimator, checkpoints, warns=warns
         )
         statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
         driven = time.perf_counter()
@@ -256,20 +276,35 @@ def _system(
     start: Snapshot | None,
 ) -> tuple[System, Assembly | None]:
     """The model with its method and a consistent initial state, and what it took to make it so."""
-    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
-        options = {**options, "stabilization": "projection"}  # no acceleration to which to add a correction
     system = System(model, **options)
     plan.check(method, system)
     if start is not None:
-        checks.check_start(model, system.compiled(), start)
         return system, None
     assembly = checks.consistent(model, system.compiled(), correct=assemble)
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
 
 
-def _check_folder(output: str | os.PathLike[str] | None) -> None:
-    """FileError: there is no folder for it, which is told before how long the run would take."""
-    if output is not None and not path_of(output, "output").absolute().parent.is_dir():
+def _honored(method: Integrator | PythonStep, options: Options) -> Options:
+    """Half-explicit methods have no acceleration to which to add a correction."""
+    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
+        return {**options, "stabilization": "projection"}
+    return options
+
+
+def _as_then(system: System, model: Model, options: Options, assemble: bool, key: str) -> System:
+    """As it was in the run that is resumed, of a model whose initial state had been corrected."""
+    if not resuming.assembled(key):
+        return system
+    assembly = checks.consistent(model, system.compiled(), correct=assemble, quiet=True)
+    assert assembly is not None
+    then = System(assembly.model, **options)
+    then.compiled().history = system.compiled().history
+    return then
+
+
+def _check_output(output: str | os.PathLike[str] | None, overwrite: bool) -> None:
+    """FileError: there is no folder for it, or a file, which is told before how long the run would take."""
+    if output is not None and not check_new(output, "result", overwrite).absolute().parent.is_dir():
         raise unwritable("output", output, FileNotFoundError(errno.ENOENT, "no folder"))
 
 

@@ -49,7 +49,7 @@ def movie(
     size: tuple[int, int] = (960, 640),
 ) -> None:
     """Write a .mp4 or .gif; see `Result.movie`."""
-    file = arguments.path(path, "movie")
+    file = arguments.check_suffix(path, "movie")
     if file.suffix.lower() not in (".mp4", ".gif"):
         raise FileError(f"movie '{path}': is neither .mp4 nor .gif: name it so", code="format")
     if not len(result):
@@ -91,13 +91,9 @@ def _write_gif(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[in
 
 
 def _write_mp4(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[int, int]) -> None:
-    try:
-        import imageio_ffmpeg
-    except ImportError as error:
-        raise FileError(
-            f"movie '{file}': needs imageio-ffmpeg: pip install 'linkwork[movie]', or write a .gif",
-            code="missing_package",
-        ) from error
+    imageio_ffmpeg = arguments.optional_package(
+        "imageio_ffmpeg", "movie", f"movie '{file}'", FileError, "a .gif needs nothing"
+    )
     writer = imageio_ffmpeg.write_frames(
         str(file), size, fps=rate, quality=8, macro_block_size=2, ffmpeg_log_level="error"
     )

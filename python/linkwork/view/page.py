@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from linkwork.arguments import is_number
+from linkwork.arguments import check_suffix, is_number
 from linkwork.errors import OptionError, unwritable
 from linkwork.view.run import LIMIT, document
 
@@ -47,9 +47,9 @@ class Page:
         self.html = html
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """FileError: it cannot be written."""
+        """FileError: it has the suffix of another kind of file, or cannot be written."""
         try:
-            Path(path).write_text(self.html, encoding="utf-8")
+            check_suffix(path, "page").write_text(self.html, encoding="utf-8")
         except OSError as error:
             raise unwritable("page", path, error) from error
 

@@ -1,8 +1,9 @@
+#include "linkwork/linear/linear_solver.hpp"
+
+#if LINKWORK_WITH_SUITESPARSE
 #include <klu.h>
 
 #include <new>
-
-#include "linkwork/linear/linear_solver.hpp"
 
 namespace linkwork {
 namespace {
@@ -27,16 +28,18 @@ class Klu final : public LinearSolver {
   Pivot factorize(const SparseMatrix& A) override {
     if (structurally_singular_) return {0.0, -1};
     matrix_ = &A;
+    if (!numeric_ && pivoted_.size() == A.value.size()) pivot(A, pivoted_);
     if (numeric_ && refactorize(A)) return {common_.rcond, -1};
-    klu_free_numeric(&numeric_, &common_);
-    numeric_ = klu_factor(begin(A), rows(A), values(A), symbolic_, &common_);
-    if (!numeric_) {
-      if (common_.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
-      return {0.0, common_.singular_col < A.size ? common_.singular_col : -1};
-    }
-    klu_rcond(symbolic_, numeric_, &common_);
-    pivoted_condition_ = common_.rcond;
+    pivoted_.clear();
+    if (!pivot(A, A.value)) return {0.0, common_.singular_col < A.size ? common_.singular_col : -1};
+    pivoted_ = A.value;
     return {common_.rcond, -1};
+  }
+
+  /// The pivots, by the matrix for which they were chosen.
+  void keep(Archive& archive) override {
+    archive(pivoted_);
+    if (archive.reading()) klu_free_numeric(&numeric_, &common_);
   }
 
   void solve(Eigen::Ref<MatrixXd> x) override {
@@ -58,6 +61,17 @@ class Klu final : public LinearSolver {
   std::optional<std::int64_t> factor_bytes() const override { return static_cast<std::int64_t>(common_.memusage); }
 
  private:
+  /// A full factorization of a matrix with the pattern of A; false where it is singular.
+  bool pivot(const SparseMatrix& A, const std::vector<double>& values) {
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(begin(A), rows(A), const_cast<double*>(values.data()), symbolic_, &common_);
+    if (!numeric_ && common_.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (!numeric_) return false;
+    klu_rcond(symbolic_, numeric_, &common_);
+    pivoted_condition_ = common_.rcond;
+    return true;
+  }
+
   void solve_column(double* column) { klu_solve(symbolic_, numeric_, matrix_->size, 1, column, &common_); }
 
   /// residual_ -= A x: for one step of iterative refinement, because kept pivots are not the best ones.
@@ -77,6 +91,7 @@ class Klu final : public LinearSolver {
   static int* rows(const SparseMatrix& A) { return const_cast<int*>(A.row.data()); }
   static double* values(const SparseMatrix& A) { return const_cast<double*>(A.value.data()); }
   void release() {
+    pivoted_.clear();
     klu_free_numeric(&numeric_, &common_);
     klu_free_symbolic(&symbolic_, &common_);
   }
@@ -86,15 +101,27 @@ class Klu final : public LinearSolver {
   klu_numeric* numeric_ = nullptr;
   const SparseMatrix* matrix_ = nullptr;  // for iterative refinement; outlives the factorization
   VectorXd residual_;
+  std::vector<double> pivoted_;  ///< values of the matrix for which the pivots were chosen
   double pivoted_condition_ = 0.0;
   bool structurally_singular_ = false;
 };
 
+std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Klu>(); }
+
 }  // namespace
+}  // namespace linkwork
+#endif
+
+namespace linkwork {
 
 LinearSolverInfo klu_solver() {
-  return {"klu", "KLU's sparse LU, refactorized with the pivots kept while they serve", false,
-          [](Storage) -> std::unique_ptr<LinearSolver> { return std::make_unique<Klu>(); }};
+  LinearSolverInfo info{"klu", "KLU's sparse LU, refactorized with the pivots kept while they serve", false, nullptr};
+#if LINKWORK_WITH_SUITESPARSE
+  info.make = make;
+#else
+  info.missing = "KLU is a part of SuiteSparse, and LINKWORK_WITH_SUITESPARSE was OFF, as in wheels";
+#endif
+  return info;
 }
 
 }  // namespace linkwork

@@ -48,9 +48,14 @@ std::vector<int> fill_reducing_order(const NumberLists& graph) {
 }  // namespace linkwork::block
 
 #else
+#if LINKWORK_WITH_SUITESPARSE
 #include <amd.h>
 
 #include <new>
+#else
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#endif
 #include <numeric>
 
 namespace linkwork::block {
@@ -67,13 +72,28 @@ auto& at(Container& container, int k) {
   return container[k];
 }
 
-Numbers minimum_degree(const NumberLists& graph) {
-  Numbers order(graph.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (graph.numbers().empty()) return order;  // which AMD does not take
+#if LINKWORK_WITH_SUITESPARSE
+void find_minimum_degree(const NumberLists& graph, Numbers& order) {
   if (amd_order(static_cast<int>(graph.size()), graph.begins().data(), graph.numbers().data(), order.data(), nullptr,
                 nullptr) < AMD_OK)
     throw std::bad_alloc();
+}
+#else
+void find_minimum_degree(const NumberLists& graph, Numbers& order) {
+  using Pattern = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+  const auto n = static_cast<Eigen::Index>(graph.size()), entries = static_cast<Eigen::Index>(graph.numbers().size());
+  const std::vector<double> ones(graph.numbers().size(), 1.0);
+  const Eigen::Map<const Pattern> A(n, n, entries, graph.begins().data(), graph.numbers().data(), ones.data());
+  Eigen::AMDOrdering<int>::PermutationType found;
+  Eigen::AMDOrdering<int>()(Pattern(A).selfadjointView<Eigen::Lower>(), found);
+  std::copy_n(found.indices().data(), n, order.begin());
+}
+#endif
+
+Numbers minimum_degree(const NumberLists& graph) {
+  Numbers order(graph.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (!graph.numbers().empty()) find_minimum_degree(graph, order);  // which AMD does not take
   return order;
 }
 

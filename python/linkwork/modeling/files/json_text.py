@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 import re
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 
-from linkwork.errors import Fault
+from linkwork.errors import MOST_FAULTS, Fault, Faults
 
 _SPACE = re.compile(r"[ \t\n\r]*")
-_TOKENS = re.compile(r'"(?:[^"\\]|\\.)*"|[\[\]{}]')
+_TOKENS = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[\[\]{}]')
+
+_DEEPER = {"[": 1, "{": 1, "]": -1, "}": -1}
 
 #: Levels of lists and objects in each other.
 DEPTH = 64
@@ -34,7 +37,8 @@ class JsonText:
 
     def __init__(self, text: str) -> None:
         self._text = text
-        self._offsets: dict[tuple[str | int, ...], dict[str | int, int]] = {}
+        self._reached: dict[tuple[str | int, ...], tuple[int, int]] = {}  # of a list: an entry, and its place
+        self._offsets: dict[tuple[str | int, ...], int] = {}
         self._any_repeated = False
         try:
             self.data = json.loads(text, object_pairs_hook=self._object, parse_constant=_refuse_constant)
@@ -47,7 +51,10 @@ class JsonText:
         except ValueError as error:  # NaN; an integer with more digits than Python takes
             raise Malformed([_unreadable_number(text, str(error))]) from None
         if self._any_repeated:
-            raise Malformed(list(self._repetitions(self.data, ())))
+            faults = Faults()
+            for fault in self._repetitions(self.data, (), faults):
+                faults.add(fault)
+            raise Malformed(faults.all())
 
     def line(self, where: Sequence[str | int]) -> int:
         """The line, from 1 on, of the value at this place."""
@@ -59,45 +66,79 @@ class JsonText:
         if len(made) == len(pairs):
             return made
         repeated = _Repeated(made)
-        names = [name for name, _ in pairs]
-        repeated.names = sorted({name for name in names if names.count(name) > 1})
+        counts = Counter(name for name, _ in pairs)
+        repeated.names = sorted(name for name, count in counts.items() if count > 1)
         self._any_repeated = True
         return repeated
 
-    def _repetitions(self, data: Any, where: tuple[str | int, ...]) -> Iterator[Fault]:
+    def _repetitions(self, data: Any, where: tuple[str | int, ...], so_far: Faults) -> Iterator[Fault]:
         if isinstance(data, _Repeated):
             place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where)
+            if not so_far.full:
+                self._find(where, data.names[:MOST_FAULTS])
             for name in data.names:
-                yield Fault(self.line((*where, name)), f"{place}.{name}".removeprefix("."), "is given twice")
+                line = 1 if so_far.full else self.line((*where, name))  # those that are counted have none
+                yield Fault(line, f"{place}.{name[:80]}".removeprefix("."), "is given twice")
         parts = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
         for part, value in parts:
             if isinstance(value, dict | list):
-                yield from self._repetitions(value, (*where, part))
+                yield from self._repetitions(value, (*where, part), so_far)
 
     def _offset(self, where: tuple[str | int, ...]) -> int:
         """Where in the text the value begins; of a name that is repeated the last."""
         if not where:
             return _skip(self._text, 0)
-        parent = where[:-1]
-        if parent not in self._offsets:
-            self._offsets[parent] = self._members(self._offset(parent))
-        return self._offsets[parent][where[-1]]
+        if where not in self._offsets:
+            parent, part = where[:-1], where[-1]
+            start = self._offset(parent)
+            is_list = isinstance(part, int) and self._text[start] == "["
+            self._offsets[where] = self._entry(parent, start, part) if is_list else self._member(start, part)
+        return self._offsets[where]
 
-    def _members(self, start: int) -> dict[str | int, int]:
-        """The places of what is in the list or object that begins at `start`."""
-        text, decoder = self._text, json.JSONDecoder()
-        is_object = text[start] == "{"
-        place, members = _skip(text, start + 1), dict[str | int, int]()
-        while text[place] not in "]}":
-            key: str | int = len(members)
-            if is_object:
-                key, place = decoder.raw_decode(text, place)
-                place = _skip(text, _skip(text, place) + 1)  # the colon
-            members[key] = place
-            place = _skip(text, decoder.raw_decode(text, place)[1])
+    def _entry(self, parent: tuple[str | int, ...], start: int, wanted: int) -> int:
+        """The place of an entry of the list that begins at `start`."""
+        number, place = self._reached.get(parent, (0, _skip(self._text, start + 1)))
+        if number > wanted:
+            number, place = 0, _skip(self._text, start + 1)
+        while number < wanted:
+            place = _skip(self._text, _behind(self._text, place) + 1)  # the comma
+            number += 1
+        self._reached[parent] = number, place
+        return place
+
+    def _find(self, where: tuple[str | int, ...], names: Sequence[str]) -> None:
+        """The places of members of the object there, in one go."""
+        found = self._members(self._offset(where), set(names), all_of=True)
+        self._offsets.update({(*where, name): place for name, place in found.items()})
+
+    def _member(self, start: int, wanted: str | int) -> int:
+        return self._members(start, {wanted}, all_of=self._any_repeated)[wanted]
+
+    def _members(self, start: int, wanted: set[Any], *, all_of: bool) -> dict[str | int, int]:
+        """The places of members of the object that begins at `start`: the last ones, or the first that comes."""
+        text, decoder, found = self._text, json.JSONDecoder(), dict[str | int, int]()
+        place = _skip(text, start + 1)
+        while text[place] not in "]}" and (not found or all_of):
+            key, place = decoder.raw_decode(text, place)
+            place = _skip(text, _skip(text, place) + 1)  # the colon
+            if key in wanted:
+                found[key] = place
+            place = _behind(text, place)
             if text[place] == ",":
                 place = _skip(text, place + 1)
-        return members
+        return found
+
+
+def _behind(text: str, place: int) -> int:
+    """Behind the value that begins at `place`, and white space."""
+    if text[place] not in "[{":
+        return _skip(text, json.JSONDecoder().raw_decode(text, place)[1])
+    depth = 0
+    for token in _TOKENS.finditer(text, place):
+        depth += _DEEPER.get(token[0], 0)
+        if depth == 0:
+            return _skip(text, token.end())
+    raise KeyError(place)
 
 
 def _skip(text: str, place: int) -> int:
@@ -111,7 +152,7 @@ def _refuse_constant(word: str) -> NoReturn:
 
 def _unreadable_number(text: str, reason: str) -> Fault:
     """The first NaN, infinity, or integer beyond all use, outside of strings."""
-    found = re.compile(r'"(?:[^"\\]|\\.)*"|(-?Infinity|NaN|-?\d{300,})').finditer(text)
+    found = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|(-?Infinity|NaN|-?\d{300,})').finditer(text)
     token = next((match for match in found if match[1]), None)
     line = text.count("\n", 0, token.start()) + 1 if token else 1
     shown = token[1] if token and len(token[1]) < 20 else f"{token[1][:8]}..." if token else reason
@@ -121,7 +162,7 @@ def _unreadable_number(text: str, reason: str) -> Fault:
 def _too_deep(text: str) -> Fault:
     depth = 0
     for token in _TOKENS.finditer(text):
-        depth += {"[": 1, "{": 1, "]": -1, "}": -1}.get(token[0], 0)
+        depth += _DEEPER.get(token[0], 0)
         if depth > DEPTH:
             line = text.count("\n", 0, token.start()) + 1
             return Fault(line, "", f"lists and objects are nested more than {DEPTH} deep")

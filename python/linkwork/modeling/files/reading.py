@@ -14,7 +14,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pydantic import ValidationError
 
-from linkwork.errors import Fault, FileError, LinkworkError, ModelFileError, about, nearest
+from linkwork.errors import (
+    MOST_FAULTS,
+    Fault,
+    Faults,
+    FileError,
+    LinkworkError,
+    ModelFileError,
+    about,
+    nearest,
+)
 from linkwork.functions import Sum, TimeFunction, constant
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import schema
@@ -29,8 +38,17 @@ from linkwork.options import RENAMED, renamed
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-#: The most faults that are told.
-MOST = 100
+#: Lists of records.
+SECTIONS = ("bodies", "joints", "forces", "shapes", "history")
+
+#: Of a place in words, in a message [characters].
+LONGEST = 200
+
+#: Records that are looked at together where one of them is wrong.
+PIECE = 100
+
+#: The most names in a record, and in another mapping than one of functions.
+MOST_NAMES = 200
 
 
 @dataclass(frozen=True)
@@ -51,16 +69,83 @@ def _checked(path: str | os.PathLike[str], syntax: Syntax, kind: type[Model]) ->
     checker = _Checker(path, syntax)
     if not isinstance(syntax.data, dict):
         raise ModelFileError(path, [Fault(1, "", "a model file is a mapping: linkwork: 1, bodies: ...")])
-    try:
-        document = schema.document_type().model_validate(syntax.data)
-    except ValidationError as error:
-        for where, message in islice(faults_of_schema(error, syntax.data), MOST):
-            checker.add(where, message)
-        checker.finish()
+    document = _validated(syntax.data, checker)
     _check_settings(document, checker)
     _check_names(document, checker)
     checker.finish()
     return ModelFile(_build(document, checker, kind), renamed(document.simulation))
+
+
+def _validated(data: Mapping[str, Any], checker: _Checker) -> schema.Document:
+    """ModelFileError: what the schema does not have."""
+    kind = schema.document_type()
+    _check_sizes(data, checker)
+    functions = data.get("functions")
+    if isinstance(functions, dict) and len(functions) > MOST_NAMES:
+        _check_pieces(kind, _functions_in_pieces(functions), checker)
+    checker.finish()
+    try:
+        return kind.model_validate(data)
+    except ValidationError:  # which may be long, and ends with the first of a list
+        _check_pieces(kind, _wrong_pieces(kind, data), checker)
+        checker.finish()
+        raise
+
+
+Pieces = Iterator[tuple[dict[str, Any], int]]
+
+
+def _check_pieces(kind: type[schema.Document], pieces: Pieces, checker: _Checker) -> None:
+    """Until no further faults are listed."""
+    for part, number in pieces:
+        try:
+            kind.model_validate(part)
+        except ValidationError as error:
+            for where, message in faults_of_schema(error, part):
+                shifted = (where[0], int(where[1]) + number, *where[2:]) if number else where
+                checker.add(shifted, message)
+        if checker.full:
+            checker.add_more()
+            break
+
+
+def _check_sizes(data: Mapping[str, Any], checker: _Checker) -> None:
+    """Mappings with more names than any can have: each of them would be a fault."""
+    for section, records in data.items():
+        if section == "functions":
+            continue
+        listed = enumerate(records) if isinstance(records, list) else ()
+        for k, record in listed:
+            if isinstance(record, dict) and len(record) > MOST_NAMES:
+                checker.add((section, k), f"has {len(record)} names, more than there are")
+        if isinstance(records, dict) and len(records) > MOST_NAMES:
+            checker.add((section,), f"has {len(records)} names, more than there are")
+    if len(data) > MOST_NAMES:
+        checker.add((), f"has {len(data)} names, more than there are")
+
+
+def _functions_in_pieces(functions: Mapping[str, Any]) -> Pieces:
+    for place in range(0, len(functions), PIECE):
+        piece = dict(islice(functions.items(), place, place + PIECE))
+        yield {"linkwork": schema.VERSION, "functions": piece}, 0
+
+
+def _wrong_pieces(kind: type[schema.Document], data: Mapping[str, Any]) -> Pieces:
+    """Documents with one record each that may be wrong, and its number; first all that is no record."""
+    lists = {name: value for name, value in data.items() if isinstance(value, list) and name in SECTIONS}
+    functions = data.get("functions")
+    mapped = functions if isinstance(functions, dict) else {}
+    rest = data.keys() - lists.keys() - ({"functions"} if mapped else set())
+    yield {name: data[name] for name in data if name in rest}, 0
+    head = {"linkwork": schema.VERSION}
+    yield from _functions_in_pieces(mapped)
+    for name, values in lists.items():
+        for start in range(0, len(values), PIECE):
+            piece = values[start : start + PIECE]
+            try:
+                kind.model_validate({**head, name: piece})
+            except ValidationError:
+                yield from (({**head, name: [record]}, start + k) for k, record in enumerate(piece))
 
 
 def from_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
@@ -90,14 +175,19 @@ class _Checker:
 
     def __init__(self, path: str | os.PathLike[str], syntax: Syntax) -> None:
         self._path, self._syntax = path, syntax
-        self._faults: list[Fault] = []
+        self._faults, self._more = Faults(), False
 
     def add(self, where: Where, message: str) -> None:
-        self._faults.append(Fault(self.line(where), field(where), message))
+        line = 1 if self.full else self.line(where)  # those that are counted have none
+        self._faults.add(Fault(line, field(where)[:LONGEST], message))
+
+    def add_more(self) -> None:
+        """Nobody looked further."""
+        self._more = True
 
     @property
     def full(self) -> bool:
-        return len(self._faults) >= MOST
+        return self._faults.full
 
     def line(self, where: Where) -> int:
         """Of the value, or of the nearest around it that is there."""
@@ -108,11 +198,15 @@ class _Checker:
 
     def finish(self) -> None:
         """ModelFileError: there are faults."""
-        if self.full:
-            last = max(fault.line for fault in self._faults)
-            self._faults.append(Fault(last, "", f"these are the first {MOST} faults; there may be more"))
-        if self._faults:
-            raise ModelFileError(self._path, self._faults)
+        found = self._faults.all()
+        if self._more:
+            last = max(fault.line for fault in found)
+            found = [
+                *found[:MOST_FAULTS],
+                Fault(last, "", f"these are the first {MOST_FAULTS} faults; there may be more"),
+            ]
+        if found:
+            raise ModelFileError(self._path, found)
 
 
 def _check_settings(document: schema.Document, checker: _Checker) -> None:

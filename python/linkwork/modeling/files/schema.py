@@ -34,6 +34,9 @@ __all__ = [
 #: Of the format.
 VERSION = 1
 
+#: Of a list that may be long: it ends with the first fault, or each of its entries would have one.
+FIRST = Field(fail_fast=True)
+
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Vector = Annotated[list[Number], Len(3, 3)]
 Quaternion = Annotated[list[Number], Len(4, 4)]
@@ -56,7 +59,7 @@ def _union(variants: Iterable[Any]) -> Any:
 
 
 def _list(of: Any, least: int = 0, most: int | None = None) -> Any:
-    return Annotated[list[of], Len(least, most)]
+    return Annotated[list[of], Len(least, most), FIRST]
 
 
 def _mapping(of: Any) -> Any:
@@ -93,14 +96,13 @@ class BodyRecord(Record):
 
 
 def _numbers() -> Any:
-    rows = list[list[Number]]
+    row = Annotated[list[Number], FIRST]
+    rows = Annotated[list[row], FIRST]
     levels = Discriminator(
         lambda value: ("number", "list", "rows")[isinstance(value, list) + _is_nested(value)]
     )
     return Annotated[
-        Annotated[Number, Tag("number")]
-        | Annotated[list[Number], Tag("list")]
-        | Annotated[rows, Tag("rows")],
+        Annotated[Number, Tag("number")] | Annotated[row, Tag("list")] | Annotated[rows, Tag("rows")],
         levels,
     ]
 
@@ -121,7 +123,7 @@ def constructors() -> Mapping[str, Callable[..., functions.TimeFunction]]:
 
 def _argument_type(parameter: inspect.Parameter) -> Any:
     if parameter.kind is parameter.VAR_POSITIONAL:
-        return Annotated[list[Number], Len(1)]
+        return Annotated[list[Number], Len(1), FIRST]
     if parameter.annotation in ("float", float):
         return Number
     if parameter.annotation in ("str", str):
@@ -399,8 +401,8 @@ def _elements_type(role: Role) -> Any:
 class ShapesRecord(Record):
     """What bodies look like; it has no influence on the motion."""
 
-    bodies: Annotated[list[Word], Len(1)] = Field(description="names of bodies, or ground")
-    shapes: list[Any]
+    bodies: Annotated[list[Word], Len(1), FIRST] = Field(description="names of bodies, or ground")
+    shapes: Annotated[list[Any], FIRST]
 
 
 @cache
@@ -448,11 +450,13 @@ class Document(Record):
     functions: dict[Word, Any] = Field(
         {}, description="functions of time by name, for use by several elements"
     )
-    bodies: list[BodyRecord] = []
-    joints: list[Any] = []
-    forces: list[Any] = []
-    shapes: list[Any] = Field([], description="what bodies look like; without influence on the motion")
-    history: list[float] = Field(
+    bodies: Annotated[list[BodyRecord], FIRST] = []
+    joints: Annotated[list[Any], FIRST] = []
+    forces: Annotated[list[Any], FIRST] = []
+    shapes: Annotated[list[Any], FIRST] = Field(
+        [], description="what bodies look like; without influence on the motion"
+    )
+    history: Annotated[list[float], FIRST] = Field(
         [],
         description="history variables of couplers and forces at the initial time, such as full turns [rad]",
     )

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 from linkwork.arguments import path as path_of
 from linkwork.errors import Fault, FileError, ModelFileError, cause, nearest
-from linkwork.modeling.files import json_text, yaml_text
+from linkwork.modeling.files import content, json_text, yaml_text
 
 #: Keys and indices from the root of a document to a value.
 Where = Sequence[str | int]
@@ -58,14 +58,18 @@ def parse(path: str | os.PathLike[str]) -> Syntax:
 def _text(path: str | os.PathLike[str], most: int, suffix: str) -> str:
     try:
         size = os.stat(path).st_size
-        if size > most:
-            advice = "; larger models are written as .json" if suffix != ".json" else ""
-            reason = f"has {size / 2**20:.0f} MiB; a {suffix} file may have {most / 2**20:.0f} MiB{advice}"
-            raise ModelFileError(path, [Fault(1, "", reason)])
-        with open(path, "rb") as file:
-            content = file.read(most + 1)
+        found = content.read(path, most) if size <= most else None
     except OSError as error:
         raise FileError(f"model file '{path}': {cause(error)}", code="not_readable") from error
+    if found is None:
+        advice = "; larger models are written as .json" if suffix != ".json" else ""
+        has = f"has {size / 2**20:.0f} MiB" if size > most else "goes on"
+        reason = f"{has}; a {suffix} file may have {most / 2**20:.0f} MiB{advice}"
+        raise ModelFileError(path, [Fault(1, "", reason)])
+    return _decoded(path, found)
+
+
+def _decoded(path: str | os.PathLike[str], content: bytes) -> str:
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -7,15 +7,17 @@ does not have; values are those of the core schema (YAML 1.2.2, section 10.3.2).
 from __future__ import annotations
 
 import re
+from array import array
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 import yaml
 from yaml import events
 from yaml.error import MarkedYAMLError, YAMLError
 
-from linkwork.errors import Fault
+from linkwork.errors import Fault, Faults
 
 #: Levels of lists and mappings in each other.
 DEPTH = 64
@@ -50,46 +52,60 @@ class Malformed(Exception):
 
 
 @dataclass(slots=True)
-class _Node:
-    """A list or mapping while it is read; what is in it has a line, and a node where it is one itself."""
+class _Open:
+    """A list or mapping while it is read."""
 
     data: Any
-    line: int
-    lines: dict[str | int, int] = field(default_factory=dict)
-    nodes: dict[str | int, _Node] = field(default_factory=dict)
+    where: str
     key: str | None = None  #: of a mapping: waits for its value
     key_line: int = 0
-    where: str = ""
 
 
 class YamlText:
     """A YAML document."""
 
     def __init__(self, text: str) -> None:
-        self._root = _Node([], 1)
-        self._faults: list[Fault] = []
+        self._root = _Open([], "")
+        self._lines = array(
+            "I"
+        )  # of all values, each before those in it; of a mapping's value that of its key
+        self._reached: dict[tuple[str | int, ...], tuple[int, int]] = {}
+        self._faults = Faults()
         try:
             self._read(text)
         except MarkedYAMLError as error:
             mark = error.problem_mark or error.context_mark  # from 0; at the end one too many
             breaks = text.count("\n") + text.count("\r") - text.count("\r\n")
             line = min(mark.line, breaks) + 1 if mark else 1
-            self._faults.append(Fault(line, "", f"is no YAML: {error.problem or error.context}"))
+            self._faults.add(Fault(line, "", f"is no YAML: {error.problem or error.context}"))
         except (YAMLError, RecursionError, ValueError) as error:
             line = text.encode().count(b"\n", 0, getattr(error, "position", None) or 0) + 1
             reason = getattr(error, "reason", None) or str(error).splitlines()[0]
-            self._faults.append(Fault(line, "", f"is no YAML: {reason}"))
-        if self._faults:
-            raise Malformed(self._faults)
+            self._faults.add(Fault(line, "", f"is no YAML: {reason}"))
+        if self._faults.count:
+            raise Malformed(self._faults.all())
         self.data = self._root.data[0] if self._root.data else None
 
     def line(self, where: Sequence[str | int]) -> int:
         """The line, from 1 on, of the value at this place; of a mapping's value that of its key."""
-        node, line = self._root, 1
-        for part in (0, *where):
-            line = node.lines[part]
-            node = node.nodes.get(part, node)
-        return line
+        data, place = self.data, 0
+        for depth, part in enumerate(where):
+            place = self._place_in(tuple(where[:depth]), data, part, place)
+            data = data[part]
+        return self._lines[place]
+
+    def _place_in(self, where: tuple[str | int, ...], data: Any, part: str | int, start: int) -> int:
+        """Of the value `part` of the list or mapping at `start` among all values. KeyError, IndexError."""
+        data[part]
+        wanted = list(data).index(part) if isinstance(data, dict) else int(part)
+        number, place = self._reached.get(where, (0, start + 1))
+        if number > wanted:
+            number, place = 0, start + 1
+        values = data.values() if isinstance(data, dict) else data
+        for value in islice(values, number, wanted):
+            place += _size(value)
+        self._reached[where] = wanted, place
+        return place
 
     def _read(self, text: str) -> None:
         found = OLD_BREAKS.search(text)
@@ -108,9 +124,9 @@ class YamlText:
                 self._put(parent, _value(event.value) if plain else event.value, line)
             elif kind is events.SequenceStartEvent or kind is events.MappingStartEvent:
                 self._check_plain(event, line)
-                node = _Node([] if kind is events.SequenceStartEvent else {}, line)
-                self._put(open_nodes[-1], node.data, line, node)
-                open_nodes.append(node)
+                data: Any = [] if kind is events.SequenceStartEvent else {}
+                where = self._put(open_nodes[-1], data, line, is_node=True)
+                open_nodes.append(_Open(data, where))
                 if len(open_nodes) > DEPTH + 1:
                     self._refuse(line, "", f"lists and mappings are nested more than {DEPTH} deep")
             elif kind is events.SequenceEndEvent or kind is events.MappingEndEvent:
@@ -122,29 +138,30 @@ class YamlText:
             elif kind is events.AliasEvent:
                 self._refuse(line, "", f"alias *{event.anchor}: aliases are not taken; write the value")
 
-    def _put(self, parent: _Node, value: Any, line: int, node: _Node | None = None) -> None:
-        """Add a value to the list or mapping that is open; in a mapping keys and values take turns."""
+    def _put(self, parent: _Open, value: Any, line: int, *, is_node: bool = False) -> str:
+        """Add a value to the list or mapping that is open; in a mapping keys and values take turns.
+
+        Where a list or mapping is, in words.
+        """
         if isinstance(parent.data, list):
             key: str | int = len(parent.data)
             parent.data.append(value)
         elif parent.key is None:
-            if node is not None:
+            if is_node:
                 self._refuse(line, parent.where, "a key must be a word, no list or mapping")
             if value in parent.data:
-                self._faults.append(
-                    Fault(line, f"{parent.where}.{value}".removeprefix("."), "is given twice")
-                )
+                place = f"{parent.where}.{value[:80]}".removeprefix(".")
+                self._faults.add(Fault(line, place, "is given twice"))
             parent.key, parent.key_line = value, line
-            return
+            return ""
         else:
             key, parent.key = parent.key, None
             line = parent.key_line
             parent.data[key] = value
-        parent.lines[key] = line
-        if node is not None:
-            part = "" if parent is self._root else f"[{key}]" if isinstance(key, int) else f".{key}"
-            node.where = f"{parent.where}{part}".removeprefix(".")
-            parent.nodes[key] = node
+        self._lines.append(line)
+        if not is_node or parent is self._root:
+            return ""
+        return f"{parent.where}{f'[{key}]' if isinstance(key, int) else f'.{key[:80]}'}".removeprefix(".")
 
     def _check_plain(self, event: Any, line: int) -> None:
         if event.anchor is not None:
@@ -155,7 +172,20 @@ class YamlText:
             self._refuse(line, "", f"tag {event.tag}: tags are not taken")
 
     def _refuse(self, line: int, where: str, reason: str) -> None:
-        raise Malformed([*self._faults, Fault(line, where, reason)])
+        raise Malformed([*self._faults.all(), Fault(line, where, reason)])
+
+
+def _size(value: Any) -> int:
+    """Of a value: how many it is with those in it."""
+    count, stack = 0, [value]
+    while stack:
+        value = stack.pop()
+        count += 1
+        if isinstance(value, dict):
+            stack.extend(value.values())
+        elif isinstance(value, list):
+            stack.extend(value)
+    return count
 
 
 def _value(text: str) -> Any:

@@ -249,22 +249,6 @@ TEST_CASE("every formulation and linear solver moves a mechanism with a joint tw
       }
 }
 
-TEST_CASE("multipliers of redundant rows are those of least weighted norm") {
-  Random random(135);
-  Model model = random_chain(random, 4, "revolute");
-  model.add_joint("spherical", "within", 1, 2, model.joints()[2].at);
-  const Solution found = solve(model, options_of("standard"));
-  const System system(model);
-  const Evaluation at = evaluate_initially(system);
-  const MatrixXd D = dense_D(system, at);
-  const VectorXd root = mean_delassus_diagonal(system, at).cwiseSqrt();
-  const MatrixXd weighted = D.transpose() * root.cwiseInverse().asDiagonal();  // D^T lambda = weighted (root lambda)
-  const VectorXd force = D.transpose() * found.lambda;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least(weighted);
-  least.setThreshold(1e-9);
-  CHECK(relative_error(root.cwiseProduct(found.lambda), least.solve(force)) < 1e-9);
-}
-
 TEST_CASE("every formulation refuses a massless body that joints leave free, by name") {
   Random random(133);
   Body ghost = random_body(random);
@@ -315,44 +299,6 @@ TEST_CASE("a state that is not finite is a NotFiniteError with every formulation
     }
 }
 
-TEST_CASE("continuous Baumgarte adds -2 alpha Phi_dot - beta^2 Phi to gamma") {
-  const Model model = mechanisms()[5].model;
-  Options options = options_of("standard");
-  options.stabilization = "baumgarte";
-  options.baumgarte_alpha = 3.0;
-  options.baumgarte_beta = 7.0;
-  Dynamics dynamics(model, options);
-  VectorXd y = dynamics.initial_y(), y_dot(y.size());
-  y.head<3>() += Vec3<double>(0.1, -0.2, 0.05);
-  dynamics.evaluate(0.0, y);
-  dynamics.rates(y_dot);
-  const System& system = dynamics.system();
-  const Evaluation& at = dynamics.evaluation();
-  const VectorXd v_dot = y_dot.segment(system.q_size(), system.v_size());
-  CHECK(at.Phi.norm() > 0.1);
-  CHECK(relative_error(dense_D(system, at) * v_dot, at.gamma - 6.0 * at.Phi_dot - 49.0 * at.Phi) < 1e-10);
-}
-
-TEST_CASE("a zero-order hold enters the rates until it ends, and never the accelerations") {
-  const Model model = mechanisms()[0].model;
-  Dynamics dynamics(model, options_of("standard"));
-  VectorXd y = dynamics.initial_y(), free(y.size()), held(y.size()), released(y.size());
-  const auto n = dynamics.system().v_size();
-  dynamics.evaluate(0.0, y);
-  dynamics.rates(free);
-  dynamics.begin_zero_order_hold({2.0, 5.0});
-  dynamics.rates(held);
-  VectorXd v_dot(n), lambda(dynamics.system().row_count());
-  dynamics.accelerations(v_dot, lambda);
-  dynamics.end_zero_order_hold();
-  dynamics.rates(released);
-  const Evaluation& at = dynamics.evaluation();
-  const VectorXd u = dense_D(dynamics.system(), at) * (held - free).segment(dynamics.system().q_size(), n);
-  CHECK(relative_error(u, -4.0 * at.Phi_dot - 25.0 * at.Phi) < 1e-9);
-  CHECK(relative_error(released, free) < 1e-13);
-  CHECK(relative_error(v_dot, free.segment(dynamics.system().q_size(), n)) < 1e-13);
-}
-
 TEST_CASE("results do not change with units by the scaled penalty") {
   Random random(135);
   const Model model = random_chain(random, 4, "revolute");
@@ -380,26 +326,4 @@ TEST_CASE("results do not change with units by the scaled penalty") {
       CHECK(relative_error(b.segment<3>(6 * body + 3), a.segment<3>(6 * body + 3)) < 1e-9);
     }
   }
-}
-
-TEST_CASE("an option that does not exist or cannot be honoured is refused with a code") {
-  Random random(136);
-  const Model model = random_chain(random, 2, "revolute");
-  const auto code = [&](const Options& options) -> std::string {
-    try {
-      Dynamics(model, options);
-      return "none";
-    } catch (const OptionError& error) {
-      return error.code();
-    }
-  };
-  CHECK(code(options_of("standard")) == "none");
-  CHECK(code(options_of("standart")) == "unknown_formulation");
-  CHECK(code(options_of("standard", "lkk")) == "unknown_option");
-  CHECK(code(options_of("penalty", "kkt")) == "matrix_form");
-  CHECK(code(options_of("standard", "auto", "cholmud")) == "unknown_linear_solver");
-  CHECK(code(options_of("standard", "kkt", "eigen_ldlt")) == "linear_solver");
-  Options options;
-  options.stabilization = "baumgart";
-  CHECK(code(options) == "unknown_stabilization");
 }

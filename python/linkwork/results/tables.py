@@ -1,0 +1,226 @@
+"""Results for other tools: a table with a column a number, for pandas and CSV, and a data set for xarray.
+
+QUANTITIES says what there is, with shape and unit; everything else follows from it.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
+
+from linkwork.arguments import check_new, one_of, optional_package
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError, unwritable
+from linkwork.modeling.coordinates import known_coordinates
+from linkwork.modeling.handles import Named
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+    from linkwork.results.result import Result
+
+__all__ = ["QUANTITIES", "Choice", "to_csv", "to_frame", "to_xarray"]
+
+XYZ, EULER = ("x", "y", "z"), ("e0", "e1", "e2", "e3")
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """Something recorded: of each body or joint, or of the whole."""
+
+    of: Literal["body", "joint", "run"]
+    components: tuple[str, ...]  #: of one of them; none: it is a number
+    unit: str
+    long_name: str
+    values: Callable[[Result], Floats]  #: (k, bodies or joints, components)
+
+
+QUANTITIES: dict[str, Quantity] = {
+    "position": Quantity(
+        "body", XYZ, "m", "center of mass", lambda it: it.position),
+    "orientation": Quantity(
+        "body", EULER, "1", "Euler parameters, from body to inertial axes", lambda it: it.orientation),
+    "velocity": Quantity(
+        "body", XYZ, "m/s", "of the center of mass", lambda it: it.velocity),
+    "omega": Quantity(
+        "body", XYZ, "rad/s", "angular velocity in body axes", lambda it: it.omega),
+    "acceleration": Quantity(
+        "body", XYZ, "m/s2", "of the center of mass", lambda it: it.acceleration),
+    "angular_acceleration": Quantity(
+        "body", XYZ, "rad/s2", "in body axes", lambda it: it.angular_acceleration),
+    "reaction_force": Quantity(
+        "joint", XYZ, "N", "on the second body, inertial axes", lambda it: it.reactions().force),
+    "reaction_torque": Quantity(
+        "joint", XYZ, "N m", "on the second body about the joint's point, inertial axes",
+        lambda it: it.reactions().torque),
+    "kinetic_energy": Quantity("run", (), "J", "kinetic energy", lambda it: it.kinetic_energy),
+    "potential_energy": Quantity("run", (), "J", "of gravity and springs", lambda it: it.potential_energy),
+    "work": Quantity("run", (), "J", "done since the start by what has no potential", lambda it: it.work),
+    "energy_error": Quantity(
+        "run", (), "J", "energy that the method made or lost", lambda it: it.energy_error),
+    "violation": Quantity(
+        "run", ("position", "velocity", "acceleration"), "m or 1, with 1/s and 1/s2",
+        "largest violation of the constraints", lambda it: it.violation),
+}  # fmt: skip
+
+#: The coordinates of joints, with the unit of each; its rate has that a second.
+COORDINATES = {"angle": "rad", "angle_a": "rad", "angle_b": "rad", "displacement": "m"}
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Which part of a result: names of bodies, joints and quantities; all where there are none.
+
+    Beside those of QUANTITIES there is "coordinate": angles and displacements of joints, with their rates.
+    """
+
+    bodies: Sequence[Named] = ()
+    joints: Sequence[Named] = ()
+    quantities: Sequence[str] = ()
+
+    def names(self) -> list[str]:
+        """OptionError: no such quantity."""
+        known = [*QUANTITIES, "coordinate"]
+        if isinstance(self.quantities, str):
+            raise OptionError(f"quantities {self.quantities!r:.80} are no list of names", code="names")
+        return [one_of(name, known, "quantity") for name in self.quantities] or known
+
+    def places(self, result: Result, of: Literal["body", "joint"]) -> list[int]:
+        """ModelError: no such body or joint."""
+        names = self.bodies if of == "body" else self.joints
+        if isinstance(names, str):
+            raise OptionError(f"{of} names {names!r:.80} are no list of names", code="names")
+        count = len(result.body_names if of == "body" else result.joint_names)
+        return [result.index(of, name) for name in names] or list(range(count))
+
+
+class Column(NamedTuple):
+    """A number over time: `crank.position.x`."""
+
+    name: str
+    unit: str
+    values: Floats  # (k,)
+
+    @property
+    def label(self) -> str:
+        return f"{self.name} [{self.unit}]"
+
+
+def columns(result: Result, choice: Choice) -> Iterator[Column]:
+    """Without the time."""
+    for name in choice.names():
+        if name == "coordinate":
+            yield from _coordinates(result, choice)
+            continue
+        it = QUANTITIES[name]
+        values, parts = it.values(result), [f".{component}" for component in it.components] or [""]
+        if it.of == "run":
+            units = ("m or 1", "1/s", "1/s2") if name == "violation" else (it.unit,)
+            for k, part in enumerate(parts):
+                yield Column(name + part, units[k], values.reshape(len(result), -1)[:, k])
+            continue
+        names = result.body_names if it.of == "body" else result.joint_names
+        for place in choice.places(result, it.of):
+            for k, part in enumerate(parts):
+                yield Column(f"{names[place]}.{name}{part}", it.unit, values[:, place, k])
+
+
+def _coordinates(result: Result, choice: Choice) -> Iterator[Column]:
+    for place in choice.places(result, "joint"):
+        for which in known_coordinates(result.header.joint_kinds[place]):
+            found, name = result.coordinate(place, which), f"{result.joint_names[place]}.{which}"
+            yield Column(name, COORDINATES[which], found.value)
+            yield Column(f"{name}_rate", f"{COORDINATES[which]}/s", found.rate)
+
+
+def to_frame(result: Result, choice: Choice) -> pandas.DataFrame:
+    """See Result.to_frame."""
+    package = optional_package("pandas", "pandas", "to_frame", instead="to_csv needs nothing")
+    found = list(columns(result, choice))
+    frame: pandas.DataFrame = package.DataFrame(
+        {it.label: it.values for it in found}, index=package.Index(result.t, name="t [s]")
+    )
+    frame.attrs.update(model=str(result.manifest.get("model", "")), units={it.label: it.unit for it in found})
+    return frame
+
+
+def to_csv(result: Result, path: str | os.PathLike[str] | None, choice: Choice, overwrite: bool) -> str:
+    """See Result.to_csv."""
+    target = None if path is None else check_new(path, "table", overwrite)
+    found = list(columns(result, choice))
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(["t [s]", *(it.label for it in found)])
+    table = np.column_stack([result.t, *(it.values for it in found)])
+    writer.writerows([repr(number) for number in row] for row in table.tolist())
+    if target is not None:
+        _write(target, out.getvalue())
+    return out.getvalue()
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise unwritable("table", path, error) from error
+
+
+def to_xarray(result: Result, choice: Choice) -> xarray.Dataset:
+    """See Result.to_xarray."""
+    package = optional_package("xarray", "xarray", "to_xarray")
+    places: dict[str, list[int]] = {
+        "body": choice.places(result, "body"), "joint": choice.places(result, "joint"),
+    }  # fmt: skip
+    variables = {}
+    for name in choice.names():
+        if name == "coordinate":
+            variables.update(_coordinate_variables(result, choice))
+            continue
+        it = QUANTITIES[name]
+        values = it.values(result) if it.of == "run" else it.values(result)[:, places[it.of]]
+        axes = {XYZ: ("xyz",), EULER: ("euler",), (): ()}.get(it.components, ("level",))
+        dims = ("time", *(() if it.of == "run" else (it.of,)), *axes)
+        variables[name] = (dims, values, {"units": it.unit, "long_name": it.long_name})
+    coordinates: dict[str, Any] = {
+        "time": ("time", result.t, {"units": "s"}), "xyz": list(XYZ), "euler": list(EULER),
+        "level": ["position", "velocity", "acceleration"],
+        "body": [result.body_names[k] for k in places["body"]],
+        "joint": [result.joint_names[k] for k in places["joint"]],
+    }  # fmt: skip
+    coordinates |= {
+        dims[1]: about.pop("joints") for dims, _, about in variables.values() if "joints" in about
+    }
+    used = {dim for dims, *_ in variables.values() for dim in dims}
+    attributes = {
+        "model": str(result.manifest.get("model", "")), "manifest": json.dumps(result.manifest, default=str),
+    }  # fmt: skip
+    kept = {name: it for name, it in coordinates.items() if name in used | {"time"}}
+    found: xarray.Dataset = package.Dataset(variables, kept, attributes)
+    return found
+
+
+def _coordinate_variables(result: Result, choice: Choice) -> dict[str, Any]:
+    """`angle`, `angle_rate`, ... over the joints that have it, which the attribute `joints` names."""
+    found: dict[str, Any] = {}
+    for which, unit in COORDINATES.items():
+        kinds = result.header.joint_kinds
+        of = [k for k in choice.places(result, "joint") if which in known_coordinates(kinds[k])]
+        if not of:
+            continue
+        motions = [result.coordinate(k, which) for k in of]
+        names, dims = [result.joint_names[k] for k in of], ("time", f"joint_with_{which}")
+        for suffix, values, units in (
+            ("", [it.value for it in motions], unit), ("_rate", [it.rate for it in motions], f"{unit}/s"),
+        ):  # fmt: skip
+            about = {"units": units, "long_name": f"{which} of joints", "joints": names}
+            found[which + suffix] = (dims, np.stack(values, axis=1), about)
+    return found

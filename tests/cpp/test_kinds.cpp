@@ -1,0 +1,36 @@
+#include <set>
+#include <stdexcept>
+
+#include "linkwork/math/error.hpp"
+#include "support.hpp"
+
+using namespace support;
+
+TEST_CASE("every kind is found by its name, and no two have the same") {
+  std::set<std::string> names;
+  for (std::size_t k = 0; k < joint_kinds().size(); ++k) {
+    const KindInfo& info = joint_kinds()[k].info;
+    INFO(info.name);
+    CHECK(joint_kind_index(info.name) == static_cast<int>(k));
+    CHECK(names.insert(info.name).second);
+    CHECK(info.equations.size() == static_cast<std::size_t>(info.rows));
+  }
+  for (std::size_t k = 0; k < force_kinds().size(); ++k) {
+    CHECK(force_kind_index(force_kinds()[k].info.name) == static_cast<int>(k));
+    CHECK(names.insert(force_kinds()[k].info.name).second);
+    CHECK(force_kinds()[k].info.rows == 0);
+  }
+}
+
+TEST_CASE("a kind that does not exist is refused with those that do") {
+  CHECK(error_code([] { joint_kind_index("revolut"); }) == "unknown_kind");
+  CHECK_THROWS_WITH_AS(force_kind_index("sprung"), doctest::Contains("spring_damper"), OptionError);
+}
+
+TEST_CASE("a kind with more parameters than an evaluation holds is found when it is registered") {
+  JointKind kind = joint_kinds().front();
+  kind.info.parameters.resize(max_joint_parameters);
+  CHECK_NOTHROW(checked(kind));
+  kind.info.parameters.resize(max_joint_parameters + 1);
+  CHECK_THROWS_AS(checked(kind), std::logic_error);
+}

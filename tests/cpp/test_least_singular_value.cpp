@@ -1,0 +1,53 @@
+#include "linkwork/constraints/least_singular_value.hpp"
+
+#include <Eigen/SVD>
+
+#include "linkwork/formulation/dynamics.hpp"
+#include "mechanisms.hpp"
+
+using namespace support;
+
+namespace {
+
+/// By iterations that go on from one to the next.
+double least(Dynamics& dynamics) {
+  double value = 0.0;
+  for (int k = 0; k < 4; ++k) value = dynamics.formulation().least_singular_value();
+  return value;
+}
+
+Options by(const char* formulation) {
+  Options options;
+  options.formulation = formulation;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("it is the least singular value of scale^-1 D M^-1/2, the scale that of the rows at the start") {
+  Random random(150);
+  const Model model = random_chain(random, 5, "universal");
+  const System system(model);
+  const Evaluation at = evaluate_initially(system);
+  const MatrixXd D = dense_D(system, at), S = D * dense_M(model).inverse() * D.transpose();
+  const VectorXd scale = mean_delassus_diagonal(system, at).cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * S * scale.asDiagonal();
+  const double expected = std::sqrt(Eigen::JacobiSVD<MatrixXd>(scaled).singularValues().tail<1>()[0]);
+  Dynamics dynamics(model, by("standard"));
+  dynamics.evaluate(0.0, dynamics.initial_y());
+  for (int k = 0; k < 20; ++k) least(dynamics);
+  CHECK(least(dynamics) == doctest::Approx(expected).epsilon(1e-3));
+}
+
+TEST_CASE("the least singular value falls linearly to zero toward a singular pose, whatever the formulation") {
+  for (const char* formulation : {"standard", "penalty", "augmented_lagrangian"}) {
+    std::vector<double> values;
+    for (const double theta : {0.04, 0.02, 0.01}) {
+      Dynamics dynamics(parallelogram(theta), by(formulation));
+      dynamics.evaluate(0.0, dynamics.initial_y());
+      values.push_back(least(dynamics));
+    }
+    CHECK(values[0] / values[1] == doctest::Approx(2.0).epsilon(0.05));
+    CHECK(values[1] / values[2] == doctest::Approx(2.0).epsilon(0.05));
+  }
+}

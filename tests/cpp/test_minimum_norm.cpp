@@ -1,0 +1,27 @@
+#include "linkwork/constraints/minimum_norm.hpp"
+
+#include <Eigen/QR>
+
+#include "linkwork/formulation/dynamics.hpp"
+#include "support.hpp"
+
+using namespace support;
+
+TEST_CASE("multipliers of redundant rows are those of least weighted norm") {
+  Random random(135);
+  Model model = random_chain(random, 4, "revolute");
+  model.add_joint("spherical", "within", 1, 2, model.joints()[2].at);
+  Dynamics dynamics(model, {});
+  VectorXd v_dot(dynamics.system().v_size()), lambda(dynamics.system().row_count());
+  dynamics.evaluate(0.0, dynamics.initial_y());
+  dynamics.accelerations(v_dot, lambda);
+  const System system(model);
+  const Evaluation at = evaluate_initially(system);
+  const MatrixXd D = dense_D(system, at);
+  const VectorXd root = mean_delassus_diagonal(system, at).cwiseSqrt();
+  const MatrixXd weighted = D.transpose() * root.cwiseInverse().asDiagonal();  // D^T lambda = weighted (root lambda)
+  const VectorXd force = D.transpose() * lambda;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least(weighted);
+  least.setThreshold(1e-9);
+  CHECK(relative_error(root.cwiseProduct(lambda), least.solve(force)) < 1e-9);
+}

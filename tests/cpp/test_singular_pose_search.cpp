@@ -1,0 +1,53 @@
+#include "linkwork/integration/singular_pose_search.hpp"
+
+#include "integrators.hpp"
+#include "mechanisms.hpp"
+
+using namespace support;
+
+TEST_CASE("the zero of a root that comes down like |t| is found in few guesses, also where it is curved") {
+  for (const double zero : {0.12, 0.5, 0.77})
+    for (const double curvature : {0.0, 0.1, 0.3}) {
+      int guesses = 0;
+      const auto root = [&](double t) {
+        guesses += 1;
+        return std::abs(t - zero) * (1.0 + curvature * t);
+      };
+      const PivotSample a{0.0, root(0.0)}, b{zero + 0.05, root(zero + 0.05)}, c{1.0, root(1.0)};
+      guesses = 0;
+      const PivotSample least = least_root(a, b, c, root);
+      CHECK(std::abs(least.at - zero) < 1e-6);
+      CHECK(vanishes(a, least, c));
+      CHECK(guesses <= 12);
+    }
+}
+
+TEST_CASE("a least that is no zero is none, and costs few guesses") {
+  int guesses = 0;
+  const auto root = [&](double t) {
+    guesses += 1;
+    return std::hypot(t - 0.4, 0.45);
+  };
+  const PivotSample a{0.0, root(0.0)}, b{0.5, root(0.5)}, c{1.0, root(1.0)};
+  guesses = 0;
+  CHECK(!vanishes(a, least_root(a, b, c, root), c));
+  CHECK(guesses <= 6);
+}
+
+TEST_CASE("a pose that a motion passes is listed once, at its time") {
+  const double rate = 1.0, passes = 0.3;  // the parallelogram comes into line at 0.3 s
+  Dynamics dynamics(parallelogram(-rate * passes, rate), {});
+  SingularPoseSearch search(dynamics);
+  VectorXd y_dot(dynamics.y_size());
+  for (int n = 0; n <= 12; ++n) {
+    const double t = 0.05 * n + 0.013;
+    const Model there = parallelogram(rate * (t - passes), rate);
+    VectorXd y(dynamics.y_size());
+    y << there.initial_q(), there.initial_v(), 0.0;
+    dynamics.evaluate(t, y);
+    dynamics.rates(y_dot);  // from which the watch knows the usual pivots
+    search.pass(t, search.root_at(t, y), y);
+  }
+  CHECK(search.last_listed() == doctest::Approx(passes).epsilon(1e-4));
+  CHECK(dynamics.watch().singular_poses() == 1);
+}

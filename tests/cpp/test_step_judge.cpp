@@ -1,0 +1,55 @@
+#include "linkwork/integration/step_judge.hpp"
+
+#include "integrators.hpp"
+
+using namespace support;
+
+TEST_CASE("a step taken again in halves gives its error, which falls with the order plus one") {
+  const Model model = pendulum();
+  double last = 0.0;
+  for (const double h : {0.04, 0.02, 0.01}) {
+    Dynamics dynamics(model, Options());
+    Simulation run(dynamics, make_runge_kutta(rk4()), {0.4, h});
+    run.advance(1000000, 1e9);
+    StepJudge judge(dynamics, in_parts(make_runge_kutta(rk4())));
+    double largest = 0.0;
+    for (const RunPart& part : run.sampling().parts())
+      for (const KeptStep* step : {&part.any, &part.steepest})
+        if (step->kept()) {
+          const StepError error = judge.judge(*step, true);
+          CHECK(!error.failed);
+          CHECK(error.force < 1e3 * (error.end.velocity + error.end.position + 1e-12));
+          largest = std::max(largest, error.end.velocity);
+        }
+    if (last > 0.0) CHECK(std::log2(last / largest) == doctest::Approx(5.0).epsilon(0.1));
+    last = largest;
+  }
+}
+
+TEST_CASE("a multistep method is compared with its starter in parts, and has the error of its own order") {
+  double previous = 0.0;
+  for (const double h : {0.02, 0.01, 0.005}) {
+    Dynamics dynamics(pendulum(), Options());
+    Simulation run(dynamics, make_multistep(ab2()), {0.4, h});
+    run.advance(1 << 30, 1e9);
+    StepJudge judge(dynamics, by_starter(ab2()));
+    double largest = 0.0;
+    for (const RunPart& part : run.sampling().parts())
+      if (part.any.kept() && part.any.t > 2.5 * h)
+        largest = std::max(largest, judge.judge(part.any, false).end.velocity);
+    if (previous > 0.0) CHECK(std::log2(previous / largest) == doctest::Approx(3.0).epsilon(0.1));
+    previous = largest;
+  }
+}
+
+TEST_CASE("a step that cannot be taken again is said to have failed") {
+  Dynamics dynamics(pendulum(), Options());
+  StepJudge judge(dynamics, in_parts(make_runge_kutta(rk4())));
+  KeptStep step;
+  step.h = 0.1;
+  step.y = step.y_new = dynamics.initial_y();
+  step.history = dynamics.initial_history();
+  CHECK(!judge.judge(step, false).failed);
+  step.y[7] = NAN;
+  CHECK(judge.judge(step, false).failed);
+}

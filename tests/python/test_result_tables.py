@@ -1,0 +1,154 @@
+"""Results in pandas, xarray, CSV and HDF5, and by `linkwork plot`, `movie` and `export`."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+
+import h5py
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.cli import main
+from linkwork.plots.kinds import KINDS
+from linkwork.results.tables import QUANTITIES
+
+pandas = pytest.importorskip("pandas")
+xarray = pytest.importorskip("xarray")
+
+
+def words(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[object, str, str]:
+    """Exit code, standard output and standard error of a command."""
+    with pytest.raises(SystemExit) as end:
+        main(arguments)
+    return end.value.code, *capsys.readouterr()
+
+
+@pytest.fixture(scope="module")
+def result() -> lw.Result:
+    return lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=0.1, step=1e-3)
+
+
+def test_a_frame_has_a_column_a_number_named_with_its_unit(result: lw.Result) -> None:
+    frame = result.to_frame()
+    assert frame.index.name == "t [s]" and np.array_equal(frame.index, result.t)
+    crank, pin = result.body("crank"), result.reaction("bearing")
+    for axis, x in enumerate("xyz"):
+        assert np.array_equal(frame[f"crank.position.{x} [m]"], crank.position[:, axis])
+        assert np.array_equal(frame[f"crank.omega.{x} [rad/s]"], crank.omega[:, axis])
+        assert np.array_equal(frame[f"bearing.reaction_torque.{x} [N m]"], pin.torque[:, axis])
+    angle = result.coordinate("bearing")
+    assert np.array_equal(frame["bearing.angle [rad]"], angle.value)
+    assert np.array_equal(frame["bearing.angle_rate [rad/s]"], angle.rate)
+    assert np.array_equal(frame["energy_error [J]"], result.energy_error)
+    assert frame.attrs["units"]["crank.velocity.x [m/s]"] == "m/s"
+
+
+def test_columns_can_be_chosen_and_what_is_not_there_is_named(result: lw.Result) -> None:
+    frame = result.to_frame(bodies=["crank"], quantities=["velocity"])
+    assert list(frame.columns) == [f"crank.velocity.{x} [m/s]" for x in "xyz"]
+    with pytest.raises(lw.OptionError, match="quantity 'velocty' does not exist; the nearest is 'velocity'"):
+        result.to_frame(quantities=["velocty"])
+    with pytest.raises(lw.ModelError, match="no body named 'krank'"):
+        result.to_frame(bodies=["krank"])
+
+
+def test_csv_keeps_every_digit(result: lw.Result, tmp_path: Path) -> None:
+    path = tmp_path / "run.csv"
+    text = result.to_csv(path)
+    assert path.read_text(encoding="utf-8") == text
+    header, *rows = csv.reader(io.StringIO(text))
+    frame = result.to_frame()
+    assert header == ["t [s]", *frame.columns]
+    numbers = np.array(rows, dtype=float)
+    assert np.array_equal(numbers[:, 1:], frame.to_numpy()) and np.array_equal(numbers[:, 0], result.t)
+
+
+def test_a_data_set_has_named_axes_units_and_the_manifest(result: lw.Result) -> None:
+    found = result.to_xarray()
+    x = found.position.sel(body="crank", xyz="x")
+    assert np.array_equal(x, result.body("crank").position[:, 0]) and x.attrs["units"] == "m"
+    assert np.array_equal(found.reaction_force.sel(joint="guide"), result.reaction("guide").force)
+    assert np.array_equal(found.displacement.sel(joint_with_displacement="guide")[:, ...],
+                          result.coordinate("guide").value)  # fmt: skip
+    assert np.array_equal(found.violation.sel(level="velocity"), result.violation[:, 1])
+    assert all(found[name].attrs["units"] == it.unit for name, it in QUANTITIES.items())
+    assert result.manifest["model_hash"] in found.attrs["manifest"]
+
+
+def test_a_result_of_a_free_body_has_tables_too() -> None:
+    """No joints, so no reactions and no coordinates."""
+    model = lw.Model()
+    model.body("stone", mass=1.0, inertia=(1, 1, 1))
+    result = lw.simulate(model, t_end=0.1, step=0.01)
+    assert result.to_frame().shape == (11, 19 + 7)
+    assert result.to_xarray().sizes["joint"] == 0
+
+
+def test_datasets_of_a_file_name_their_units(result: lw.Result, tmp_path: Path) -> None:
+    result.save(tmp_path / "run.h5")
+    with h5py.File(tmp_path / "run.h5") as file:
+        assert all("units" in field.attrs for field in file["frames"].values())
+        assert file["frames/reaction_force"].attrs["units"] == "N"
+        assert file["model/inertia"].attrs["units"] == "kg m2"
+
+
+def test_files_are_replaced_on_request_only(result: lw.Result, tmp_path: Path) -> None:
+    saved, table = tmp_path / "run.h5", tmp_path / "run.csv"
+    saved.write_text("precious")
+    table.write_text("precious")
+    for write in (
+        lambda **how: result.save(saved, **how),
+        lambda **how: result.to_csv(table, **how),
+        lambda **how: lw.simulate(lw.mechanisms.pendulum(), 0.1, 0.01, output=saved, **how),
+    ):
+        with pytest.raises(lw.FileError, match="there is such a file already.*overwrite=True") as caught:
+            write()
+        assert caught.value.code == "exists"
+    assert saved.read_text() == table.read_text() == "precious"
+    result.save(saved, overwrite=True)
+    assert len(lw.Result.load(saved)) == len(result)
+    result.to_csv(table, overwrite=True)
+    assert table.read_text().startswith("t [s],")
+
+
+def test_a_suffix_of_another_kind_of_file_is_refused(result: lw.Result, tmp_path: Path) -> None:
+    for write, name in (
+        (result.save, "a.csv"), (result.to_csv, "a.h5"), (result.plot, "a.html"), (result.view, "a.png"),
+        (result.movie, "a.png"),
+    ):  # fmt: skip
+        with pytest.raises(lw.FileError, match="is the suffix of a") as caught:
+            write(tmp_path / name)
+        assert caught.value.code == "format"
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("kind", ["positions", "velocities", "accelerations"])
+def test_pictures_of_bodies_draw_what_the_result_has(result: lw.Result, kind: str) -> None:
+    figure = result.plot(kind=kind, bodies=["crank"])
+    recorded = [
+        values for it in QUANTITIES.values() if it.of == "body" for values in it.values(result)[:, 0].T
+    ]
+    lines = [line for ax in figure.axes for line in ax.lines]
+    assert lines and all(line.get_label().startswith("crank") for line in lines)
+    for line in lines:
+        assert any(np.array_equal(line.get_ydata(), values) for values in recorded)
+
+
+def test_commands_write_pictures_movies_and_tables_of_a_file(
+    result: lw.Result, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result.save("run.h5")
+    for kind in KINDS:
+        assert words(capsys, "plot", "run.h5", "--kind", kind)[0] == 0
+        assert Path(f"run.{kind}.png").stat().st_size > 5000
+    assert words(capsys, "movie", "run.h5", "-o", "run.gif", "--seconds", "0.2", "--size", "64", "64")[0] == 0
+    assert Path("run.gif").read_bytes().startswith(b"GIF")
+    assert words(capsys, "export", "run.h5", "--csv")[0] == 0
+    assert Path("run.csv").read_text() == result.to_csv()
+    code, _, error = words(capsys, "export", "run.h5", "--csv")
+    assert code == 1 and "run.csv" in error and "--force" in error
+    assert words(capsys, "export", "run.h5", "--csv", "--quantity", "work", "--force")[0] == 0
+    assert Path("run.csv").read_text() == result.to_csv(quantities=["work"])

@@ -1,0 +1,233 @@
+"""A run that goes on where another one ended takes the steps of one that never ended, bit for bit."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from linkwork import mechanisms
+from random_mechanisms import Mechanism, examples
+from random_mechanisms import mechanisms as mechanisms_of
+
+PAIRS = ("bs32", "dopri5", "tsit5", "dop853")
+FIELDS = ("q", "v", "vdot", "lambda", "kinetic", "potential", "work", "violation", "history")
+
+
+def run(model: lw.Model, t_end: float, **choices: Any) -> lw.Result:
+    return lw.simulate(model, t_end, progress=False, on_inaccurate="pass", **choices)
+
+
+def bits_after(result: lw.Result, t: float) -> dict[str, bytes]:
+    """Of all frames after t."""
+    later = result.t > t * (1 + 1e-12)
+    fields = {"t": result.t, **{name: result.recorded(name) for name in FIELDS}}
+    return {name: np.ascontiguousarray(field[later]).tobytes() for name, field in fields.items()}
+
+
+def assert_goes_on(model: lw.Model, first_end: float, t_end: float, **choices: Any) -> lw.Result:
+    """A run to `first_end` and from there to `t_end` has the frames of one to `t_end`; the rest of it."""
+    first = dict(choices)
+    if "times" in choices:
+        first["times"] = np.linspace(0.0, first_end, 5)
+    whole = run(model, t_end, **choices)
+    rest = run(model, t_end, start=run(model, first_end, **first).snapshot(), **choices)
+    assert rest.manifest["resumed"] is True
+    assert len(bits_after(whole, first_end)["t"]) > 0
+    assert bits_after(rest, first_end) == bits_after(whole, first_end)
+    return rest
+
+
+@pytest.mark.parametrize("formulation", ["standard", "penalty", "augmented_lagrangian"])
+@pytest.mark.parametrize("integrator", list(lw.integrators.METHODS))
+def test_every_integrator_goes_on_in_the_middle_of_a_step_that_the_end_had_shortened(
+    integrator: str, formulation: str
+) -> None:
+    assert_goes_on(mechanisms.four_bar(), 0.333, 0.5, step=1e-2, integrator=integrator,
+                   formulation=formulation, record_every=3)  # fmt: skip
+
+
+@pytest.mark.parametrize("integrator", PAIRS)
+@pytest.mark.parametrize("frames", [{"record_every": 1}, {"times": [0.4, 0.41, 0.5]}])
+def test_steps_that_follow_tolerances_go_on_with_their_control(integrator: str, frames: Any) -> None:
+    assert_goes_on(mechanisms.four_bar(), 0.39, 0.5, rtol=1e-6, integrator=integrator, **frames)
+
+
+@pytest.mark.parametrize("stabilization", ["none", "baumgarte", "projection", "position_projection"])
+def test_every_stabilization_goes_on(stabilization: str) -> None:
+    for choice in ({"step": 1e-2, "integrator": "rk4"}, {"rtol": 1e-5, "record_every": 1}):
+        assert_goes_on(mechanisms.bricard(), 0.1, 0.3, stabilization=stabilization, **choice)
+
+
+@pytest.mark.parametrize("end", np.linspace(0.55, 1.15, 13))
+@pytest.mark.parametrize("choice", [{"step": 5e-3, "integrator": "ab4"}, {"rtol": 1e-6, "record_every": 1}])
+def test_a_run_goes_on_before_in_and_after_a_leap_over_a_singular_pose(end: float, choice: Any) -> None:
+    rest = assert_goes_on(mechanisms.four_bar(), end, 1.2, **choice)
+    whole = run(mechanisms.four_bar(), 1.2, **choice)
+    assert [it.t for it in rest.singular_poses] == [it.t for it in whole.singular_poses if it.t > end]
+
+
+def bouncing() -> tuple[lw.Model, lw.Event]:
+    model = lw.Model()
+    model.body("ball", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1.0))
+
+    def bounce(t: float, state: Any) -> None:
+        state.body("ball").velocity[2] *= -0.9
+
+    return model, lw.Event(lambda t, state: state.body("ball").position[2], "floor", -1, change=bounce)
+
+
+@pytest.mark.parametrize("end", [0.2, 0.4516, 0.9, 1.6])
+def test_events_that_came_do_not_come_again_and_those_to_come_come_as_they_would(end: float) -> None:
+    model, event = bouncing()
+    choices: dict[str, Any] = {"rtol": 1e-7, "record_every": 1, "events": event}
+    rest = assert_goes_on(model, end, 2.0, **choices)
+    whole = run(model, 2.0, **choices)
+    assert [it.t for it in rest.events] == [it.t for it in whole.events if it.t > end]
+
+
+def test_contacts_springs_with_turns_and_tables_go_on() -> None:
+    model = lw.Model()
+    model.body("ball", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1.5), omega=(0, 0, 20.0))
+    at = ((0, 0, 0), (0, 0, 1.5))
+    model.sphere_plane_contact("ground", "ball", at=at, normal=(0, 0, 1), radius=0.5, stiffness=1e4,
+                               hysteresis=0.5, name="floor")  # fmt: skip
+    push = lw.functions.with_breaks(lw.functions.harmonic(1.0, 20.0), [0.21, 0.52])
+    model.force("ball", force=(push, 0, 0), name="push")
+    for end in (0.15, 0.46, 0.47, 0.6):
+        assert_goes_on(model, end, 0.8, rtol=1e-6, record_every=1)
+        assert_goes_on(model, end, 0.8, step=1e-3, integrator="abm4")
+
+
+def test_a_run_goes_on_twice() -> None:
+    model, choices = mechanisms.bricard(), {"rtol": 1e-6, "record_every": 1, "integrator": "dop853"}
+    state = run(model, 0.07, **choices).snapshot()
+    state = run(model, 0.11, start=state, **choices).snapshot()
+    rest, whole = run(model, 0.2, start=state, **choices), run(model, 0.2, **choices)
+    assert rest.manifest["resumed"] and bits_after(rest, 0.11) == bits_after(whole, 0.11)
+
+
+def test_a_model_whose_initial_state_was_corrected_goes_on() -> None:
+    model = mechanisms.bricard()
+    q = model.compiled().q0.copy()
+    q[0] += 1e-5
+    model = model.with_initial_state(q, model.compiled().v0)
+    with pytest.warns(lw.LinkworkWarning, match="corrected"):
+        assert_goes_on(model, 0.1, 0.2, step=1e-2, integrator="ab3")
+
+
+def test_an_integrator_of_the_users_own_goes_on() -> None:
+    def heun(system: lw.System, t: float, y: Any, h: float) -> Any:
+        k = system.derivative(t, y)
+        return y + h / 2 * (k + system.derivative(t + h, y + h * k))
+
+    assert_goes_on(mechanisms.four_bar(), 0.05, 0.1, step=1e-3, integrator=heun)
+
+
+def test_a_result_file_goes_on(tmp_path: Path) -> None:
+    model, choices = mechanisms.four_bar(), {"step": 1e-2, "integrator": "abm4"}
+    run(model, 0.3, output=tmp_path / "first.h5", **choices)
+    run(model, 0.3, **choices).save(tmp_path / "saved.h5")
+    whole = run(model, 0.5, **choices)
+    for name in ("first.h5", "saved.h5"):
+        rest = run(model, 0.5, start=lw.Result.load(tmp_path / name).snapshot(), **choices)
+        assert rest.manifest["resumed"] and bits_after(rest, 0.3) == bits_after(whole, 0.3)
+    assert sorted(it.name for it in tmp_path.iterdir()) == ["first.h5", "saved.h5"]
+
+
+KILLED = """
+    import os, signal, sys, time
+    import linkwork as lw
+    from linkwork import mechanisms
+    from linkwork.results import writing
+    writing.FLUSH_SECONDS = writing.CHECKPOINT_SECONDS = 0.01
+    def end(info):
+        if info.t > 0.3:
+            os.kill(os.getpid(), signal.SIGKILL)
+    lw.simulate(mechanisms.four_bar(), 50.0, 1e-4, "ab5", record_every=7, output=sys.argv[1], progress=end)
+"""
+
+
+def test_the_file_of_a_killed_run_goes_on(tmp_path: Path) -> None:
+    killed = subprocess.run([sys.executable, "-c", textwrap.dedent(KILLED), tmp_path / "run.h5"])
+    assert killed.returncode == -9
+    first = lw.Result.load(tmp_path / "run.h5")
+    model, choices = mechanisms.four_bar(), {"step": 1e-4, "integrator": "ab5", "record_every": 7}
+    end, t_end = float(first.t[-1]), float(first.t[-1]) + 0.05
+    rest = run(model, t_end, start=first.snapshot(), **choices)
+    assert not first.finished and rest.manifest["resumed"]
+    assert bits_after(rest, end) == bits_after(run(model, t_end, **choices), end)
+
+
+def test_the_state_of_an_error_goes_on() -> None:
+    model, healed = mechanisms.pendulum(), False
+
+    def fragile(t: float, state: Any) -> float:
+        return np.nan if t > 0.4 and not healed else 1.0
+
+    choices: dict[str, Any] = {"rtol": 1e-6, "record_every": 1, "events": lw.Event(fragile, "fragile")}
+    with pytest.raises(lw.OptionError, match="not a number") as caught:
+        run(model, 1.0, **choices)
+    healed = True
+    state = caught.value.state
+    assert state is not None
+    rest, whole = run(model, 1.0, start=state, **choices), run(model, 1.0, **choices)
+    assert rest.manifest["resumed"] and bits_after(rest, state.t) == bits_after(whole, state.t)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"step": 2e-3}, {"integrator": "ab3"}, {"formulation": "penalty"}, {"linear_solver": "dense"}],
+)
+def test_another_method_begins_anew(change: dict[str, Any]) -> None:
+    model, choices = mechanisms.pendulum(), {"step": 1e-3, "integrator": "ab4"}
+    state = run(model, 0.1, **choices).snapshot()
+    assert run(model, 0.2, start=state, **{**choices, **change}).manifest["resumed"] is False
+
+
+def test_another_state_or_model_begins_anew_there() -> None:
+    model, other = mechanisms.pendulum(), mechanisms.pendulum()
+    state = run(model, 0.1, step=1e-3).snapshot()
+    faster = state._replace(v=2 * state.v)
+    rest = run(model, 0.2, step=1e-3, start=faster)
+    assert rest.manifest["resumed"] is False and np.array_equal(rest.v[0], faster.v)
+    other.force("bob", force=(1.0, 0, 0))
+    assert run(other, 0.2, step=1e-3, start=state).manifest["resumed"] is False
+
+
+def test_the_energy_balance_of_the_rest_begins_with_it() -> None:
+    model = mechanisms.pendulum()
+    model.force("bob", force=(1.0, 0, 0))
+    rest = assert_goes_on(model, 0.5, 1.0, step=1e-3)
+    assert rest.work[0] != 0.0
+    assert np.abs(rest.energy_error).max() < 1e-9
+
+
+@examples(25)
+@given(
+    mechanism=mechanisms_of(most=5, forces=("spring_damper", "applied", "drag", "bushing")),
+    integrator=st.sampled_from(list(lw.integrators.METHODS)),
+    formulation=st.sampled_from(["standard", "penalty", "augmented_lagrangian"]),
+    adaptive=st.booleans(),
+    end=st.floats(0.002, 0.018),
+)
+def test_random_mechanisms_go_on(
+    mechanism: Mechanism, integrator: str, formulation: str, adaptive: bool, end: float
+) -> None:
+    choices: dict[str, Any] = {"formulation": formulation, "integrator": integrator}
+    if adaptive and integrator in PAIRS:
+        choices.update(rtol=1e-5, record_every=1)
+    else:
+        choices.update(step=1e-3)
+    try:
+        run(mechanism.model, 0.02, **choices)
+    except lw.LinkworkError:  # too stiff for this step
+        return
+    assert_goes_on(mechanism.model, end, 0.02, **choices)
