@@ -48,7 +48,25 @@ mathjax3_config = {"tex": {"macros": {"T": r"^{\mathsf T}", "d": r"\dot", "b": [
 # --- the reference ---
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
-autodoc_default_options = {"show-inheritance": False}
+autodoc_type_aliases = {  # told in words by reference/index.md
+    name: name
+    for name in (
+        "ArrayLike",
+        "BodiesLike",
+        "BodyLike",
+        "Entry",
+        "Floats",
+        "Frames",
+        "Indices",
+        "Named",
+        "NDArray",
+        "ProgressOption",
+        "PythonStep",
+        "ShapesLike",
+        "ShowOption",
+        "TimeFunctionLike",
+    )
+}
 autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 88

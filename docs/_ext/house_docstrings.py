@@ -131,4 +131,9 @@ def process(app: Sphinx, what: str, name: str, obj: Any, options: Any, lines: li
 
 def setup(app: Sphinx) -> Mapping[str, Any]:
     app.connect("autodoc-process-docstring", process)
+    from sphinx.util.inspect import TypeAliasForwardRef
+
+    TypeAliasForwardRef.__repr__ = (
+        lambda self: self.name
+    )  # inside of other types, too, a name as in the source
     return {"parallel_read_safe": True}
