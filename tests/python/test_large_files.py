@@ -1,3 +1,4 @@
+# ruff: noqa: UP031, braces are those of JSON
 """Files of 150 kB that are made to take memory: none takes more than forty times its size."""
 
 from __future__ import annotations
