@@ -164,7 +164,8 @@ export class Panel {
   #counted() {
     const good = this.lines.filter((it) => it.run.finished);
     const lines = good.length ? good : this.lines;
-    const [from, to] = this.plot ? [this.plot.scales.x.min, this.plot.scales.x.max] : [-Infinity, Infinity];
+    const { min, max } = this.plot?.scales.x ?? {};
+    const [from, to] = [min ?? -Infinity, max ?? Infinity]; // null before the first picture
     const values = [];
     for (const { run, values: all } of lines) {
       for (let k = 0; k < all.length; k++) {
