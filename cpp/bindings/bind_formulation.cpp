@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bindings.hpp"
+#include "linkwork/assembly/force_elements.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
@@ -180,6 +181,31 @@ py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q
                      Columns(torque.mutable_data() + 3 * k * joints, 3, joints));
   }
   return py::make_tuple(force, torque);
+}
+
+/// What a force element does at each of many states: force, torque, power, potential.
+py::tuple force_element(const Dynamics& dynamics, int element, const Doubles& t, const Doubles& q, const Doubles& v,
+                        const Doubles& history) {
+  const System& system = dynamics.system();
+  const py::ssize_t frames = t.size(), variables = system.history_size();
+  if (element < 0 || element >= static_cast<int>(system.model().forces().size()) ||
+      q.size() != frames * system.q_size() || v.size() != frames * system.v_size() ||
+      history.size() != frames * variables)
+    throw OptionError("shape", "these are no frames of this model, or it has no such force element");
+  py::array_t<double> force({frames, py::ssize_t{3}}), torque({frames, py::ssize_t{3}}), power(frames),
+      potential(frames);
+  ForceElement one(system, element);
+  using Vector = Eigen::Map<const VectorXd>;
+  for (py::ssize_t k = 0; k < frames; ++k) {
+    const ForceOnBody found = one.evaluate(t.data()[k], Vector(q.data() + k * system.q_size(), system.q_size()),
+                                           Vector(v.data() + k * system.v_size(), system.v_size()),
+                                           Vector(history.data() + k * variables, variables));
+    Eigen::Map<Vec3<double>>(force.mutable_data() + 3 * k) = found.force;
+    Eigen::Map<Vec3<double>>(torque.mutable_data() + 3 * k) = found.torque;
+    power.mutable_data()[k] = found.power;
+    potential.mutable_data()[k] = found.potential;
+  }
+  return py::make_tuple(force, torque, power, potential);
 }
 
 /// Phi_t of some rows at each of many states.
@@ -370,6 +396,12 @@ py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector&
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics.def("statistics", exclusive(&statistics))
+      .def("force_element", &force_element, py::arg("element"), py::arg("t"), py::arg("q"), py::arg("v"),
+           py::arg("history"),
+           "(force, torque (k, 3) on the second body, power that goes into the motion, potential (k,)) of a force "
+           "element at k times and states, each with its history variables.")
+      .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
+           "Phi_t (k, rows) of some equations at k times and states.")
       .def("factorization_cost", exclusive(&factorization_cost),
            "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.")
       .def("right_hand_side_times", exclusive(&right_hand_side_times), py::arg("t"), py::arg("y"), py::arg("repeats"),
@@ -450,8 +482,6 @@ void bind_formulation(py::module_& module) {
       .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"), py::arg("history") = py::none(),
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "
            "axes; (k, joints, 3) for k times, states and multipliers.")
-      .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
-           "Phi_t (k, rows) of some equations at k times and states.")
       .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
       .def("rank", &Dynamics::rank, py::return_value_policy::copy)
       .def("dependent_groups", &groups, py::arg("most"),

@@ -301,6 +301,17 @@ class Dynamics:
         """
         matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.
         """
+    def force_element(
+        self,
+        element: typing.SupportsInt | typing.SupportsIndex,
+        t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    ) -> tuple:
+        """
+        (force, torque (k, 3) on the second body, power that goes into the motion, potential (k,)) of a force element at k times and states, each with its history variables.
+        """
     def initial_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         y = (q, v), 13 per body.

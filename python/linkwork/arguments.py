@@ -6,6 +6,7 @@ here they are answered like other values that make no sense.
 
 from __future__ import annotations
 
+import errno
 import math
 import os
 import stat
@@ -99,12 +100,21 @@ def path(given: Any, what: str) -> Path:
     device would be replaced, and a pipe waits for ever."""
     try:
         found = os.fspath(given)
-        if isinstance(found, str) and found and "\0" not in found:
+        if isinstance(found, str) and found and "\0" not in found and _is_encodable(found):
             _refuse_special(found, what)
             return Path(found)
     except TypeError:
         pass
     raise FileError(f"{what} {given!r:.80} is no path of a file: give its name", code="path")
+
+
+def _is_encodable(text: str) -> bool:
+    """False: it has half of a pair of surrogates, which no file system takes."""
+    try:
+        os.fsencode(text)
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def check_suffix(given: Any, what: str) -> Path:
@@ -154,8 +164,10 @@ def optional_package(
 def _refuse_special(found: str, what: str) -> None:
     try:
         kind = stat.S_IFMT(os.stat(found).st_mode)
-    except OSError:  # whoever opens it says so
-        return
+    except OSError as error:
+        if error.errno == errno.ELOOP:
+            raise FileError(f"{what} '{found}': is a link that leads back to itself", code="path") from error
+        return  # whoever opens it says so
     if kind not in (stat.S_IFREG, stat.S_IFDIR):
         raise FileError(
             f"{what} '{found}': is no regular file but a {SPECIAL.get(kind, 'special file')}; choose another",

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from linkwork.results.result import Result
 
 __all__ = [
-    "AccuracyError", "BusyError", "Fault", "Faults", "FileError", "LinkworkError", "LinkworkWarning", "ModelError",
-    "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError", "SingularSystemError",
-    "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
+    "AccuracyError", "BusyError", "Fault", "Faults", "FileError", "LinkworkError", "LinkworkWarning",
+    "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
+    "SingularSystemError", "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
 ]  # fmt: skip
 
 

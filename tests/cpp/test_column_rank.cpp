@@ -94,6 +94,10 @@ TEST_CASE("all columns of a zero matrix are dependent") {
 
 TEST_CASE("no columns, no dependent columns") { CHECK(dependent(MatrixXd::Zero(4, 0)).empty()); }
 
+TEST_CASE("without rows all columns are dependent") {
+  CHECK(dependent(MatrixXd::Zero(0, 3)) == std::vector<int>{0, 1, 2});
+}
+
 TEST_CASE("more columns than rows: at least the difference is dependent") {
   Random random(104);
   for (int repetition = 0; repetition < 10; ++repetition) {

@@ -119,15 +119,6 @@ VectorXd displaced(const Model& model, int j, const Vec3<double>& P, const Vec3<
 
 }  // namespace
 
-TEST_CASE("a kind of joint with more parameters than an evaluation has room for is refused by name") {
-  JointKind kind{};
-  kind.info.name = "many";
-  kind.info.parameters.assign(max_joint_parameters, {"parameter"});
-  CHECK(checked(kind).info.parameters.size() == max_joint_parameters);
-  kind.info.parameters.push_back({"one more"});
-  CHECK_THROWS_WITH(checked(kind), "joint kind 'many' has 9 parameters, more than max_joint_parameters = 8");
-}
-
 TEST_CASE("every column of D is the derivative of Phi along the unit velocity") {
   for_every_joint([](const Case& c) {
     const Nearby system(c.model, c.t);

@@ -80,8 +80,8 @@ def test_frames_within_leaps_are_as_accurate_as_the_steps(
     it = BRANCHES[branch]
     start = it.flow(np.array([it.singular, speed]), np.array([-pose_at]))[-1]
     result = lw.simulate(
-        it.model(start), case.t_end, rtol=1e-12, atol=1e-12, times=np.linspace(0, t_end, 2001), progress=False,
-        integrator=integrator,
+        it.model(start), case.t_end, rtol=1e-12, atol=1e-12, times=np.linspace(0, t_end, 2001),
+        progress=False, integrator=integrator,
     )  # fmt: skip
     scale = result.kinetic_energy.max()
     assert np.abs(result.energy_error).max() <= 1e-10 * scale

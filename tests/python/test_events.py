@@ -248,7 +248,7 @@ def test_the_events_of_a_run_that_failed_are_in_its_file(tmp_path: Path) -> None
     ("event", "message"),
     [
         (lambda t, state: 1.0, "is no linkwork.Event"),
-        (lw.Event(lambda t, state: float("nan"), name="odd"), "'odd'.*not a number"),
+        (lw.Event(lambda t, state: float("nan"), name="odd"), "'odd'.*not a finite number"),
         (lw.Event(lambda t, state: 1.0, name="odd", direction=2), "'odd'.*direction"),
         (lw.Event(lambda t, state: 1.0, name="odd", tolerance=-1.0), "'odd'.*tolerance"),
         (clock(0.1, change=lambda t, state: state), "at 0.1 s.*in place"),

@@ -88,9 +88,9 @@ def test_command_views_mechanisms_and_files(
     broken_door: lw.Model, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     broken_door.save(tmp_path / "door.yaml")
-    for source in ("four_bar", str(tmp_path / "door.yaml")):
-        assert run(["view", source, "--html", str(tmp_path / "page.html")], debug=False) == 0
-        assert "page.html" in capsys.readouterr().out
-    assert runs_of((tmp_path / "page.html").read_text())[0]["loose"]
+    for number, source in enumerate(("four_bar", str(tmp_path / "door.yaml"))):
+        assert run(["view", source, "--html", str(tmp_path / f"page{number}.html")], debug=False) == 0
+        assert f"page{number}.html" in capsys.readouterr().out
+    assert runs_of((tmp_path / "page1.html").read_text())[0]["loose"]
     assert run(["view", "fuor_bar", "--html", str(tmp_path / "other.html")], debug=False) == 1
     assert "four_bar" in capsys.readouterr().err

@@ -173,7 +173,7 @@ def test_the_state_of_an_error_goes_on() -> None:
         return np.nan if t > 0.4 and not healed else 1.0
 
     choices: dict[str, Any] = {"rtol": 1e-6, "record_every": 1, "events": lw.Event(fragile, "fragile")}
-    with pytest.raises(lw.OptionError, match="not a number") as caught:
+    with pytest.raises(lw.OptionError, match="not a finite number") as caught:
         run(model, 1.0, **choices)
     healed = True
     state = caught.value.state

@@ -251,7 +251,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
 
 void Crossing::keep(Archive& archive, bool leaping) {
   archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
-  archive(rows_good_, declined_, poses_);
+  archive(rows_good_, declined_, known_, poses_);
   if (leaping) archive(leap_);
 }
 

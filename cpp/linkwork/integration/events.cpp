@@ -36,8 +36,8 @@ EventWatch::EventWatch(std::vector<Event> events)
 double EventWatch::value(std::size_t index, double t, const VectorXd& y) {
   q_and_v_ = y.head(y.size() - 1);
   const double value = events_[index].function(t, q_and_v_);
-  if (std::isnan(value))
-    throw OptionError("event", "event '" + events_[index].name + "': its function is not a number");
+  if (!std::isfinite(value))
+    throw OptionError("event", "event '" + events_[index].name + "': its function is not a finite number");
   return value;
 }
 

@@ -17,6 +17,7 @@ using ColumnMatrix = Eigen::Ref<const Eigen::SparseMatrix<double>>;
 constexpr double most_dense = 4e7;  // numbers in dense rows
 
 double largest_column(const ColumnMatrix& A) {
+  if (A.rows() == 0) return 0.0;  // Eigen takes no norm of nothing
   double squares = 0.0;
   for (int column = 0; column < A.cols(); ++column) squares = std::max(squares, A.col(column).squaredNorm());
   return std::sqrt(squares);

@@ -13,7 +13,7 @@ from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, NotConvergedError, nearest
+from linkwork.errors import ModelError, NotConvergedError, NotFiniteError, nearest
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Reaction, Snapshot
 
@@ -282,6 +282,11 @@ class _Search:
         if not Z.shape[1]:
             return np.nan, self.rest, scale
         k = Z.T @ (K @ Z)
+        if not np.isfinite(k).all():
+            raise NotFiniteError(
+                "the stiffness about the equilibrium is not finite: masses, forces or lengths are too large",
+                code="not_finite",
+            )
         if np.abs(k - k.T).max() <= ASYMMETRY * np.abs(k).max():
             values, y = np.linalg.eigh((k + k.T) / 2)
         else:  # forces that follow the bodies

@@ -237,9 +237,9 @@ def check_breaks(breaks: ArrayLike, who: str) -> tuple[float, ...]:
     """Times [s], ascending. ModelError: they are no finite numbers."""
     try:
         times = np.unique(np.asarray(breaks, dtype=float))
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise ModelError(
-            f"{who}: breaks {breaks!r} are not times [s]", code="breaks", subject=who, field="breaks"
+            f"{who}: breaks {breaks!r:.80} are not times [s]", code="breaks", subject=who, field="breaks"
         ) from error
     if not np.isfinite(times).all():
         raise ModelError(

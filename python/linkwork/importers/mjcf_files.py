@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from linkwork.errors import LinkworkError
@@ -45,7 +45,7 @@ class _Files:
                 self.attached.append(root)
         return out
 
-    def _read(self, node: Node, folder: Path, line: int | None, depth: int) -> list[Node]:
+    def _read(self, node: Node, folder: Path, line: int | None, depth: int) -> Sequence[Node]:
         """What is in the file of an element: it is beside the file that names it, or beside the first one."""
         name = node.attributes.get("file", "")
         paths = [path for path in (folder / name, self.folder / name) if path.is_file()]

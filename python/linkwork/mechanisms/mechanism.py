@@ -10,10 +10,15 @@ from typing import Any
 
 import numpy as np
 
+from linkwork import memory
 from linkwork.errors import ModelError
 from linkwork.modeling.model import Model
 
 __all__ = ["Mechanism", "Parameter", "Size", "at_least"]
+
+
+#: Memory that a body with its joint takes until it moves [bytes], and the most of anything.
+BYTES, MOST = 3000, 10**12
 
 
 @dataclass(frozen=True)
@@ -78,3 +83,12 @@ def at_least(least: int, value: int, what: str) -> None:
         raise ModelError(f"{what} {value!r:.80} is not a whole number", code="count")
     if value < least:
         raise ModelError(f"{what} {value} is too small: at least {least}", code="count")
+    if value > MOST:
+        raise ModelError(f"{what} is more than any memory holds: at most {MOST:.0e}", code="memory")
+    needed, there = BYTES * int(value), memory.available()
+    if needed > there:
+        raise ModelError(
+            f"{what} {value} needs about {memory.in_words(needed)}, and there are {memory.in_words(there)}: "
+            "give a smaller number, or run it on a machine with more memory",
+            code="memory",
+        )

@@ -29,13 +29,25 @@ if TYPE_CHECKING:
 __all__ = ["ModelBuilder"]
 
 
+#: Of names [characters]: with the number of one in a group they have no more than files take.
+LONGEST = 980
+
+
 class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMethods):
     """What models are built by: a method for whatever can be added, and what was added so far."""
 
+    @property
+    def name(self) -> str:
+        """Printable text. ModelError, when it is given: it is none."""
+        return self._name
+
+    @name.setter
+    def name(self, name: str) -> None:
+        _check_name(name, "model")
+        self._name = name
+
     def __init__(self, gravity: ArrayLike = (0.0, 0.0, -9.81), name: str = "") -> None:
         """`gravity`: acceleration (3,), inertial [m/s2]. ModelError: not three finite numbers."""
-        if not isinstance(name, str):
-            raise ModelError(f"model: name {name!r:.80} is no text", code="name")
         self.name = name
         self._core = _core.Model(arguments.shaped(gravity, [(3,)], "model", "gravity"))
         self._bodies = Bodies(cast("Model", self), self._core)
@@ -523,9 +535,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
     def _named(self, name: object, kind: str, count: int) -> str:
         """The name given, or `revolute 3`: the first number that is not taken."""
         if name is not None:
-            if not isinstance(name, str) or not name.isprintable():
-                raise ModelError(f"{kind}: name {name!r} is not printable text", code="name")
-            return name
+            return _check_name(name, kind)
         core = self._core
         finders = (core.find_body, core.find_joint, core.find_force, core.find_user_force)
         while any(
@@ -543,9 +553,17 @@ def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:
     if len(each) != count:
         raise ModelError(f"{who}: {len(each)} names for {count}", code="names")
     for name in each:
-        if not isinstance(name, str) or not name.isprintable():
-            raise ModelError(f"{who}: name {name!r} is not printable text", code="name")
+        _check_name(name, who)
     return each
+
+
+def _check_name(name: object, who: str) -> str:
+    """ModelError: it is no printable text, or longer than files take."""
+    if not isinstance(name, str) or not name.isprintable():
+        raise ModelError(f"{who}: name {name!r:.80} is not printable text", code="name")
+    if len(name) > LONGEST:
+        raise ModelError(f"{who}: name '{name[:40]}...' has more than {LONGEST} characters", code="name")
+    return name
 
 
 def _motion(what: str, motion: TimeFunctionLike, start: JointCoordinate, who: str) -> TimeFunction:

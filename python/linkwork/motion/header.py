@@ -25,6 +25,10 @@ MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force
 #: torque [N m] (k, joints, 3).
 Reactions = Callable[..., tuple[Floats, Floats]]
 
+#: force_element(index, t (k,), q (k, 7n), v (k, 6n), history (k, h)) -> force [N] and torque [N m] (k, 3) on
+#: the second body, power [W] and potential [J] (k,).
+ForceElement = Callable[..., tuple[Floats, Floats, Floats, Floats]]
+
 
 def _none(*shape: int) -> Callable[[], Any]:
     """Gives the default of an array that files of earlier versions do not have."""
@@ -68,6 +72,7 @@ class Header:
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
     curves: Mapping[int, Floats] = field(default_factory=dict, compare=False)  # by joint: points (m, 3) in a
     reactions: Reactions | None = field(default=None, compare=False)
+    force_element: ForceElement | None = field(default=None, compare=False)
 
     @classmethod
     def of(
@@ -78,7 +83,7 @@ class Header:
         expected_frames: int | None = None,
         shapes: Shapes | None = None,
         curves: Mapping[int, Floats] | None = None,
-    ) -> Header:
+    ) -> Header:  # Long: a line a field.
         """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks.
 
         Without `dynamics`, of a model whose equations nobody has looked at: all reactions count as unique.
@@ -113,6 +118,7 @@ class Header:
             shapes=shapes or Shapes(),
             curves=curves or {},
             reactions=None if dynamics is None else dynamics.reactions,
+            force_element=None if dynamics is None else dynamics.force_element,
         )
 
     def __repr__(self) -> str:
@@ -121,7 +127,7 @@ class Header:
     def detached(self) -> Header:
         """The same without the compiled model behind it, so that it can go to another process."""
         names = {name: list(getattr(self, name)) for name in MODEL_NAMES}
-        return replace(self, reactions=None, **names)  # type: ignore[arg-type]
+        return replace(self, reactions=None, force_element=None, **names)  # type: ignore[arg-type]
 
     def parameters(self, role: Literal["joint", "force"], index: int) -> Floats:
         """The numbers of a joint or force element, as its kind lists them; none in a file that has none."""

@@ -15,6 +15,7 @@ __all__ = [
     "BodyResult",
     "Checkpoint",
     "Excess",
+    "ForceResult",
     "Occurrence",
     "Reaction",
     "Resume",
@@ -29,6 +30,18 @@ class Reaction(NamedTuple):
 
     force: Floats
     torque: Floats
+
+
+class ForceResult(NamedTuple):
+    """What a force element does over time (k,): to its second body, and to the mechanism."""
+
+    force: Floats  #: on the second body (k, 3) [N], inertial axes
+    torque: Floats  #: on it about the element's point there (k, 3) [N m], inertial axes
+    power: Floats  #: that the element gives to the bodies (k,) [W]
+    potential: Floats  #: energy that is stored in it (k,) [J]
+    #: of a spring between two points its elongation [m], of one about an axis its twist [rad] (k,), beyond
+    #: what it has when free; of other kinds, and where that is a function of time, None
+    deflection: Floats | None
 
 
 @dataclass(frozen=True)

@@ -22,13 +22,14 @@ from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordi
 from linkwork.modeling.handles import Body, Joint, Named
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import Header, record_reactions
-from linkwork.motion.records import BodyResult, Excess, Reaction, SingularPose, Snapshot, rotate
+from linkwork.motion.records import BodyResult, Excess, ForceResult, Reaction, SingularPose, Snapshot, rotate
 
 if TYPE_CHECKING:
     import pandas
     import xarray
     from matplotlib.figure import Figure
 
+    from linkwork.modeling.model import Model
     from linkwork.motion.records import Checkpoint, Occurrence
     from linkwork.view import Page
 
@@ -291,16 +292,30 @@ class Result:
         joint, header = self._place("joint", name), self._header
         kind = header.joint_kinds[joint]
         which = coordinate_of(kind, header.joint_names[joint], which)
-        ends = []
-        for body in header.joint_bodies[joint].tolist():
-            if body < 0:
-                ends.append((np.tile([0.0, 0, 0, 1, 0, 0, 0], (len(self), 1)), np.zeros((len(self), 6))))
-            else:
-                ends.append((self._field("q", np.s_[:, body]), self._field("v", np.s_[:, body])))
+        ends = self._ends(header.joint_bodies[joint].tolist())
         found = coordinates_of(which, self.t, ends, header.joint_origin[joint], header.joint_frame[joint])
         if which != "displacement":
             _check_turns(f"{which} of '{header.joint_names[joint]}'", self.t, found)
         return found
+
+    def _ends(self, bodies: Sequence[int]) -> list[tuple[Floats, Floats]]:
+        """Poses (k, 7) and velocities (k, 6) of bodies, or of the ground."""
+        ground = np.tile([0.0, 0, 0, 1, 0, 0, 0], (len(self), 1)), np.zeros((len(self), 6))
+        return [
+            ground if body < 0 else (self._field("q", np.s_[:, body]), self._field("v", np.s_[:, body]))
+            for body in bodies
+        ]
+
+    def force(self, name: str | int, model: Model | None = None) -> ForceResult:
+        """What a force element does to its second body, by its name or index; see ForceResult.
+
+        model  for a result from a file, which has no laws of forces: the model of which it is
+
+        ModelError: no such force element. OptionError: a file without `model`, or another model.
+        """
+        from linkwork.results import forces
+
+        return forces.force(self, name, model)
 
     def joint_axes(self, name: Named) -> Floats:
         """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""

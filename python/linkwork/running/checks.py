@@ -189,8 +189,9 @@ def start_time(start: Snapshot | None) -> float:
         return 0.0
     if not isinstance(start, Snapshot):
         raise OptionError(f"start {start!r:.80} is no linkwork.Snapshot(t, q, v)", code="start")
-    t = start.t
-    return number(t, "start: t", code="start")
+    if not isinstance(start.error, int | float) or isinstance(start.error, bool):
+        raise OptionError(f"start: error {start.error!r:.80} is no number", code="start")
+    return number(start.t, "start: t", code="start")
 
 
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, known: bool = False) -> None:

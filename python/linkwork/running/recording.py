@@ -6,12 +6,15 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
+from types import TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from linkwork import _core
+from linkwork import _core, memory
+from linkwork.arguments import array
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, OptionError, warn
@@ -35,6 +38,10 @@ PythonStep = Callable[[System, float, Floats, float], ArrayLike]
 
 #: A piece of a run, between two looks at signals and progress: wall time [s], frames, bytes.
 PIECE_SECONDS, PIECE_FRAMES, PIECE_BYTES = 0.1, 500, 2**26
+
+
+#: Of frames in memory, between two looks at how much is left.
+LOOK_BYTES = 2**28
 
 
 class Recorder(Protocol):
@@ -67,12 +74,31 @@ class Checkpoints:
 class _Memory:
     def __init__(self, header: Header, checkpoints: Checkpoints) -> None:
         self._header, self._checkpoints = header, checkpoints
+        self._bytes = self._looked_at = 0
+        frames = header.expected_frames or 0
+        self._check_memory(8.0 * frames * sum(map(math.prod, header.frame_shapes().values())), frames)
         self._pieces: list[Frames] = []
         self._occurrences: list[Occurrence] = []
 
     def write(self, frames: Frames) -> None:
         if len(frames["t"]):
             self._pieces.append(frames)
+            self._bytes += sum(field.nbytes for field in frames.values())
+            if self._bytes > self._looked_at + LOOK_BYTES:
+                self._looked_at = self._bytes
+                self._check_memory(float(self._bytes), None)
+
+    def _check_memory(self, needed: float, frames: int | None) -> None:
+        """OptionError: before the run that its frames, or in it that as many again, are too many."""
+        there = memory.available()
+        if needed <= there:
+            return
+        what = "the frames so far" if frames is None else f"its {frames} frames"
+        raise OptionError(
+            f"the run is recorded in memory, where {what} need {memory.in_words(needed)}, and there are "
+            f"{memory.in_words(there)}: give output='run.h5', or record fewer frames (record_every, times)",
+            code="memory",
+        )
 
     def note(self, occurrences: Sequence[Occurrence]) -> None:
         self._occurrences.extend(occurrences)
@@ -211,9 +237,22 @@ def _compiled_pieces(run: _core.Run, interrupts: Interrupts, frame_bytes: int) -
     """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
     most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
     while not run.finished:
-        with interrupts.computing():
+        with interrupts.computing(), _Told():
             frames = run.advance(most_frames, PIECE_SECONDS)
         yield frames
+
+
+class _Told(AbstractContextManager[None]):
+    """OptionError: StopIteration of a function of the user's, which would only end an iteration of ours."""
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        if isinstance(error, StopIteration):
+            raise OptionError(
+                "a function of the model or the run raised StopIteration: let it return a value",
+                code="callback",
+            ) from error
 
 
 def _python_pieces(
@@ -222,7 +261,7 @@ def _python_pieces(
     """The user's own integrator; meanwhile `system.derivative` has the sampled correction in it."""
     finished = False
     while not finished:
-        with interrupts.computing():
+        with interrupts.computing(), _Told():
             finished = _steps(run, step, system, time.perf_counter() + PIECE_SECONDS)
         yield run.take_frames()
 
@@ -233,11 +272,15 @@ def _steps(run: _core.Simulation, step: PythonStep, system: System, until: float
         t, y, h = run.begin_step()
         if h == 0.0:
             return True
-        reached = np.asarray(step(system, t, y, h), dtype=float)
+        reached = array(step(system, t, y, h), f"integrator {step!r}: the state that it returned")
         if reached.shape != y.shape:
             raise OptionError(
                 f"integrator {step!r}: returned shape {reached.shape}, y has {y.shape} (t = {t:g} s)",
                 code="integrator",
+            )
+        if not np.isfinite(reached).all():
+            raise OptionError(
+                f"integrator {step!r}: returned a state that is not finite (t = {t:g} s)", code="integrator"
             )
         run.accept(reached)
     return False

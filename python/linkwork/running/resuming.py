@@ -50,7 +50,10 @@ def of(start: Snapshot | None, key: str, t_end: float) -> Resume | None:
     resume = None if start is None else start.resume
     if start is None or not isinstance(resume, Resume) or not start.t < t_end:
         return None
-    fits = resume.checkpoint.method in (key, key + ASSEMBLED) and resume.state == start.digest
+    try:
+        fits = resume.checkpoint.method in (key, key + ASSEMBLED) and resume.state == start.digest
+    except (TypeError, ValueError):  # it is no state, which is told elsewhere
+        return None
     return resume if fits else None
 
 

@@ -196,6 +196,7 @@ def _prepared(
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
     t_start = checks.start_time(start)
     checks.check_tables(model, plan.t_end)
+    breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
     breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
     options = _honored(method, options)
@@ -207,12 +208,12 @@ def _prepared(
     if resume is not None:
         key = resume.checkpoint.method
         system = _as_then(system, model, options, given["assemble"], key)
-    since = t_start if resume is None else resume.checkpoint.t
-    known = breakpoints.of_run(model, given["breaks"], since, plan.t_end)
+    known: Sequence[float] = breaks
+    if resume is not None:
+        known = breakpoints.of_run(model, given["breaks"], resume.checkpoint.t, plan.t_end)
     run = plan.run(method, system, [event for _, event in watched], start, known)
     if resume is not None:
         run.resume(resume.checkpoint.state, resume.work)
-    breaks = [t for t in known if t > t_start]
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, given, chosen),

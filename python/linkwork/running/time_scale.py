@@ -1,4 +1,4 @@
-"""How long a mechanism is worth looking at, where nobody says: from its size, gravity, speeds and functions of time."""
+"""How long a mechanism is worth looking at, where nobody says: by size, gravity, speeds and functions."""
 
 from __future__ import annotations
 

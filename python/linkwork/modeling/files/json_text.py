@@ -91,8 +91,10 @@ class JsonText:
         if where not in self._offsets:
             parent, part = where[:-1], where[-1]
             start = self._offset(parent)
-            is_list = isinstance(part, int) and self._text[start] == "["
-            self._offsets[where] = self._entry(parent, start, part) if is_list else self._member(start, part)
+            if isinstance(part, int) and self._text[start] == "[":
+                self._offsets[where] = self._entry(parent, start, part)
+            else:
+                self._offsets[where] = self._member(start, part)
         return self._offsets[where]
 
     def _entry(self, parent: tuple[str | int, ...], start: int, wanted: int) -> int:
@@ -115,7 +117,7 @@ class JsonText:
         return self._members(start, {wanted}, all_of=self._any_repeated)[wanted]
 
     def _members(self, start: int, wanted: set[Any], *, all_of: bool) -> dict[str | int, int]:
-        """The places of members of the object that begins at `start`: the last ones, or the first that comes."""
+        """The places of members of the object beginning at `start`: the last ones, or the first to come."""
         text, decoder, found = self._text, json.JSONDecoder(), dict[str | int, int]()
         place = _skip(text, start + 1)
         while text[place] not in "]}" and (not found or all_of):

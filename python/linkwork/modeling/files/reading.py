@@ -218,6 +218,8 @@ def _check_settings(document: schema.Document, checker: _Checker) -> None:
 
 def _check_names(document: schema.Document, checker: _Checker) -> None:
     """Names are unique; bodies and functions that are named are there."""
+    if not document.name.isprintable():
+        checker.add(("name",), f"name {document.name!r:.80} is not printable text")
     bodies = _unique("bodies", document.bodies, checker, {"ground": "is the name of the ground"})
     for role in KINDS:
         records = getattr(document, f"{role}s")

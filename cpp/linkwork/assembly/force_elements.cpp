@@ -1,0 +1,50 @@
+#include "linkwork/assembly/force_elements.hpp"
+
+#include <array>
+
+#include "linkwork/math/rotation.hpp"
+#include "linkwork/model/force_kind.hpp"
+
+namespace linkwork {
+
+ForceElement::ForceElement(const System& system, int element)
+    : system_(system),
+      element_(system.model().forces()[static_cast<std::size_t>(element)]),
+      signals_(system.model().signals().size()) {
+  const Model& model = system.model();
+  const auto first = model.force_parameters().begin() + static_cast<std::ptrdiff_t>(element_.first_parameter);
+  const auto count = static_cast<std::ptrdiff_t>(force_kinds()[element_.kind].info.parameters.size());
+  batch_ = {{0}, {1}, {element_.at}, {first, first + count}, {0}, {0}};
+  for (int k = 0; k < system.history_size(); ++k)
+    if (const HistoryOwner& owner = system.history_owners()[k]; !owner.joint && owner.element == element) history_ = k;
+}
+
+ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history) {
+  const auto& functions = system_.model().signals();
+  for (std::size_t s = 0; s < signals_.size(); ++s)
+    if (functions[s]->of_time()) signals_[s] = functions[s]->evaluate(t);
+  const std::array<BodyState<double>, 2> bodies = {state_of(element_.i, q, v), state_of(element_.j, q, v)};
+  std::array<double, 2 * velocity_size> g{};
+  const double last = history_ < 0 ? 0.0 : history[history_];
+  double next = 0.0, rate = 0.0, dissipated = 0.0;
+  std::array<double, 2> switches{};
+  ForceOnBody out;
+  force_kinds()[element_.kind].evaluate(batch_, bodies.data(), signals_.data(), functions.data(),
+                                        {g.data(), &last, &next, &rate, switches.data(), &out.potential, &dissipated});
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Eigen::Map<const Vec3<double>> force(g.data() + 6 * k), torque(g.data() + 6 * k + 3);
+    out.power += force.dot(bodies[k].r_dot) + torque.dot(bodies[k].omega);
+    if (k == 0) continue;
+    out.force = force;
+    out.torque = bodies[k].A * (torque - element_.at.s_j.cross(Vec3<double>(bodies[k].A.transpose() * force)));
+  }
+  return out;
+}
+
+BodyState<double> ForceElement::state_of(int body, const ConstVector& q, const ConstVector& v) const {
+  if (body == ground) return BodyState<double>::ground();
+  return {q.segment<3>(7 * body), rotation_matrix<double>(q.segment<4>(7 * body + 3)), v.segment<3>(6 * body),
+          v.segment<3>(6 * body + 3)};
+}
+
+}  // namespace linkwork

@@ -1,0 +1,81 @@
+"""What force elements do over time, from the states of a run and the laws of its model."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from linkwork import _core
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.modeling.coordinates import coordinates_of
+from linkwork.modeling.elements import KINDS
+from linkwork.motion.header import ForceElement
+from linkwork.motion.records import ForceResult, rotate
+
+if TYPE_CHECKING:
+    from linkwork.modeling.model import Model
+    from linkwork.results.result import Result
+
+__all__ = ["force"]
+
+
+def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
+    """See Result.force."""
+    place, law = _place(result, name), _law(result, model)
+    k = len(result)
+    found = law(place, result.t, result.q.reshape(k, -1), result.v.reshape(k, -1), result.history)
+    return ForceResult(*found, _deflection(result, place))
+
+
+def _place(result: Result, name: str | int) -> int:
+    """ModelError: there is none."""
+    names = list(result.header.force_names)
+    if isinstance(name, int | np.integer) and -len(names) <= name < len(names):
+        return int(name) % len(names)
+    if str(name) not in names:
+        raise ModelError(f"no force element named '{name}'{nearest(str(name), names)}", code="unknown_name")
+    return names.index(str(name))
+
+
+def _law(result: Result, model: Model | None) -> ForceElement:
+    """OptionError: nobody knows the laws."""
+    header = result.header
+    if model is None and header.force_element is not None:
+        return header.force_element
+    if model is None:
+        raise OptionError(
+            "force: a result from a file has no laws of forces: give the model, result.force(name, model)",
+            code="no_model",
+        )
+    core = model.compiled()
+    own = [core.force_name(k) for k in range(core.force_count)]
+    if own != list(header.force_names) or core.body_count != header.body_count:
+        raise OptionError(
+            f"force: the model '{model.name}' has other force elements or bodies than this result",
+            code="model",
+        )
+    options = _core.Options()
+    options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too
+    return _core.Dynamics(core, options).force_element
+
+
+def _deflection(result: Result, place: int) -> Floats | None:
+    """Of springs, beyond their free length or angle; None: of no spring, or that is a function of time."""
+    header = result.header
+    names = list(KINDS["force"][header.force_kinds[place]].parameters)
+    free = next((it for it in ("free_length", "free_angle") if it in names), None)
+    if free is None:
+        return None
+    rest = header.parameters("force", place)[names.index(free)]
+    if np.isnan(rest):
+        return None
+    ends = result._ends(header.force_bodies[place].tolist())
+    origin, frame = header.force_origin[place], header.force_frame[place]
+    if free == "free_angle":
+        turned: Floats = coordinates_of("angle", result.t, ends, origin, frame).value - rest
+        return turned
+    a, b = (q[:, :3] + rotate(q[:, 3:], s) for (q, _), s in zip(ends, origin, strict=True))
+    longer: Floats = np.linalg.norm(b - a, axis=1) - rest
+    return longer

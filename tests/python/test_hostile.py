@@ -1,0 +1,21 @@
+"""The first trials of each part of tests/hostile; `./dev hostile` makes as many as there is time for."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "hostile"))
+
+import run as hostile
+
+#: Trials of each part, of which one takes some seconds.
+TRIALS = {"resume": 12, "interrupt": 2, "damage": 20, "model_file": 60, "value": 60}
+
+
+@pytest.mark.parametrize("part", hostile.PARTS)
+def test_nothing_of_what_is_tried_first_fails(part: str) -> None:
+    found = {seed: hostile.attempt(part, seed) for seed in range(TRIALS[part])}
+    assert {seed: what for seed, what in found.items() if what} == {}

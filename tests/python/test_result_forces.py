@@ -1,0 +1,101 @@
+"""What force elements do, against their laws, the power balance and the equations of motion."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import linkwork as lw
+import numpy as np
+import pytest
+
+
+def swinging() -> lw.Model:
+    """A rod on a hinge with a torsion spring, a spring to the ground, drag and a turning force."""
+    model = lw.Model(gravity=(0, 0, -9.81), name="swing")
+    rod = model.body("rod", mass=2.0, inertia=(0.01, 0.2, 0.2), position=(0.5, 0, 0))
+    bob = model.body("bob", mass=1.0, inertia=(0.02, 0.03, 0.04), position=(1.0, 0, -0.4))
+    model.revolute("ground", rod, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    model.spherical(rod, bob, at=(1, 0, 0), name="ball")
+    model.rotational_spring_damper(
+        "ground",
+        rod,
+        at=(0, 0, 0),
+        axis=(0, 1, 0),
+        stiffness=5.0,
+        damping=0.3,
+        free_angle=0.2,
+        name="torsion",
+    )
+    model.spring_damper(
+        bob,
+        "ground",
+        at=((1, 0, -0.5), (0.4, 0.3, 1)),
+        stiffness=40.0,
+        damping=2.0,
+        free_length=0.7,
+        name="coil",
+    )
+    model.spring_damper(
+        "ground", bob, at=((0, 1, 0), (1, 0, -0.4)), stiffness=9.0, free_length=0.1, name="rope"
+    )
+    model.force(rod, force=(0, 0, lw.functions.harmonic(3.0, 4.0, 0.0, 0.0)), at=(0.7, 0, 0), name="push")
+    return model
+
+
+@pytest.fixture(scope="module")
+def result() -> lw.Result:
+    return lw.simulate(swinging(), t_end=1.0, step=1e-3)
+
+
+def test_springs_pull_by_their_deflection_and_its_rate(result: lw.Result) -> None:
+    """f = k x + c x_dot along the line between the points; positive in tension."""
+    for name, stiffness, damping in (("coil", 40.0, 2.0), ("rope", 9.0, 0.0)):
+        found = result.force(name)
+        x = found.deflection
+        assert x is not None
+        assert np.abs(found.potential - stiffness * x**2 / 2).max() < 1e-10
+        pull = np.linalg.norm(found.force, axis=1)
+        law = np.abs(stiffness * x + damping * np.gradient(x, result.t, edge_order=2))
+        assert np.abs(pull - law)[2:-2].max() < 1e-3 * pull.max()
+        assert np.abs(found.torque).max() < 1e-12 * pull.max()
+    twist = result.force("torsion")
+    assert twist.deflection is not None
+    angle = result.coordinate("hinge")
+    assert np.abs(twist.deflection - (angle.value - 0.2)).max() < 1e-12
+    law = -5.0 * twist.deflection - 0.3 * angle.rate
+    assert np.abs(twist.torque[:, 1] - law).max() < 1e-10
+    assert np.abs(twist.force).max() == 0.0
+
+
+def test_powers_of_elements_sum_up_to_the_change_of_energy(result: lw.Result) -> None:
+    """Their power and that of gravity is the rate of the kinetic energy; joints do no work."""
+    weights = 9.81 * np.array([2.0, 1.0])
+    power = sum(result.force(k).power for k in range(4)) - result.velocity[:, :, 2] @ weights
+    change = np.gradient(result.kinetic_energy, result.t, edge_order=2)
+    assert np.abs(power - change)[3:-3].max() < 5e-4 * np.abs(power).max()
+
+
+def test_forces_and_reactions_move_a_body(result: lw.Result) -> None:
+    """m a = the sum of what acts on the bob; the coil acts on it as the first of its two bodies."""
+    acting = result.reaction("ball").force + result.force("rope").force - result.force("coil").force
+    acting = acting + np.array([0, 0, -9.81])
+    assert np.abs(acting - result.body("bob").acceleration).max() < 1e-9 * np.abs(acting).max()
+
+
+def test_a_force_on_one_body_is_as_it_was_given(result: lw.Result) -> None:
+    found = result.force("push")
+    assert np.abs(found.force - np.outer(3.0 * np.sin(4.0 * result.t), (0, 0, 1))).max() < 1e-12
+    assert np.abs(found.torque).max() < 1e-12
+    assert found.deflection is None
+
+
+def test_a_result_of_a_file_takes_its_laws_from_the_model(result: lw.Result, tmp_path: Path) -> None:
+    result.save(tmp_path / "run.h5")
+    loaded = lw.Result.load(tmp_path / "run.h5")
+    with pytest.raises(lw.OptionError, match="has no laws of forces: give the model"):
+        loaded.force("coil")
+    assert np.array_equal(loaded.force("coil", swinging()).force, result.force("coil").force)
+    with pytest.raises(lw.OptionError, match="has other force elements or bodies"):
+        loaded.force("coil", lw.mechanisms.pendulum())
+    with pytest.raises(lw.ModelError, match="no force element named 'koil'"):
+        result.force("koil")
