@@ -74,7 +74,7 @@ add_module_names = False
 toc_object_entries_show_parents = "hide"
 nitpick_ignore_regex = [
     # of other packages, whose documentation is elsewhere, and what only types are called
-    (r"py:.*", r"(numpy|np|collections|typing|os|pathlib|matplotlib|pandas|ctypes|scipy)\b.*"),
+    (r"py:.*", r"(numpy|np|collections|typing|os|pathlib|matplotlib|pandas|xarray|ctypes|scipy)\b.*"),
     (
         r"py:.*",
         r"(Any|ArrayLike|Callable|Iterable|Iterator|Mapping|Sequence|NDArray|Path|Figure|Literal|Unpack)",
@@ -86,7 +86,8 @@ nitpick_ignore_regex = [
     ),
     (
         r"py:.*",
-        r"(linkwork\.options\.types\.)?Options|Integrator|IntegratorName|PythonStep|Named|(linkwork\.modeling\.handles\.)?Handle|abc\.ABC",
+        r"(linkwork\.options\.types\.)?Options|Integrator|IntegratorName|PythonStep|Named"
+        r"|(linkwork\.modeling\.handles\.)?Handle|(linkwork\.motion\.records\.)?(Checkpoint|Resume)|abc\.ABC",
     ),
     (
         r"py:.*",

@@ -120,6 +120,7 @@ PAGES = {
             "BodyResult",
             "Reaction",
             "linkwork.modeling.coordinates.JointCoordinate",
+            "linkwork.motion.records.ForceResult",
             "SingularPose",
             "linkwork.motion.records.Excess",
             "# Accuracy",
