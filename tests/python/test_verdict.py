@@ -334,3 +334,13 @@ def test_the_command_tells_it_in_its_table_and_in_json() -> None:
     assert code == 0 and json.loads(out)["result"]["verdict"]["level"] == "wrong" and not error
     code, _, error = command("--on-inaccurate", "stop")
     assert code == 1 and error.startswith("error: four_bar: the step is too long")
+
+
+def test_what_stays_at_rest_is_judged_by_its_size() -> None:
+    """A door in two hinges, whose reactions leave it speeds of 1e-18 m/s: the energy of that is nobody's error."""
+    model = lw.Model(name="door")
+    door = model.body("door", mass=20.0, inertia=(1, 3, 4), position=(0.5, 0, 0))
+    for height in (0.5, -0.5):
+        model.revolute("ground", door, at=(0, 0, height), axis=(0, 0, 1))
+    found = lw.simulate(model, 1.0, 2e-3, progress=False).verdict
+    assert found is not None and found.level == "good" and found.error < 1e-12

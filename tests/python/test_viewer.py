@@ -475,9 +475,7 @@ def test_one_tiny_number_does_not_stretch_a_logarithmic_axis(
     opened(tab, slider_crank.view(), tmp_path)
     tab.evaluate("linkwork.runs[0].violation[5] = 1e-33; linkwork.panels[1].choose('violation'); 1")
     tab.drawn()
-    low, high = tab.evaluate(
-        "[linkwork.panels[1].plot.scales.y.min, linkwork.panels[1].plot.scales.y.max]"
-    )
+    low, high = tab.evaluate("[linkwork.panels[1].plot.scales.y.min, linkwork.panels[1].plot.scales.y.max]")
     assert low > 1e-25
     assert high >= slider_crank.violation.max()  # and all that is large is seen
 

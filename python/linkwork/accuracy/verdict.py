@@ -109,9 +109,10 @@ class Verdict:
 
 
 class Energies:
-    """The balance of energy over the frames of a run."""
+    """The balance of energy over the frames of a run; `rest` [J]: as little is that of bodies at rest."""
 
-    def __init__(self) -> None:
+    def __init__(self, rest: float = 0.0) -> None:
+        self._rest = rest
         self._first: float | None = None
         self._first_work = 0.0
         self._made = self._kinetic = self._work = 0.0
@@ -142,7 +143,7 @@ class Energies:
         if self._first is None:
             return 0.0, math.inf
         largest = max(self._kinetic, abs(self._least), abs(self._largest), self._work)
-        scale = max(self._kinetic, self._largest - self._least, self._work)
+        scale = max(self._kinetic, self._largest - self._least, self._work, self._rest)
         replaced = self._work / scale if scale > 0 else 0.0
         made = max(self._made - ROUNDING * largest, 0.0)
         return (made / max(scale, 1e-9 * largest) if made > 0 else 0.0), replaced

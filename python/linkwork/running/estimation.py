@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
 from linkwork import _core
 from linkwork.accuracy.verdict import (
     GOOD,
@@ -23,11 +25,13 @@ from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import AccuracyError, warn
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
 from linkwork.options import Options
 from linkwork.results.result import Result
 from linkwork.running import callbacks, pulses
 from linkwork.running.schedule import Adaptive, Fixed
+from linkwork.running.time_scale import size
 
 __all__ = ["ErrorEstimator", "apply_policy", "strict"]
 
@@ -36,6 +40,15 @@ TRUSTED = "dop853"
 
 #: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
 FIRST_LOOK = 200
+
+#: Of the size of a mechanism: what moves less in a run is at rest.
+STILL = 1e-10
+
+
+def _at_rest(model: Model, duration: float) -> float:
+    """Kinetic energy [J] of all bodies together that move 1e-10 of the mechanism's size in the run."""
+    speed = STILL * size(model) / duration if duration > 0 else 0.0
+    return 0.5 * float(np.sum(model.compiled().mass)) * speed**2
 
 
 class ErrorEstimator:
@@ -59,7 +72,9 @@ class ErrorEstimator:
         self._options: Options = {**options, "stabilization": system.options["stabilization"]}
         self._plan = plan
         self._before = start.error if start is not None else 0.0
-        self._energies = Energies()
+        self._energies = Energies(
+            _at_rest(system.model, plan.t_end - (start.t if start is not None else 0.0))
+        )
         self._functions = callbacks.of_model(system.model)
         self._contents = callbacks.contents(self._functions)
         self._own = {} if isinstance(method, Integrator) else {"integrator": method}

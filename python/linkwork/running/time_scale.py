@@ -6,7 +6,7 @@ import numpy as np
 
 from linkwork.modeling.model import Model
 
-__all__ = ["TOLERANCE", "usual_end"]
+__all__ = ["TOLERANCE", "size", "usual_end"]
 
 #: Of steps that are chosen where nobody chooses any.
 TOLERANCE = 1e-6
@@ -18,21 +18,23 @@ PERIODS = 3.0
 def usual_end(model: Model) -> tuple[float, str]:
     """An end [s] that shows the motion, 1, 2 or 5 times a power of ten, and what it comes from."""
     core = model.compiled()
-    gravity, size = float(np.linalg.norm(core.gravity)), _size(model)
+    gravity, length = float(np.linalg.norm(core.gravity)), size(model)
     v = core.v0.reshape(-1, 6)
-    fastest = max(np.linalg.norm(v[:, :3], axis=1).max(initial=0.0) / size, np.abs(v[:, 3:]).max(initial=0.0))
+    fastest = max(
+        np.linalg.norm(v[:, :3], axis=1).max(initial=0.0) / length, np.abs(v[:, 3:]).max(initial=0.0)
+    )
     tables = [last for _, function in model.signals for last in function.span if 0.0 < last < np.inf]
     if tables:
         return float(min(tables)), "where the first of its tables ends"
     if fastest > 0.0 and not gravity > 0.0:
         return _round(PERIODS * 2 * np.pi / fastest), f"from its speed, {fastest:.3g} rad/s"
     if gravity > 0.0:
-        period = 2 * np.pi * np.sqrt(size / gravity)
-        return _round(PERIODS * period), f"from its size, {size:.3g} m, which swings in {period:.2g} s"
+        period = 2 * np.pi * np.sqrt(length / gravity)
+        return _round(PERIODS * period), f"from its size, {length:.3g} m, which swings in {period:.2g} s"
     return 1.0, "as nothing in it tells"
 
 
-def _size(model: Model) -> float:
+def size(model: Model) -> float:
     """The longest arm from a center of mass to a joint, or the way between bodies, or 1 [m]."""
     core = model.compiled()
     joints = core.joint_arrays()
