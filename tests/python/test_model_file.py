@@ -100,7 +100,7 @@ def test_any_printable_name_comes_back(suffix: str, tmp_path: Path) -> None:
     names = ["null", "1e3", "true", "~", "yes", "a: b", "# no", "- x", "[0]", "{", "'", '"', "\\", "é",
              "车轮", "🤖", "x" * 300, " lead", "trail ", "*a", "&b", "!c", "%d", "@", "`", "=",
              "<<", "0x1F", "1_000", "link[3]"]  # fmt: skip
-    model = lw.Model(name="two\nlines, a tab\t and \x7f")
+    model = lw.Model(name="one line, no tab and é")
     for name in names:
         model.body(name, mass=1.0, inertia=(1, 1, 1))
     again = round_trip(model, tmp_path / f"model{suffix}")

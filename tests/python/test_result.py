@@ -252,5 +252,5 @@ def test_plot_leaves_pyplot_alone() -> None:
 def test_picture_that_cannot_be_written_is_a_file_error(tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"run.png': cannot be written: no such file or directory"):
         make_result().plot(tmp_path / "nowhere" / "run.png")
-    with pytest.raises(FileError, match=r"run.xyz': no format 'xyz'; the nearest is "):
+    with pytest.raises(FileError, match=r"run.xyz': no format 'xyz'; choose from "):
         make_result().plot(tmp_path / "run.xyz")
