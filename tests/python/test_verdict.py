@@ -337,7 +337,7 @@ def test_the_command_tells_it_in_its_table_and_in_json() -> None:
 
 
 def test_what_stays_at_rest_is_judged_by_its_size() -> None:
-    """A door in two hinges, whose reactions leave it speeds of 1e-18 m/s: the energy of that is nobody's error."""
+    """A door in two hinges, whose reactions leave it speeds of 1e-18 m/s."""
     model = lw.Model(name="door")
     door = model.body("door", mass=20.0, inertia=(1, 3, 4), position=(0.5, 0, 0))
     for height in (0.5, -0.5):

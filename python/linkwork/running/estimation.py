@@ -41,14 +41,16 @@ TRUSTED = "dop853"
 #: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
 FIRST_LOOK = 200
 
-#: Of the size of a mechanism: what moves less in a run is at rest.
-STILL = 1e-10
+#: Of the size of a mechanism: what moves or falls less in a run is at rest.
+STILL, FALLEN = 1e-10, 1e-12
 
 
 def _at_rest(model: Model, duration: float) -> float:
-    """Kinetic energy [J] of all bodies together that move 1e-10 of the mechanism's size in the run."""
-    speed = STILL * size(model) / duration if duration > 0 else 0.0
-    return 0.5 * float(np.sum(model.compiled().mass)) * speed**2
+    """Energy [J] of bodies that move 1e-10 of the size of the mechanism in the run, and fall 1e-12 of it."""
+    core, length = model.compiled(), size(model)
+    speed = STILL * length / duration if duration > 0 else 0.0
+    falling = float(np.linalg.norm(core.gravity)) * FALLEN * length
+    return float(np.sum(core.mass)) * (0.5 * speed**2 + falling)
 
 
 class ErrorEstimator:
