@@ -80,12 +80,17 @@ void find_minimum_degree(const NumberLists& graph, Numbers& order) {
 }
 #else
 void find_minimum_degree(const NumberLists& graph, Numbers& order) {
-  using Pattern = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-  const auto n = static_cast<Eigen::Index>(graph.size()), entries = static_cast<Eigen::Index>(graph.numbers().size());
-  const std::vector<double> ones(graph.numbers().size(), 1.0);
-  const Eigen::Map<const Pattern> A(n, n, entries, graph.begins().data(), graph.numbers().data(), ones.data());
+  const int n = static_cast<int>(graph.size());
+  std::vector<Eigen::Triplet<double, int>> entries;
+  entries.reserve(graph.numbers().size() + graph.size());
+  for (int node = 0; node < n; ++node) {
+    entries.emplace_back(node, node, 1.0);  // without it Eigen takes a node for a dense one, and puts it last
+    for (const int neighbor : graph[node]) entries.emplace_back(neighbor, node, 1.0);
+  }
+  Eigen::SparseMatrix<double, Eigen::ColMajor, int> A(n, n);
+  A.setFromTriplets(entries.begin(), entries.end());
   Eigen::AMDOrdering<int>::PermutationType found;
-  Eigen::AMDOrdering<int>()(Pattern(A).selfadjointView<Eigen::Lower>(), found);
+  Eigen::AMDOrdering<int>()(A.selfadjointView<Eigen::Lower>(), found);
   std::copy_n(found.indices().data(), n, order.begin());
 }
 #endif
