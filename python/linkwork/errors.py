@@ -178,7 +178,7 @@ class LinkworkWarning(UserWarning):
 NEAR = 0.55
 
 #: So many names are told in a message; of so many the nearest is looked for, for one no longer than this.
-LISTED, MOST_LOOKED_AT, LONG_NAME = 12, 1000, 100
+LISTED, MOST_LOOKED_AT, LONG_NAME = 8, 1000, 100
 
 #: So many faults of a file are listed, the others counted.
 MOST_FAULTS = 20

@@ -176,7 +176,7 @@ DRIVERS = {
 def test_drivers_of_a_file_move_as_their_functions_say(text: str, tmp_path: Path) -> None:
     path, out = tmp_path / "driven.yaml", tmp_path / "assembled.yaml"
     path.write_text(DRIVEN.format(text))
-    assert bits(round_trip(lw.Model.load(path), out)) == bits(lw.Model.load(path))
+    assert bits(round_trip(lw.Model.load(path), tmp_path / "again.yaml")) == bits(lw.Model.load(path))
     assert run(["convert", str(path), str(out), "--assemble"], debug=False) == 0
     result = lw.simulate(lw.Model.load(out), t_end=0.3, step=1e-3)
     for joint in ("pin", "rail"):
