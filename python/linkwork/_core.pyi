@@ -459,7 +459,7 @@ class Event:
         tolerance: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
     @property
-    def signature(self) -> tuple:
+    def signature(self) -> tuple[int, bool, bool, float]:
         """
         What beside its functions decides on the steps: direction, terminal, whether it has a change, tolerance.
         """
