@@ -344,3 +344,21 @@ def test_what_stays_at_rest_is_judged_by_its_size() -> None:
         model.revolute("ground", door, at=(0, 0, height), axis=(0, 0, 1))
     found = lw.simulate(model, 1.0, 2e-3, progress=False).verdict
     assert found is not None and found.level == "good" and found.error < 1e-4
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10])
+@pytest.mark.parametrize("drop", [0.5, 0.3])
+def test_a_step_that_ends_where_a_contact_begins_is_no_error(rtol: float, drop: float) -> None:
+    """A bounce by the law with hysteresis: its height follows the tolerance, and so does the verdict."""
+    heights = []
+    for tolerance in (rtol, 1e-12):
+        model = lw.Model(name="ball")
+        ball = model.body("ball", mass=0.1, inertia=(4e-5,) * 3, position=(0, 0, drop))
+        model.sphere_plane_contact("ground", ball, radius=0.03, stiffness=1e5, hysteresis=0.3,
+                                   at=((0, 0, 0), (0, 0, drop)), normal=(0, 0, 1))  # fmt: skip
+        result = lw.simulate(model, 0.6, rtol=tolerance, progress=False)
+        heights.append(result.position[-1, 0, 2])
+    found = lw.simulate(model, 0.6, rtol=rtol, progress=False).verdict
+    assert found is not None
+    error = abs(heights[0] - heights[1]) / drop
+    assert error <= found.error <= max(1e4 * error, 1e-3)

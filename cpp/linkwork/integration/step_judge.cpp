@@ -193,9 +193,21 @@ void StepJudge::compare_inside(const KeptStep& step, StepError& out) {
 }
 
 /// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.
+/// Steps that follow tolerances end where a contact begins: whether it has begun there is a matter of roundoff.
 void StepJudge::compare_history(const KeptStep& step, StepError& out) {
-  dynamics_.evaluate(step.t + step.h, y_);
+  const double end = step.t + step.h;
+  dynamics_.evaluate(end, y_);
   dynamics_.advance_history();
+  bool at_beginning = false;
+  for (Eigen::Index k = 0; k < step.history_new.size(); ++k) {
+    if (dynamics_.history()[k] != 0.0 || step.history_new[k] == 0.0) continue;
+    dynamics_.begin_contact(static_cast<int>(k));
+    at_beginning = true;
+  }
+  if (at_beginning) {
+    dynamics_.evaluate(end, y_);
+    dynamics_.advance_history();
+  }
   const VectorXd& found = dynamics_.history();
   for (Eigen::Index k = 0; k < found.size(); ++k)
     out.end.velocity = std::max(out.end.velocity, std::abs(found[k] - step.history_new[k]));
