@@ -38,6 +38,7 @@ constexpr double end_part = 1e-2;        // of that, at most
 constexpr double precision = 1e-16;      // of solutions, relative to the square of the angle to the pose
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
+constexpr double beside_pose = 0.05;     // of a leap: so near nothing is projected
 constexpr double too_far = 1.5;          // of the usual distance to the pose: steps go on before the leap
 constexpr double part_of_way = 0.8;      // to a foreseen pose
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
@@ -230,9 +231,11 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   limited_ = false;
   if (starting_) begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
-  if (!starting_ && !begin(t, y)) return false;
-  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double trend_says = known_ > t ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
+  const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
+  const bool beside = std::abs(trend_says) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
+  if (!starting_ && !begin(t, y, !beside)) return false;
+  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double pose = starting_ ? 0.0 : trend_says;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   search.base = search.least;
@@ -356,17 +359,18 @@ void Crossing::throw_no_branch(double t) const {
                             details);
 }
 
-/// At the start of the leap: the state on the constraints, its rates, its energy. False where it is too far from them,
-/// as in a run that diverges.
-bool Crossing::begin(double t, const VectorXd& y) {
+/// At the start of the leap: the state, its rates, its energy. It is taken to the constraints; but beside the pose what
+/// it is off would become larger velocities by that, and the end of the leap is a better place. False where it is too
+/// far from the constraints, as in a run that diverges.
+bool Crossing::begin(double t, const VectorXd& y, bool project) {
   allocate(t, y);
   dynamics_.evaluate(t, leap_.y);
-  try {
-    projection_.positions(t, leap_.y);
-    projection_.velocities(t, leap_.y);
-  } catch (const NotConvergedError&) {
-    return false;
-  }
+  if (project) try {
+      projection_.positions(t, leap_.y);
+      projection_.velocities(t, leap_.y);
+    } catch (const NotConvergedError&) {
+      return false;
+    }
   dynamics_.evaluate(t, leap_.y);
   energy_before_ = energy(leap_.y);
   VectorXd lambda(dynamics_.system().row_count());
@@ -456,7 +460,7 @@ void Crossing::finish(Quality& quality) {
       std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
 }
 
-/// Times from the start of a leap that converged, ascending; the last may be foreseen by so many lengths beyond its
+/// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen by so many lengths beyond its
 /// end. Empty: there is none.
 std::vector<double> Crossing::poses_in_leap(double beyond_it) {
   const auto root = [&](double at) {
@@ -477,6 +481,9 @@ std::vector<double> Crossing::poses_in_leap(double beyond_it) {
   sample(leap_.h);
   std::vector<double> found;
   if (in_pose_ && starting_) found.push_back(0.0);
+  const PivotSample &start = samples[0], &next = samples[1];
+  const double behind = start.root * (next.at - start.at) / (next.root - start.root);  // one that was just passed
+  if (found.empty() && next.root > start.root && behind < beside_pose * leap_.h) found.push_back(-behind);
   const double apart = same_pose * leap_.h;
   for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
     const PivotSample &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];

@@ -118,7 +118,7 @@ class Crossing final : public Interpolant {
   double foreseen_by_least(double t) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
   void allocate(double t, const VectorXd& y);
-  bool begin(double t, const VectorXd& y);
+  bool begin(double t, const VectorXd& y, bool project);
   void begin_in_pose(double t, const VectorXd& y);
   [[noreturn]] void throw_no_branch(double t) const;
   Quality attempt();
