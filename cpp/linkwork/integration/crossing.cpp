@@ -18,6 +18,8 @@ constexpr double near_at_start = 0.1;  // the same before there is a usual one
 constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for runs that begin near a pose
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell where the pose is
+constexpr double closer = 0.4;         // of the usual root: nearer, pivots may hide a pose
+constexpr double look_part = 0.2;      // rad to the next look, of what the least singular value is to the usual root
 constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
 constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states that are looked at [rad]
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
@@ -165,7 +167,7 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const System& system = dynamics_.system();
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
-  least_ = {t, fastest_ * h > coarse ? dynamics_.formulation().least_singular_value() : INFINITY};
+  look_closer(t, h);
   const bool known = known_ > t;
   const double tau = known ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
   if (!(tau >= -h && tau < INFINITY)) return false;
@@ -178,6 +180,18 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   if (tau <= near_enough(usual, h, adaptive)) return true;
   most_step_ = tau - before_pose * usual;
   return false;
+}
+
+/// The least singular value of long steps, and where pivots are small without falling to a pose: the smallest may be
+/// another one than that which vanishes. It is looked at again after a part of the way that it can be to zero.
+void Crossing::look_closer(double t, double h) {
+  least_ = {t, INFINITY};
+  const auto trend = dynamics_.watch().trend();
+  const double level = dynamics_.watch().root_of_level();
+  const bool small = trend && trend->last.root < closer * level && t >= next_look_ && !(known_ > t);
+  if (!small && !(fastest_ * h > coarse)) return;
+  least_.root = dynamics_.formulation().least_singular_value();
+  if (fastest_ > 0.0 && level > 0.0) next_look_ = t + look_part * std::min(least_.root / level, 1.0) / fastest_;
 }
 
 /// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them.
@@ -254,7 +268,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
 
 void Crossing::keep(Archive& archive, bool leaping) {
   archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
-  archive(rows_good_, declined_, known_, poses_);
+  archive(rows_good_, declined_, known_, next_look_, poses_);
   if (leaping) archive(leap_);
 }
 

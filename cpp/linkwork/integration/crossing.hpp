@@ -47,7 +47,7 @@ class Crossing final : public Interpolant {
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() {
     fresh_ = true;
-    known_ = -INFINITY;
+    known_ = next_look_ = -INFINITY;
     poses_.restart();
   }
 
@@ -112,6 +112,7 @@ class Crossing final : public Interpolant {
     bool any_converged = false, ahead = false, done = false;
   };
 
+  void look_closer(double t, double h);
   bool starts_near(double t, const VectorXd& y);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double foreseen(double t) const;
@@ -153,6 +154,7 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;   ///< or in it
   bool fresh_ = true;      ///< no step was looked at yet
   mutable bool limited_ = false;
+  double next_look_ = -INFINITY;  ///< at the least singular value, where pivots are small
   PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
   double most_step_ = INFINITY;
   double fastest_ = 0.0;      ///< motion before the step [rad/s]
