@@ -155,7 +155,7 @@ class Crossing final : public Interpolant {
   bool fresh_ = true;      ///< no step was looked at yet
   mutable bool limited_ = false;
   double next_look_ = -INFINITY;  ///< at the least singular value, where pivots are small
-  PivotSample least_ = {};  ///< singular value before the step, infinite where it was not looked for
+  PivotSample least_ = {};        ///< singular value before the step, infinite where it was not looked for
   double most_step_ = INFINITY;
   double fastest_ = 0.0;      ///< motion before the step [rad/s]
   double rows_good_ = 0.0;    ///< root of the pivot from which on the redundant rows are looked at
