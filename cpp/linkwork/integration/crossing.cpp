@@ -42,6 +42,7 @@ constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is fou
 constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
 constexpr double beside_pose = 0.05;     // of a leap: so near nothing is projected
 constexpr double too_far = 1.5;          // of the usual distance to the pose: steps go on before the leap
+constexpr double other_pace = 0.2;       // change of the rate with which a pose that was found is not relied on
 constexpr double part_of_way = 0.8;      // to a foreseen pose
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
 
@@ -168,6 +169,7 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
   look_closer(t, h);
+  if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
   const bool known = known_ > t;
   const double tau = known ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
   if (!(tau >= -h && tau < INFINITY)) return false;
@@ -176,9 +178,8 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   if (!known && declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
   declined_ = 0.0;
   const double usual = usual_length(v, VectorXd::Zero(v.size()));
-  if (!adaptive) return tau < near_enough(usual, h, adaptive);
   if (tau <= near_enough(usual, h, adaptive)) return true;
-  most_step_ = tau - before_pose * usual;
+  if (adaptive) most_step_ = tau - before_pose * usual;
   return false;
 }
 
@@ -208,7 +209,7 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h) const 
 
 /// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
 /// than wanted; of equals the shortest.
-double Crossing::best_length(const Search& search) const {
+double Crossing::best_length(const Search& search) {
   const double least = limit(search, search.least), grid = search.grid;
   double best = least, distance = -1.0;
   const auto consider = [&](double h) {
@@ -229,12 +230,12 @@ double Crossing::best_length(const Search& search) const {
   return best;
 }
 
-double Crossing::limit(const Search& search, double h) const {
+double Crossing::limit(const Search& search, double h) {
   limited_ = limited_ || h >= search.most;
   return std::min(h, search.most);
 }
 
-double Crossing::allowed_length(const Search& search, double h) const {
+double Crossing::allowed_length(const Search& search, double h) {
   if (search.grid > 0.0) h = std::max(1.0, std::round(h / search.grid)) * search.grid;
   return limit(search, h);
 }
@@ -248,7 +249,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const double trend_says = known_ > t ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
   const bool beside = std::abs(trend_says) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
-  if (!starting_ && !begin(t, y, !beside)) return false;
+  if (!starting_ && !begin(t, y, beside)) return false;
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double pose = starting_ ? 0.0 : trend_says;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
@@ -268,7 +269,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
 
 void Crossing::keep(Archive& archive, bool leaping) {
   archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
-  archive(rows_good_, declined_, known_, next_look_, poses_);
+  archive(rows_good_, declined_, known_, known_rate_, next_look_, poses_);
   if (leaping) archive(leap_);
 }
 
@@ -324,6 +325,7 @@ void Crossing::weigh(Search& search, Quality quality) {
   search.done = search.poses.empty();
   if (!starting_ && !search.done && search.poses.front() > search.too_far) {
     known_ = search.t + search.poses.front();
+    known_rate_ = fastest_;
     search.done = true;
   }
   if (search.done) return;
@@ -376,21 +378,26 @@ void Crossing::throw_no_branch(double t) const {
 /// At the start of the leap: the state, its rates, its energy. It is taken to the constraints; but beside the pose what
 /// it is off would become larger velocities by that, and the end of the leap is a better place. False where it is too
 /// far from the constraints, as in a run that diverges.
-bool Crossing::begin(double t, const VectorXd& y, bool project) {
+bool Crossing::begin(double t, const VectorXd& y, bool beside) {
   allocate(t, y);
-  dynamics_.evaluate(t, leap_.y);
-  if (project) try {
-      projection_.positions(t, leap_.y);
-      projection_.velocities(t, leap_.y);
-    } catch (const NotConvergedError&) {
-      return false;
-    }
+  try {
+    if (!beside) project(t, leap_.y);
+  } catch (const NotConvergedError&) {
+    return false;
+  }
   dynamics_.evaluate(t, leap_.y);
   energy_before_ = energy(leap_.y);
   VectorXd lambda(dynamics_.system().row_count());
   dynamics_.refined_accelerations(v_dot_, lambda);
   dynamics_.rates(v_dot_, lambda, rates_before_);
   return true;
+}
+
+/// To Phi = 0 and D v + Phi_t = 0. Leaves `dynamics` evaluated at the y that was given.
+void Crossing::project(double t, VectorXd& y) {
+  dynamics_.evaluate(t, y);
+  projection_.positions(t, y);
+  projection_.velocities(t, y);
 }
 
 Crossing::Quality Crossing::attempt() {
@@ -431,9 +438,7 @@ double Crossing::node(int i) {
   y_.noalias() += leap_.h * (leap_.k * gauss_.A.row(i).transpose());
   system.normalize(y_.head(nq));
   rates_ = y_;
-  dynamics_.evaluate(t, y_);
-  projection_.positions(t, y_);
-  projection_.velocities(t, y_);
+  project(t, y_);
   for (int body = 0; body < system.body_count(); ++body) {
     const double shift = (y_.segment<3>(7 * body) - rates_.segment<3>(7 * body)).norm() / length_;
     const double turn = 2.0 * (y_.segment<4>(7 * body + 3) - rates_.segment<4>(7 * body + 3)).norm();
@@ -461,9 +466,7 @@ void Crossing::finish(Quality& quality) {
   VectorXd& y_new = leap_.y_new;
   y_new = leap_.y + leap_.h * (leap_.k * gauss_.b);
   system.normalize(y_new.head(nq));
-  dynamics_.evaluate(leap_.end(), y_new);
-  projection_.positions(leap_.end(), y_new);
-  projection_.velocities(leap_.end(), y_new);
+  project(leap_.end(), y_new);
   dynamics_.evaluate(leap_.end(), y_new);
   const auto v = leap_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
   const VectorXd rest = leap_.k * gauss_.last_coefficient();
@@ -474,8 +477,8 @@ void Crossing::finish(Quality& quality) {
       std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
 }
 
-/// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen by so many lengths beyond its
-/// end. Empty: there is none.
+/// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen
+/// by so many lengths beyond its end. Empty: there is none.
 std::vector<double> Crossing::poses_in_leap(double beyond_it) {
   const auto root = [&](double at) {
     state_at(at, y_);
@@ -554,9 +557,7 @@ void Crossing::place(double theta, VectorXd& y) {
   const Unwatched unwatched(dynamics_);
   y_ = y;
   try {
-    dynamics_.evaluate(leap_.t + part, y_);
-    projection_.positions(leap_.t + part, y_);
-    projection_.velocities(leap_.t + part, y_);
+    project(leap_.t + part, y_);
   } catch (const Error&) {
     return;
   }

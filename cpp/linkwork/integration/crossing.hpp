@@ -119,7 +119,8 @@ class Crossing final : public Interpolant {
   double foreseen_by_least(double t) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
   void allocate(double t, const VectorXd& y);
-  bool begin(double t, const VectorXd& y, bool project);
+  bool begin(double t, const VectorXd& y, bool beside);
+  void project(double t, VectorXd& y);
   void begin_in_pose(double t, const VectorXd& y);
   [[noreturn]] void throw_no_branch(double t) const;
   Quality attempt();
@@ -134,9 +135,9 @@ class Crossing final : public Interpolant {
   void weigh(Search& search, Quality quality);
   static double near_enough(double usual, double h, bool adaptive);
   double nearest_node(const std::vector<double>& poses, double h) const;
-  double best_length(const Search& search) const;
-  double limit(const Search& search, double h) const;
-  double allowed_length(const Search& search, double h) const;
+  double best_length(const Search& search);
+  double limit(const Search& search, double h);
+  double allowed_length(const Search& search, double h);
   void state_at(double time_in_leap, VectorXd& y) const;
   std::vector<double> poses_in_leap(double beyond_it);
   bool look_ahead(Search& search);
@@ -153,13 +154,14 @@ class Crossing final : public Interpolant {
   bool starting_ = false;  ///< the leap begins near the pose, not before it
   bool in_pose_ = false;   ///< or in it
   bool fresh_ = true;      ///< no step was looked at yet
-  mutable bool limited_ = false;
+  bool limited_ = false;
   double next_look_ = -INFINITY;  ///< at the least singular value, where pivots are small
   PivotSample least_ = {};        ///< singular value before the step, infinite where it was not looked for
   double most_step_ = INFINITY;
   double fastest_ = 0.0;      ///< motion before the step [rad/s]
   double rows_good_ = 0.0;    ///< root of the pivot from which on the redundant rows are looked at
   double known_ = -INFINITY;  ///< time of a pose that a leap found too far ahead
+  double known_rate_ = 0.0;   ///< `fastest_` when it was found
   double declined_ = 0.0;     ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   double correction_ = 0.0, jump_ = 0.0;
