@@ -105,7 +105,7 @@ def test_paths_that_lead_nowhere_are_refused(tmp_path: Path) -> None:
     loop = tmp_path / "loop.yaml"
     os.symlink(loop, loop)
     for use in (lw.Model.load, mechanisms.pendulum().save, lw.import_urdf, lw.Result.load):
-        for path in ("/tmp/\ud800.yaml", "a\0b.yaml", loop):
+        for path in ("\ud800.yaml", "a\0b.yaml", loop):
             with pytest.raises(lw.FileError):
                 use(path)  # type: ignore[operator]
     with pytest.raises(lw.FileError, match="leads back to itself"):

@@ -99,13 +99,38 @@ def test_a_new_name_goes_everywhere(pendulums: lw.Model) -> None:
     assert named.without("belt").hash() == pendulums.without("belt").hash()
 
 
+def test_full_turns_are_kept_where_only_numbers_change_and_told_where_they_are_lost() -> None:
+    """A torsion spring wound twice: its torque is that of two turns, or it says that it begins anew."""
+    model = lw.Model(gravity=(0, 0, 0))
+    wheel = model.body("wheel", mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 4 * np.pi))
+    model.revolute("ground", wheel, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper("ground", wheel, axis=(0, 0, 1), stiffness=0.0, name="spring")
+    turned = lw.simulate(model, 1.0, 1e-2, progress=False)
+    wound = model.with_initial_state(turned.q[-1], turned.v[-1], turned.history[-1])
+    stiff = wound.replaced("spring", stiffness=3.0)
+    torque = lw.simulate(stiff, 1e-3, 1e-3, progress=False).angular_acceleration[0, 0, 2]
+    assert torque == pytest.approx(-3.0 * 4 * np.pi, rel=1e-5)
+    with pytest.warns(lw.LinkworkWarning, match="begin anew"):
+        wound.replaced("pin", at=(0, 0, 0.1), axis=(0, 0, 1))
+    assert model.without("pin").joint_count == 0  # without a word: nothing had turned
+
+
+def test_a_body_that_is_called_like_a_function_is_a_body(pendulums: lw.Model) -> None:
+    law = lw.functions.harmonic(1.0, 2.0)
+    for body in ("rod 0", "rod 1"):
+        pendulums.force(body, force=(law, 0, 0), name=f"push {body}")
+    named = pendulums.replaced("rod 0", name="function 1")
+    assert named.values("pin 0")["b"] == "function 1"
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         (lambda model: model.replaced("rod 1", mass=-1.0), "mass"),
         (lambda model: model.replaced("rod 1", color="red"), "color"),
         (lambda model: model.replaced("rod 2", mass=1.0), "nothing is named 'rod 2'; the nearest is 'rod"),
-        (lambda model: model.replaced("pin 1", b="rod 9"), "rod 9"),
+        (lambda model: model.replaced("pin 1", b="rod 9"), "joint 'pin 1': b: no body named 'rod 9'"),
+        (lambda model: model.replaced("rod 0", name="rod 1"), "'rod 1' is the name of bodies\\[0\\], too"),
         (lambda model: model.values("nothing"), "nothing is named 'nothing'"),
         (lambda model: model.table("wheels"), "wheels"),
     ],

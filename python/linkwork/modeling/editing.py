@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwork.errors import ModelError, ModelFileError, nearest
+from linkwork.errors import ModelError, ModelFileError, nearest, warn
 from linkwork.functions import TimeFunction
+from linkwork.modeling.elements import KINDS, Role
 from linkwork.modeling.files import from_changed_record, record_of
 from linkwork.modeling.files.writing import function_record
 from linkwork.modeling.handles import Body, Force, Joint
@@ -29,7 +30,15 @@ LISTED = 5
 #: Sections of a record that have objects with names, and what one is called.
 SECTIONS = {"bodies": "body", "joints": "joint", "forces": "force element"}
 
-#: Ways to say where an element sits; another takes the place of all.
+ROLES: Mapping[str, Role] = {"joints": "joint", "forces": "force"}
+
+#: Fields that are names.
+NAMES = ("name", "kind", "a", "b", "body", "joint")
+
+#: What of a body changes without a jump of its pose.
+SMOOTH = ("mass", "inertia", "velocity", "omega")
+
+#: Where an element sits, by points and axes in its bodies; whoever places it anew says so in another way.
 ATTACHED = "attachment"
 
 Record = dict[str, Any]
@@ -42,7 +51,8 @@ def values(model: Model, name: str | Body | Joint | Force) -> Record:
     found: Record = record[section][place]
     functions = record.get("functions", {})
     return {
-        what: functions.get(x, x) if isinstance(x, str) and what != "name" else x for what, x in found.items()
+        what: functions.get(x, x) if isinstance(x, str) and what not in NAMES else x
+        for what, x in found.items()
     }
 
 
@@ -61,8 +71,7 @@ def without(model: Model, names: Sequence[str | Body | Joint | Force], attached:
     shapes = [{**it, "bodies": [body for body in it["bodies"] if body == "ground" or body in bodies]}
               for it in record.get("shapes", [])]  # fmt: skip
     record["shapes"] = [it for it in shapes if it["bodies"]]
-    record.pop("history", None)  # it belongs to what was there
-    return _built(model, record)
+    return _begun_anew(model, record)
 
 
 def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[str, Any]) -> Model:
@@ -70,15 +79,24 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
     record = _record(model)
     section, place = _found(model, record, name)
     old = record[section][place]
-    if (
-        section != "bodies"
-        and ATTACHED in old
-        and any(what in changes for what in ("at", "axis", "orientation"))
-    ):
+    parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
+    elsewhere = changes.keys() - {*NAMES, ATTACHED, *parameters}  # what says where it is
+    if section in ROLES and elsewhere:
         old = {what: x for what, x in old.items() if what != ATTACHED}
     record[section][place] = {**old, **{what: _plain(x, what) for what, x in changes.items()}}
     if changes.get("name", old["name"]) != old["name"]:
         _rename(record, section, old["name"], changes["name"])
+    return _begun_anew(model, record) if elsewhere or "kind" in changes else _built(model, record)
+
+
+def _begun_anew(model: Model, record: Record) -> Model:
+    """With history variables of its own. LinkworkWarning: those of the model had something to tell."""
+    history = record.pop("history", [])
+    if history:
+        begun = _record(model)
+        del begun["history"]
+        if _built(model, begun).compiled().initial_history != history:
+            warn(f"model '{model.name}': full turns and contacts under way begin anew in the changed model")
     return _built(model, record)
 
 
@@ -168,5 +186,5 @@ def _built(model: Model, record: Record) -> Model:
         if place is None or place[1] not in SECTIONS:
             raise ModelError(f"model '{model.name}': {fault}", code="value") from error
         who = f"{SECTIONS[place[1]]} '{record[place[1]][int(place[2])]['name']}'"
-        what = f"{place[3]} " if place[3] else ""
+        what = f"{place[3]}: " if place[3] and not fault.message.startswith(place[3]) else ""
         raise ModelError(f"{who}: {what}{fault.message}", code="value", field=place[3]) from error

@@ -9,7 +9,7 @@ import csv
 import io
 import json
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
@@ -90,17 +90,21 @@ class Choice:
     def names(self) -> list[str]:
         """OptionError: no such quantity."""
         known = [*QUANTITIES, "coordinate"]
-        if isinstance(self.quantities, str):
-            raise OptionError(f"quantities {self.quantities!r:.80} are no list of names", code="names")
+        _check_list("quantities", self.quantities)
         return [one_of(name, known, "quantity") for name in self.quantities] or known
 
     def places(self, result: Result, of: Literal["body", "joint"]) -> list[int]:
         """ModelError: no such body or joint."""
         names = self.bodies if of == "body" else self.joints
-        if isinstance(names, str):
-            raise OptionError(f"{of} names {names!r:.80} are no list of names", code="names")
+        _check_list("bodies" if of == "body" else "joints", names)
         count = len(result.body_names if of == "body" else result.joint_names)
         return [result.index(of, name) for name in names] or list(range(count))
+
+
+def _check_list(what: str, names: object) -> None:
+    """OptionError: one name, or none at all, where a list of them is wanted."""
+    if isinstance(names, str) or not isinstance(names, Iterable):
+        raise OptionError(f"{what} {names!r:.80} is no list of names", code="names")
 
 
 class Column(NamedTuple):

@@ -161,7 +161,7 @@ class _Record:
     data: Any
 
     def line(self, where: Where) -> int:
-        return 1
+        return 0
 
 
 def from_changed_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
@@ -287,7 +287,8 @@ def _unique(section: str, records: Sequence[Any], checker: _Checker, taken: dict
 
 def _first(section: str, records: Sequence[Any], name: str, checker: _Checker) -> str:
     k = next(k for k, record in enumerate(records) if record.name == name)
-    return f"{section}[{k}] in line {checker.line((section, k, 'name'))}"
+    line = checker.line((section, k, "name"))
+    return f"{section}[{k}]" + (f" in line {line}" if line else "")
 
 
 def _named_functions(record: schema.Element) -> Iterator[tuple[str, str]]:
