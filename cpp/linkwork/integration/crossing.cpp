@@ -115,9 +115,7 @@ double Crossing::looks_say(double t) {
   return declined_before(least_.root, declined_least_) ? INFINITY : falls_to_ - t;
 }
 
-double Crossing::time_to_pose(double t) {
-  return known_ > t ? known_ - t : std::min(pivots_say(t), looks_say(t));
-}
+double Crossing::time_to_pose(double t) { return known_ > t ? known_ - t : std::min(pivots_say(t), looks_say(t)); }
 
 /// Whether there was nothing to leap over at about this value, and the motion has not left it since.
 bool Crossing::declined_before(double value, double& declined) {

@@ -160,11 +160,11 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;   ///< or in it
   bool fresh_ = true;      ///< no step was looked at yet
   bool limited_ = false;
-  PivotSample least_ = {};        ///< singular value, when it was looked at last
-  double falls_to_ = INFINITY;    ///< time of the pose to which it falls
-  double next_look_ = 0.0;        ///< at it, when the fastest body has turned so far since [rad]
+  PivotSample least_ = {};      ///< singular value, when it was looked at last
+  double falls_to_ = INFINITY;  ///< time of the pose to which it falls
+  double next_look_ = 0.0;      ///< at it, when the fastest body has turned so far since [rad]
   double turned_ = 0.0, turned_until_ = 0.0;
-  double highest_ = 0.0, highest_root_ = 0.0;  ///< of it and of pivots, since the redundant rows were looked at
+  double highest_ = 0.0, highest_root_ = 0.0;          ///< of it and of pivots, since the redundant rows were looked at
   double declined_least_ = 0.0, declined_root_ = 0.0;  ///< at which there was nothing to leap over
   double most_step_ = INFINITY;
   double fastest_ = 0.0;      ///< motion before the step [rad/s]

@@ -9,15 +9,15 @@
 namespace linkwork {
 namespace {
 
-constexpr double passed = 0.9;       // of the usual root: a pose was passed only if the least is below
-constexpr double away = 1e-3;        // of the usual root: as far the motion has been from the last pose
-constexpr double vanishing = 0.1;    // root of the pivot in the pose, part of the least around it
-constexpr double found = 1e-6;       // the same, for the search to end
-constexpr double at_rest = 1e-4;     // of the usual root: at the end of the motion
-constexpr double same_pose = 1e-2;   // relative to the time between states
-constexpr double golden = 0.381966;  // part of the larger side of a bracket
+constexpr double passed = 0.9;         // of the usual root: a pose was passed only if the least is below
+constexpr double away = 1e-3;          // of the usual root: as far the motion has been from the last pose
+constexpr double vanishing = 0.1;      // root of the pivot in the pose, part of the least around it
+constexpr double found = 1e-6;         // the same, for the search to end
+constexpr double at_rest = 1e-4;       // of the usual root: at the end of the motion
+constexpr double same_pose = 1e-2;     // relative to the time between states
+constexpr double golden = 0.381966;    // part of the larger side of a bracket
 constexpr double near_part = 1.0 / 6;  // of the way from a pose: where another may be that is near
-constexpr double no_zero = 0.7;      // a guess that lowers the least by no more finds no zero
+constexpr double no_zero = 0.7;        // a guess that lowers the least by no more finds no zero
 constexpr int most_guesses = 24, few_guesses = 4;
 
 /// |log| of the ratio of two slopes.
