@@ -116,19 +116,28 @@ void SingularPoseSearch::search_around() {
   const auto sample = [&](const Mark& mark) { return PivotSample{mark.t, root_at(mark.t, mark.y)}; };
   const PivotSample from = sample(a), middle = sample(b), to = sample(c);
   if (middle.root <= std::min(from.root, to.root)) search(from, middle, to);
-  else if (!search_between(a, b)) search_between(b, c);
+  else if (!search_single(from, middle)) search_single(middle, to);
 }
 
-/// Of states that follow each other, at some places and at that of a single zero; true where a pose was listed.
+PivotSample SingularPoseSearch::sample_between(const PivotSample& a, const PivotSample& c, double part) {
+  const double t = a.at + (c.at - a.at) * part;
+  interpolate(t, y_);
+  return {t, root_at(t, y_)};
+}
+
+/// A zero that is the only one between; true where a pose was listed.
+bool SingularPoseSearch::search_single(const PivotSample& a, const PivotSample& c) {
+  if (!(a.root > 0.0 && c.root > 0.0)) return false;
+  const PivotSample b = sample_between(a, c, a.root / (a.root + c.root));
+  return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
+}
+
+/// The same of states that follow each other: at some places, and at that of a single zero.
 bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
-  const auto sample = [&](double part) {
-    const double t = before.t + (after.t - before.t) * part;
-    interpolate(t, y_);
-    return PivotSample{t, root_at(t, y_)};
-  };
-  std::array<PivotSample, 6> samples = {sample(0.0), {}, sample(0.25), sample(0.5), sample(0.75), sample(1.0)};
-  const double ends = samples.front().root + samples.back().root;
-  samples[1] = sample(ends > 0.0 ? samples.front().root / ends : 0.0);
+  const PivotSample a{before.t, root_at(before.t, before.y)}, c{after.t, root_at(after.t, after.y)};
+  const auto between = [&](double part) { return sample_between(a, c, part); };
+  std::array<PivotSample, 6> samples = {a, a, between(0.25), between(0.5), between(0.75), c};
+  if (a.root > 0.0 && c.root > 0.0) samples[1] = between(a.root / (a.root + c.root));
   std::sort(samples.begin(), samples.end(), [](const PivotSample& a, const PivotSample& b) { return a.at < b.at; });
   bool listed = false;
   for (std::size_t k = 1; k + 1 < samples.size(); ++k)

@@ -63,6 +63,8 @@ class SingularPoseSearch {
   bool pass(Mark mark);
   bool worth_a_search(double root) const;
   void search_around();
+  PivotSample sample_between(const PivotSample& a, const PivotSample& c, double part);
+  bool search_single(const PivotSample& a, const PivotSample& c);
   bool search_between(const Mark& before, const Mark& after);
   bool search(PivotSample a, PivotSample b, PivotSample c);
   bool list_zero(const PivotSample& zero);
