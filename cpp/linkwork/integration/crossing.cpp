@@ -24,6 +24,7 @@ constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states 
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
+constexpr double short_steps = 5.0;                // of which a leap beside the pose is worth so many
 constexpr double least_margin = 0.012;             // the same, where nothing better is found
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
@@ -166,11 +167,21 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   keep_rows_good();
   if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls_to_ - t <= enough) look(t);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
+  const bool leaves = std::exchange(leaves_, false);
   const double tau = time_to_pose(t);
-  if (!(tau >= -h && tau < INFINITY)) return false;
+  beside_ = 0.0;
+  if (!(tau >= -h && tau < INFINITY)) {
+    if (leaves && short_steps * h < usual) beside_ = usual;
+    return beside_ > 0.0;
+  }
   if (tau <= enough) return true;
-  if (adaptive) most_step_ = tau - before_pose * usual;
-  return false;
+  if (!adaptive) return false;
+  most_step_ = tau - before_pose * usual;
+  if (!approached_ && most_step_ < usual && short_steps * h < most_step_) {
+    approached_ = true;
+    beside_ = most_step_;
+  }
+  return beside_ > 0.0;
 }
 
 /// Where the pose is by the least singular value, which goes linearly to zero toward it, and when to look again. It
@@ -262,6 +273,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
   const bool beside = std::abs(foreseen) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
   if (!starting_ && !begin(t, y, beside)) return false;
+  if (beside_ > 0.0) return leap_beside(most);
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
   const double pose = starting_ ? 0.0 : foreseen;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
@@ -276,11 +288,20 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   leap_.followed = leap_.h;
   dynamics_.formulation().watch().forget_trend();
   forget_looks();
+  leaves_ = !(grid > 0.0);
   return true;
+}
+
+/// Near a pose explicit steps become short, as what their stages violate counts by 1 / sigma: up to where the leap over
+/// it begins well, and away from it, there is one more on each side, in which no pose is.
+bool Crossing::leap_beside(double most) {
+  leap_.h = leap_.followed = beside_;
+  return beside_ <= most && attempt().good() && poses_in_leap(0.0).empty();
 }
 
 void Crossing::forget_looks() {
   declined_root_ = declined_least_ = 0.0;
+  approached_ = leaves_ = false;
   least_ = {};
   falls_to_ = INFINITY;
   next_look_ = 0.0;
@@ -289,7 +310,7 @@ void Crossing::forget_looks() {
 void Crossing::keep(Archive& archive, bool leaping) {
   archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
   archive(falls_to_, next_look_, turned_, turned_until_, highest_, highest_root_, declined_least_, declined_root_);
-  archive(known_, known_rate_, poses_);
+  archive(known_, known_rate_, approached_, leaves_, poses_);
   if (leaping) archive(leap_);
 }
 

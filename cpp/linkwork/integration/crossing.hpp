@@ -136,6 +136,7 @@ class Crossing final : public Interpolant {
   void keep_rows_good();
   double largest_rate(const ConstVector& v) const;
   int parts_to(double t) const;
+  bool leap_beside(double most);
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, Quality quality);
   static double near_enough(double usual, double h, bool adaptive);
@@ -160,9 +161,11 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;   ///< or in it
   bool fresh_ = true;      ///< no step was looked at yet
   bool limited_ = false;
-  PivotSample least_ = {};      ///< singular value, when it was looked at last
-  double falls_to_ = INFINITY;  ///< time of the pose to which it falls
-  double next_look_ = 0.0;      ///< at it, when the fastest body has turned so far since [rad]
+  bool approached_ = false, leaves_ = false;  ///< a leap beside the pose: there was one before it; is to be, after it
+  double beside_ = 0.0;                       ///< length of the one that is due, else 0
+  PivotSample least_ = {};                    ///< singular value, when it was looked at last
+  double falls_to_ = INFINITY;                ///< time of the pose to which it falls
+  double next_look_ = 0.0;                    ///< at it, when the fastest body has turned so far since [rad]
   double turned_ = 0.0, turned_until_ = 0.0;
   double highest_ = 0.0, highest_root_ = 0.0;          ///< of it and of pivots, since the redundant rows were looked at
   double declined_least_ = 0.0, declined_root_ = 0.0;  ///< at which there was nothing to leap over
