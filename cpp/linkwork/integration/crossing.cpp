@@ -24,7 +24,8 @@ constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states 
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
-constexpr double short_steps = 5.0;                // of which a leap beside the pose is worth so many
+constexpr double short_steps = 4.0;                // of which a leap beside the pose is worth so many
+constexpr double least_beside = 0.4;               // of a usual leap
 constexpr double least_margin = 0.012;             // the same, where nothing better is found
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
@@ -177,7 +178,7 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   if (tau <= enough) return true;
   if (!adaptive) return false;
   most_step_ = tau - before_pose * usual;
-  if (!approached_ && most_step_ < usual && short_steps * h < most_step_) {
+  if (!approached_ && most_step_ < usual && most_step_ > std::max(short_steps * h, least_beside * usual)) {
     approached_ = true;
     beside_ = most_step_;
   }
