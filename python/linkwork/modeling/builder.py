@@ -78,6 +78,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         velocity: ArrayLike = (0.0, 0.0, 0.0),
         omega: ArrayLike = (0.0, 0.0, 0.0),
         shape: ShapesLike = (),
+        inertia_as_is: bool = False,
     ) -> Body:
         """Add a rigid body as it is at t = 0.
 
@@ -88,6 +89,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         velocity     of the center of mass (3,), inertial [m/s]
         omega        angular velocity (3,), body axes [rad/s]
         shape        what it looks like: one or several Box, Cylinder, ...; without, as its joints suggest
+        inertia_as_is  take principal moments that no real body has, the largest above the sum of the others,
+                     as files of robots state them; refused otherwise
 
         ModelError: a value that no body can have, or a name that is taken.
         """
@@ -99,7 +102,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         state = {what: arguments.shaped(x, [(3,)], who, what)[None] for what, x in vectors.items()}
         state["orientation"] = arguments.shaped(orientation, [(4,)], who, "orientation")[None]
         shapes = self._shapes.checked(shape)
-        body = self._bodies.add([name], m[None], (np.diag(J) if J.ndim == 1 else J)[None], **state)[0]
+        tensor = (np.diag(J) if J.ndim == 1 else J)[None]
+        body = self._bodies.add([name], m[None], tensor, [inertia_as_is], **state)[0]
         self._shapes.set(range(body.index, body.index + 1), shapes)
         return body
 

@@ -9,12 +9,13 @@ from where its joints sit and from its inertia, see linkwork.view.appearance.
 
 from __future__ import annotations
 
+import copy
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -53,6 +54,13 @@ class Shape:
     def dimensions(self) -> dict[str, Any]:
         """The arguments that only this kind has; plain numbers and lists, or the arrays of a mesh."""
         raise NotImplementedError
+
+    def moved(self, origin: Floats, axes: Floats) -> Self:
+        """The same shape, given in a frame with that origin (3,) and axes (3, 3) as columns, outside of it."""
+        out = copy.copy(self)  # a mesh shares its arrays
+        p = rotation.from_matrix(axes @ rotation.matrix(self.orientation))
+        out._set(position=origin + axes @ self.position, orientation=p)
+        return out
 
     def description(self) -> dict[str, Any]:
         """All of it as `Shape.of` takes it; JSON but for the arrays of a mesh."""
@@ -149,6 +157,9 @@ class Rod(Shape):
         self._set(start=a, end=b)
         self._place((a + b) / 2, _along(b - a, "rod: start and end coincide, so that its axis"), color)
         self._set(radius=_positive("rod", "radius", length / 25 if radius is None else radius))
+
+    def moved(self, origin: Floats, axes: Floats) -> Rod:
+        return Rod(origin + axes @ self.start, origin + axes @ self.end, self.radius, color=self.color)
 
     def dimensions(self) -> dict[str, Any]:
         return {"start": self.start.tolist(), "end": self.end.tolist(), "radius": self.radius}

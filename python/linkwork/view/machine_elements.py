@@ -138,10 +138,7 @@ def _placement(it: Element) -> str:
 
 def at(shape: Shape, origin: Floats, axes: Floats) -> Shape:
     """The same shape, given in the axes of a joint, in those of the body."""
-    p = rotation.from_matrix(axes @ rotation.matrix(shape.orientation))
-    if isinstance(shape, Mesh):  # shares its arrays
-        return Mesh(shape.vertices, shape.triangles, position=origin + axes @ shape.position, orientation=p)
-    return Shape.of({**shape.description(), "position": origin + axes @ shape.position, "orientation": p})
+    return shape.moved(origin, axes)
 
 
 def _force(it: Element, r: float) -> list[Placed]:
