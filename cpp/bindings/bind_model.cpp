@@ -242,7 +242,8 @@ class CompiledForce final : public UserForce {
 void bind_bodies_and_elements(py::class_<Model>& model) {
   model.def(py::init<const Vec3<double>&>(), py::arg("gravity") = Vec3<double>(0.0, 0.0, -9.81))
       .def("add_bodies", &add_bodies, py::arg("names"), py::arg("mass"), py::arg("inertia"), py::arg("position"),
-           py::arg("orientation"), py::arg("velocity"), py::arg("omega"), py::arg("inertia_as_is") = std::vector<bool>(),
+           py::arg("orientation"), py::arg("velocity"), py::arg("omega"),
+           py::arg("inertia_as_is") = std::vector<bool>(),
            "Adds bodies under a prefix (str) or names (list); returns the first index. `inertia_as_is`: for each body "
            "whether its inertia may violate the triangle inequality; without, none may.")
       .def(
@@ -370,7 +371,8 @@ void bind_names(py::class_<Model>& model) {
 void bind_state(py::class_<Model>& model) {
   model.def_property_readonly("mass", &masses)
       .def_property_readonly("inertia", &inertias)
-      .def_property_readonly("inertia_as_is", &taken_as_they_are, "Indices of the bodies whose inertia may be that of no real body.")
+      .def_property_readonly("inertia_as_is", &taken_as_they_are,
+                             "Indices of the bodies whose inertia may be that of no real body.")
       .def("poses", &poses, py::arg("bodies"), "(k, 7) at t = 0, of bodies by index; -1 is the ground.")
       .def_property_readonly("q0", &Model::initial_q)
       .def_property_readonly("v0", &Model::initial_v)

@@ -1,4 +1,4 @@
-"""Robots look as in their files, joints end where the files say on request, inertias are taken as they are."""
+"""Robots look as in their files; limits are stops and impossible inertias taken as they are, on request."""
 
 from __future__ import annotations
 
@@ -88,7 +88,9 @@ def test_what_is_fixed_to_a_body_or_to_the_ground_is_drawn_on_it(tmp_path: Path)
     tool = """<link name="tool"><visual><geometry><sphere radius="0.2"/></geometry></visual></link>
     <joint name="flange" type="fixed"><parent link="arm"/><child link="tool"/><origin xyz="1 0 0"/></joint>"""
     text = path.read_text().replace("</robot>", f"{tool}</robot>")
-    foot = '<link name="base"><visual><geometry><cylinder radius="0.3" length="1"/></geometry></visual></link>'
+    foot = (
+        '<link name="base"><visual><geometry><cylinder radius="0.3" length="1"/></geometry></visual></link>'
+    )
     path.write_text(text.replace('<link name="base"/>', foot))
     found = {type(shape).__name__ + name: center for name, shape, center, _ in
              shapes_in_space(lw.import_urdf(path).model)}  # fmt: skip
@@ -175,7 +177,9 @@ def test_a_mesh_of_mjcf_is_the_solid_of_its_file_where_mujoco_has_it(tmp_path: P
 
 def test_what_mujoco_hides_is_not_drawn_and_said(tmp_path: Path) -> None:
     path = mjcf_arm(tmp_path)
-    hidden = '<geom size="1" group="3"/><geom size="1" rgba="1 1 1 0"/></body><geom type="plane" size="9 9 1"/>'
+    hidden = (
+        '<geom size="1" group="3"/><geom size="1" rgba="1 1 1 0"/></body><geom type="plane" size="9 9 1"/>'
+    )
     path.write_text(path.read_text().replace("</body>", hidden))
     imported = lw.import_mjcf(path)
     assert len(shapes_in_space(imported.model)) == 7
@@ -273,7 +277,7 @@ def test_what_cannot_be_drawn_is_noted_and_the_robot_moves_all_the_same(
     (tmp_path / "bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
     imported = lw.import_urdf(urdf(tmp_path, visual(geometry)))
     assert imported.model.body_count == 1 and not len(imported.model.shapes)
-    (said,) = [note.message for note in imported.notes if note.topic == "visual"]
+    (said,) = (note.message for note in imported.notes if note.topic == "visual")
     assert message in said
 
 
@@ -282,7 +286,7 @@ def test_without_trimesh_one_note_names_the_extra(tmp_path: Path, monkeypatch: p
     write = '<mesh filename="part.stl"/>'
     (tmp_path / "part.stl").write_text("solid\nendsolid")
     imported = lw.import_urdf(urdf(tmp_path, visual(write) * 3 + visual('<sphere radius="1"/>')))
-    (said,) = [note.message for note in imported.notes if note.topic == "visual"]
+    (said,) = (note.message for note in imported.notes if note.topic == "visual")
     assert "pip install 'linkwork[mesh]'" in said and "(3 times)" in said
     assert len(shapes_in_space(imported.model)) == 1
 
@@ -309,7 +313,7 @@ def test_large_meshes_are_drawn_by_fewer_triangles_which_is_noted(tmp_path: Path
     imported = lw.import_urdf(urdf(tmp_path, visual('<mesh filename="part.stl"/>')))
     (found,) = shapes_in_space(imported.model)
     assert isinstance(found[1], lw.Mesh) and len(found[1].triangles) <= mesh_files.MOST
-    (said,) = [note.message for note in imported.notes if note.topic == "visual"]
+    (said,) = (note.message for note in imported.notes if note.topic == "visual")
     assert said == f"1 meshes of more than {mesh_files.MOST} triangles are drawn by fewer"
 
 
@@ -317,7 +321,9 @@ def test_an_ellipsoid_has_the_volume_of_one() -> None:
     (found,) = ellipsoid((1.0, 2.0, 3.0), None)
     assert isinstance(found, lw.Mesh)
     assert volume(found) == pytest.approx(4 / 3 * np.pi * 6, rel=0.04)
-    edges = np.sort(np.vstack([found.triangles[:, [0, 1]], found.triangles[:, [1, 2]], found.triangles[:, [2, 0]]]))
+    edges = np.sort(
+        np.vstack([found.triangles[:, [0, 1]], found.triangles[:, [1, 2]], found.triangles[:, [2, 0]]])
+    )
     assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all()  # closed
 
 
@@ -340,7 +346,8 @@ def test_meshes_come_back_exactly_from_model_files(suffix: str, tmp_path: Path) 
 
 
 @pytest.mark.parametrize(
-    ("text", "message"), [("f4:????", "no packed array"), ("f4:eJwDAAAAAAE=x", "no packed array"), ("q4:", "")]
+    ("text", "message"),
+    [("f4:????", "no packed array"), ("f4:eJwDAAAAAAE=x", "no packed array"), ("q4:", "")],
 )
 def test_damaged_arrays_of_meshes_are_refused_with_the_line(text: str, message: str, tmp_path: Path) -> None:
     path = tmp_path / "model.yaml"
@@ -371,7 +378,9 @@ def test_limits_are_noted_unless_stops_are_asked_for(tmp_path: Path) -> None:
 def test_an_arm_falls_on_its_stop_and_rests_there(ends: tuple[float, float], tmp_path: Path) -> None:
     """At rest the torque of the stop is that of the weight: k d = m g s cos(upper + d)."""
     path = urdf(tmp_path, "")
-    path.write_text(path.read_text().replace('lower="-1" upper="0.5"', 'lower="%g" upper="%g"' % ends))
+    path.write_text(
+        path.read_text().replace('lower="-1" upper="0.5"', f'lower="{ends[0]:g}" upper="{ends[1]:g}"')
+    )
     imported = lw.import_urdf(path, limits="stops")
     said = [note.message for note in imported.notes if note.topic == "limits"]
     k = 1e4 * (1 + 2 * 0.5**2)  # of the inertia about the hinge
@@ -388,9 +397,9 @@ def test_an_arm_falls_on_its_stop_and_rests_there(ends: tuple[float, float], tmp
 def test_sliders_stop_and_mjcf_counts_from_its_reference(tmp_path: Path) -> None:
     path = tmp_path / "slide.xml"
     path.write_text(
-        """<mujoco><compiler angle="radian"/><worldbody><body name="a"><joint name="s" type="slide" axis="0 0 1"
-        ref="0.3" range="0.1 0.5" limited="true"/><inertial pos="0 0 0" mass="2" diaginertia="1 1 1"/></body>
-        </worldbody></mujoco>"""
+        """<mujoco><compiler angle="radian"/><worldbody><body name="a"><joint name="s" type="slide"
+        axis="0 0 1" ref="0.3" range="0.1 0.5" limited="true"/><inertial pos="0 0 0" mass="2" diaginertia="1 1
+        1"/></body> </worldbody></mujoco>"""
     )
     height, _ = angle_over_time(lw.import_mjcf(path, limits="stops").model, "s")
     assert height[-1] == pytest.approx(-0.2 - 9.81 / 1e4, abs=2e-3)
@@ -435,14 +444,14 @@ def test_an_impossible_inertia_is_taken_as_it_is_on_request(tmp_path: Path) -> N
         lw.import_urdf(path)
     imported = lw.import_urdf(path, inertia_as_is=True)
     assert accelerations(imported.model)[0, 4] == pytest.approx(2 * 9.81 * 0.5 / (3 + 0.5), rel=1e-12)
-    (said,) = [note.message for note in imported.notes if note.topic == "inertia"]
+    (said,) = (note.message for note in imported.notes if note.topic == "inertia")
     assert said == "principal moments (1, 1, 3) kg m2 are those of no real body: taken as they are"
     imported.model.save(tmp_path / "arm.yaml")
     loaded = lw.Model.load(tmp_path / "arm.yaml")
     assert loaded.hash() == imported.model.hash()
-    assert accelerations(lw.Model.load(tmp_path / "arm.yaml").replaced("arm", mass=1.0))[0, 4] == pytest.approx(
-        9.81 * 0.5 / (3 + 0.25), rel=1e-12
-    )
+    assert accelerations(lw.Model.load(tmp_path / "arm.yaml").replaced("arm", mass=1.0))[
+        0, 4
+    ] == pytest.approx(9.81 * 0.5 / (3 + 0.25), rel=1e-12)
 
 
 def test_repaired_and_as_it_is_contradict_each_other(tmp_path: Path) -> None:

@@ -104,7 +104,7 @@ def check_options(options: Options) -> None:
     one_of(options.get("limits", "note"), ("note", "stops"), "limits")
     if options.get("repair_inertia") and options.get("inertia_as_is"):
         raise OptionError(
-            "repair_inertia gives links another inertia, inertia_as_is takes it as in the file: give one of them",
+            "repair_inertia changes inertias, inertia_as_is takes those of the file: give one of them",
             code="contradiction",
         )
 

@@ -40,8 +40,8 @@ class Part:
 def find(uri: str, here: Path, search_path: Sequence[Path]) -> Path:
     """The file that a URI means: package://name/..., model://name/..., file://..., or a path.
 
-    A package is a folder of that name: in one of the search path or of ROS_PACKAGE_PATH, or around the robot's
-    file, whose folder is `here`; a path is relative to that folder or one of the search path.
+    A package is a folder of that name: in one of the search path or of ROS_PACKAGE_PATH, or around the
+    robot's file, whose folder is `here`; a path is relative to that folder or one of the search path.
     FileError: there is none (code not_found), or it is of a kind that is not read (format).
     """
     scheme, _, rest = uri.rpartition("://")
@@ -86,9 +86,7 @@ def read(path: Path, scale: tuple[float, float, float]) -> tuple[tuple[Part, ...
 
 
 @lru_cache(maxsize=1024)
-def _read(
-    path: str, scale: tuple[float, float, float], _: tuple[int, int]
-) -> tuple[tuple[Part, ...], int]:
+def _read(path: str, scale: tuple[float, float, float], _: tuple[int, int]) -> tuple[tuple[Part, ...], int]:
     """Once for each state of a file: robots have many alike, and studies read them again and again."""
     import trimesh
 
@@ -159,12 +157,15 @@ def _few(part: Part, most: float) -> Part:
 def simplified(vertices: Floats, triangles: Indices, most: float) -> tuple[Floats, Indices]:
     """At most so many triangles: the vertices in each cell of a grid become one, where their mean is.
 
-    Cells are as wide as makes two triangles a cell of the surface, and wider until there are few enough. Equal
-    vertices are one in any case.
+    Cells are as wide as makes two triangles a cell of the surface, and wider until there are few enough.
+    Equal vertices are one in any case.
     """
     vertices, triangles = _merged(vertices, triangles, vertices)
     corners = vertices[triangles]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+    area = (
+        np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
+        / 2
+    )
     width = float(np.sqrt(2 * area / max(most, 1.0))) if np.isfinite(most) else 0.0
     out = vertices, triangles
     while len(out[1]) > most and width > 0:
@@ -177,7 +178,9 @@ def _merged(vertices: Floats, triangles: Indices, keys: Floats) -> tuple[Floats,
     """Vertices with equal keys (n, 3) become their mean; triangles that then have no area, or twice, go."""
     _, place, count = np.unique(keys, axis=0, return_inverse=True, return_counts=True)
     place = place.reshape(-1)
-    means = np.stack([np.bincount(place, vertices[:, k], len(count)) for k in range(3)], axis=1) / count[:, None]
+    means = (
+        np.stack([np.bincount(place, vertices[:, k], len(count)) for k in range(3)], axis=1) / count[:, None]
+    )
     corners = place[triangles]
     whole = (corners != np.roll(corners, 1, axis=1)).all(axis=1)
     corners = corners[whole]

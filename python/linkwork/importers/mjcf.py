@@ -44,18 +44,21 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     """The model in an MJCF file: bodies, joints, springs, damping, armature; equalities connect, weld, joint.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. Coordinates are those of MuJoCo, zero or
-    `ref` in the file's pose; flags that disable gravity, equalities, springs, dampers or friction are heeded.
-    Several joints of one body are taken where one joint here does the same: two
-    slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
+    keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. Coordinates
+    are those of MuJoCo, zero or `ref` in the file's pose; flags that disable gravity, equalities, springs,
+    dampers or friction are heeded. Several joints of one body are taken where one joint here does the same:
+    two slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one
+    axis.
 
-    Bodies look like their geoms, but for planes of the world and geoms of the groups that MuJoCo does not show.
+    Bodies look like their geoms, but for planes of the world and geoms of the groups that MuJoCo does not
+    show.
 
-    Not represented, and listed in the notes: limits, unless limits="stops", contact, actuators (but for their damping and armature),
-    joint equalities that are not linear, and what else linkwork.importers.mjcf_coverage lists. Needs the
-    package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, deformable
-    bodies, plugins that act on bodies, joints that cannot be combined, moving bodies without inertia.
-    ModelError: wrong coordinates. LinkworkError: no mujoco package.
+    Not represented, and listed in the notes: limits, unless limits="stops", contact, actuators (but for their
+    damping and armature), joint equalities that are not linear, and what else
+    linkwork.importers.mjcf_coverage lists. Needs the package mujoco (pip install linkwork[mjcf]).
+    ModelFileError: what MuJoCo refuses, tendons, deformable bodies, plugins that act on bodies, joints that
+    cannot be combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco
+    package.
     """
     check_options(options)
     reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
@@ -106,9 +109,7 @@ def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
 
 
 class _MujocoModel:
-    def __init__(
-        self, path: str, model: mujoco.MjModel, lines: Mapping[str, int], options: Options
-    ) -> None:
+    def __init__(self, path: str, model: mujoco.MjModel, lines: Mapping[str, int], options: Options) -> None:
         import mujoco
 
         self._options = options
@@ -255,7 +256,11 @@ class _MujocoModel:
     def _limit(self, joints: range, labels: list[str], joint: JointDescription, out: Description) -> None:
         if is_disabled(self._model, "limit", "constraint"):
             return
-        if self._options.get("limits") == "stops" and joint.kind in STOPPED and self._model.jnt_limited[joints[0]]:
+        if (
+            self._options.get("limits") == "stops"
+            and joint.kind in STOPPED
+            and self._model.jnt_limited[joints[0]]
+        ):
             lower, upper = self._model.jnt_range[joints[0]].tolist()
             joint.stops = (lower, upper)
             return

@@ -43,7 +43,9 @@ def shapes_of(model: mujoco.MjModel, note: Notes) -> dict[int, list[Shape]]:
         if reason:
             left_out[reason] = left_out.get(reason, 0) + 1
         frame = from_quaternion(model.geom_pos[k], model.geom_quat[k])
-        found.setdefault(int(model.geom_bodyid[k]), []).extend(shape.moved(frame.r, frame.A) for shape in shapes)
+        found.setdefault(int(model.geom_bodyid[k]), []).extend(
+            shape.moved(frame.r, frame.A) for shape in shapes
+        )
     for reason, count in left_out.items():
         note("visual", "model", f"{count} geoms {reason} are not drawn")
     if geoms.simplified:

@@ -41,8 +41,10 @@ class RobotFile:
             if node.one(tag) is not None:
                 self.note(tag, who, f"its {tag}{what} is not represented")
 
-    def limit(self, joint: JointDescription, lower: float, upper: float, unit: str, others: list[str]) -> None:
-        """The ends of a joint as stops, or noted; of `others`, such as "effort 3", it is noted in any case."""
+    def limit(
+        self, joint: JointDescription, lower: float, upper: float, unit: str, others: list[str]
+    ) -> None:
+        """The ends of a joint as stops, or noted; `others`, such as "effort 3", are noted in any case."""
         found = list(others)
         ends = f"{lower:g} to {upper:g} {unit}".strip()
         if max(abs(lower), abs(upper)) < UNLIMITED and joint.kind in STOPPED and lower < upper:

@@ -75,8 +75,8 @@ def import_sdf(
     models, and of the models of a world with several, are called model::name.
 
     Not represented, and listed in the notes: limits, unless limits="stops", plugins, collision geometry, and
-    what else linkwork.importers.sdf_coverage lists. ModelFileError: what is wrong in the file, with lines; moving links
-    without inertia. ModelError: wrong coordinates.
+    what else linkwork.importers.sdf_coverage lists. ModelFileError: what is wrong in the file, with lines;
+    moving links without inertia. ModelError: wrong coordinates.
     """
     library, source = Library.of(path, search_path)
     file = _SdfFile(source, library, search_path, options)

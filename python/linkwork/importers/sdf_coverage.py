@@ -53,7 +53,8 @@ NOTED = (
           """
           link/visual > cast_shadows laser_retro visibility_flags meta/** plugin/** frame/**
           link/visual/geometry/mesh/submesh/**
-          link/visual/material > double_sided emissive lighting pbr/** render_order script/** shader/** specular
+          link/visual/material > double_sided emissive lighting pbr/** render_order
+          link/visual/material > script/** shader/** specular
           """),
     Noted("collision", "", "link/collision/**", by_name=True),
     Noted("fluid_added_mass", "", "link/inertial/fluid_added_mass/**", by_name=True),

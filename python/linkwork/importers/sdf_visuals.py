@@ -27,7 +27,9 @@ SOLIDS: Mapping[str, Callable[[Texts, str], Sequence[Shape]]] = {
     "capsule": lambda texts, color: capsule(
         _one(texts, "capsule", "radius", 0.5), _one(texts, "capsule", "length", 1.0), color
     ),
-    "ellipsoid": lambda texts, color: ellipsoid(numbers(texts("radii"), 3, "ellipsoid radii", [1.0] * 3), color),
+    "ellipsoid": lambda texts, color: ellipsoid(
+        numbers(texts("radii"), 3, "ellipsoid radii", [1.0] * 3), color
+    ),
     "plane": lambda texts, color: _plane(texts, color),
     "empty": lambda texts, color: [],
 }
@@ -58,7 +60,9 @@ def _plane(texts: Texts, color: str) -> Sequence[Shape]:
     x, y = numbers(texts("size"), 2, "plane size", [1.0] * 2)
     normal = np.array(numbers(texts("normal"), 3, "plane normal", [0.0, 0.0, 1.0]))
     thick = THIN * max(x, y)
-    plate = Cylinder(1.0, 1.0, axis=normal)  # refuses a normal of no direction; its axes are those of the plate
+    plate = Cylinder(
+        1.0, 1.0, axis=normal
+    )  # refuses a normal of no direction; its axes are those of the plate
     middle = -thick / 2 * normal / np.linalg.norm(normal)
     return [Box((x, y, thick), position=middle, orientation=plate.orientation, color=color)]
 

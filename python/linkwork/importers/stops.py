@@ -15,12 +15,12 @@ from linkwork.modeling.model import Model
 
 __all__ = ["Stops"]
 
-#: What a joint carries swings against its stop at this frequency [rad/s]: an arm that arrives with 1 rad/s goes
-#: no more than 0.01 rad beyond, and steps of a millisecond resolve it.
+#: What a joint carries swings against its stop at this frequency [rad/s]: an arm that arrives with 1 rad/s
+#: goes no more than 0.01 rad beyond, and steps of a millisecond resolve it.
 FREQUENCY = 100.0
 
-#: Damping by depth over stiffness [s/rad], [s/m]. Of Hunt and Crossley (1975), c = 3 k (1 - e) / (2 v): less than
-#: half of the speed is left of an impact with 1 rad/s or 1 m/s.
+#: Damping by depth over stiffness [s/rad], [s/m]. Of Hunt and Crossley (1975), c = 3 k (1 - e) / (2 v): less
+#: than half of the speed is left of an impact with 1 rad/s or 1 m/s.
 DAMPING = 1.5
 
 
@@ -44,7 +44,11 @@ class Stops:
         return found - {joint.parent}
 
     def add(
-        self, joint: JointDescription, pair: tuple[Body, Body], place: dict[str, Any], carried: Collection[Body]
+        self,
+        joint: JointDescription,
+        pair: tuple[Body, Body],
+        place: dict[str, Any],
+        carried: Collection[Body],
     ) -> None:
         """`place` as of the methods of Model, in body coordinates; `carried`: bodies."""
         assert joint.stops is not None
@@ -55,7 +59,9 @@ class Stops:
         inertia = self._inertia(pair[1], place["at"][1], place["axis"][1], turning, carried)
         ends = f"{joint.stops[0]:g} to {joint.stops[1]:g} {'rad' if turning else 'm'}"
         if inertia <= 0:
-            self._description.note("limits", name, f"limits {ends} are not represented: it carries no inertia")
+            self._description.note(
+                "limits", name, f"limits {ends} are not represented: it carries no inertia"
+            )
             return
         k, c = FREQUENCY**2 * inertia, DAMPING * FREQUENCY**2 * inertia
         add = self._model.rotational_stop if turning else self._model.translational_stop

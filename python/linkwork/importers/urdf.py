@@ -63,10 +63,9 @@ def import_urdf(
     the ground, unless floating=True. Each link is a body of the same name, its axes those of the link;
     massless links are parts of the links that they are fixed to. Links look like their visual geometry.
 
-    Not represented, and listed in the notes: limits, unless limits="stops", transmissions, collision geometry,
-    and what else linkwork.importers.urdf_coverage lists. ModelFileError: what is
-    wrong in the file, with lines; moving links without inertia. ModelError: coordinates of joints that do not
-    exist.
+    Not represented, and listed in the notes: limits, unless limits="stops", transmissions, collision
+    geometry, and what else linkwork.importers.urdf_coverage lists. ModelFileError: what is wrong in the file,
+    with lines; moving links without inertia. ModelError: coordinates of joints that do not exist.
     """
     reader = Reader(path, "robot")
     robot = _Robot(reader, search_path, options)

@@ -33,7 +33,9 @@ REPRESENTED = """
 """
 
 NOTED = (
-    Noted("appearance", "textures are not represented", "link/visual/material/texture/**\nmaterial/texture/**"),
+    Noted(
+        "appearance", "textures are not represented", "link/visual/material/texture/**\nmaterial/texture/**"
+    ),
     Noted("collision", "", "link/collision/**", by_name=True),
     Noted(
         "limits", "", "joint/limit: lower upper effort velocity acceleration deceleration jerk", by_name=True
@@ -47,7 +49,13 @@ NOTED = (
     ),
 )
 
-REFUSED = (Refused("", "link/inertial/origin @ quat_xyzw\njoint/origin @ quat_xyzw\nlink/visual/origin @ quat_xyzw", by_name=True),)
+REFUSED = (
+    Refused(
+        "",
+        "link/inertial/origin @ quat_xyzw\njoint/origin @ quat_xyzw\nlink/visual/origin @ quat_xyzw",
+        by_name=True,
+    ),
+)
 
 URDF = Coverage(
     REPRESENTED,

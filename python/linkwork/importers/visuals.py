@@ -29,7 +29,9 @@ Notes = Callable[[str, str, str], None]
 class Visuals:
     """Shapes of the links of one file. `wanted`: False: nothing is drawn, which is noted once."""
 
-    def __init__(self, path: str, search_path: Sequence[str | os.PathLike[str]], note: Notes, wanted: bool) -> None:
+    def __init__(
+        self, path: str, search_path: Sequence[str | os.PathLike[str]], note: Notes, wanted: bool
+    ) -> None:
         self._here = Path(path).resolve().parent
         self._search_path = [Path(folder).resolve() for folder in search_path]
         self._note, self.wanted = note, wanted
@@ -67,14 +69,18 @@ class Visuals:
     def finish(self) -> None:
         """Note what concerns many shapes."""
         if self._left_out:
-            self._note("visual", "model", f"{self._left_out} visual geometries are left out, as was asked for")
+            self._note(
+                "visual", "model", f"{self._left_out} visual geometries are left out, as was asked for"
+            )
         for code, messages in self._failed.items():
             different = list(dict.fromkeys(messages))
             more = f", and {len(different) - 1} other meshes" if len(different) > 1 else ""
             count = f" ({len(messages)} times)" if code == "missing_package" else ""
             self._note("visual", "model", f"is drawn without meshes: {different[0]}{more}{count}")
         if self._simplified:
-            text = f"{len(self._simplified)} meshes of more than {mesh_files.MOST} triangles are drawn by fewer"
+            text = (
+                f"{len(self._simplified)} meshes of more than {mesh_files.MOST} triangles are drawn by fewer"
+            )
             self._note("visual", "model", text)
 
 
@@ -98,14 +104,16 @@ def hex_of(rgba: Sequence[float] | Floats) -> str:
 
 def capsule(radius: float, length: float, color: str | None) -> list[Shape]:
     """A cylinder about z of that length with half a ball on each end."""
-    balls = [Sphere(radius, position=(0, 0, end * length / 2), color=color) for end in (-1, 1)]
+    balls: list[Shape] = [Sphere(radius, position=(0, 0, end * length / 2), color=color) for end in (-1, 1)]
     return [Cylinder(radius, length, color=color), *balls] if length > 0 else balls[:1]
 
 
 def ellipsoid(radii: Sequence[float], color: str | None) -> list[Shape]:
     """With half axes (3,) along x, y and z."""
     if not min(radii) > 0:
-        raise ModelError(f"ellipsoid: radii {' '.join(f'{r:g}' for r in radii)} are not positive", code="shape")
+        raise ModelError(
+            f"ellipsoid: radii {' '.join(f'{r:g}' for r in radii)} are not positive", code="shape"
+        )
     vertices, triangles = _ball()
     return [Mesh(vertices * np.asarray(radii, float), triangles, color=color)]
 
@@ -114,8 +122,8 @@ def _ball() -> tuple[Floats, Indices]:
     """Of radius one: rows of vertices from the south pole to the north pole."""
     latitude = np.linspace(-np.pi / 2, np.pi / 2, ALONG + 1)[1:-1, None]
     longitude = 2 * np.pi / AROUND * np.arange(AROUND)
-    rows = np.stack(np.broadcast_arrays(np.cos(latitude) * np.cos(longitude),
-                                        np.cos(latitude) * np.sin(longitude), np.sin(latitude)), axis=-1)  # fmt: skip
+    level, height = np.cos(latitude), np.sin(latitude) + 0 * longitude
+    rows = np.stack([level * np.cos(longitude), level * np.sin(longitude), height], axis=-1)
     vertices = np.vstack([rows.reshape(-1, 3), [[0, 0, -1], [0, 0, 1]]])
     return vertices, np.array(list(_faces(len(vertices) - 2)), np.int32)
 

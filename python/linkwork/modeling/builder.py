@@ -141,7 +141,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         }
         full = {what: np.broadcast_to(x, (k, x.shape[-1])) for what, x in state.items()}
         shapes, first = self._shapes.checked(shape), self.body_count
-        bodies = self._bodies.add(names, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full)
+        bodies = self._bodies.add(names, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), (), **full)
         self._shapes.set(range(first, first + k), shapes)
         return bodies
 

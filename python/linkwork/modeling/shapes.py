@@ -56,7 +56,9 @@ class Shape:
         raise NotImplementedError
 
     def moved(self, origin: Floats, axes: Floats) -> Self:
-        """The same shape, given in a frame with that origin (3,) and axes (3, 3) as columns, outside of it."""
+        """The same shape, outside of a frame with that origin (3,) and axes (3, 3), in columns, which it is
+        in.
+        """
         out = copy.copy(self)  # a mesh shares its arrays
         p = rotation.from_matrix(axes @ rotation.matrix(self.orientation))
         out._set(position=origin + axes @ self.position, orientation=p)

@@ -1,6 +1,6 @@
 """The arrays of large meshes as text: rows of three numbers, deflated, in base64, named by their type.
 
-    f4:eJxjYGBg...      f4, f8: vertices, floating point of 4 or 8 bytes; i4: triangles; all little endian
+f4:eJxjYGBg...      f4, f8: vertices, floating point of 4 or 8 bytes; i4: triangles; all little endian
 """
 
 from __future__ import annotations
