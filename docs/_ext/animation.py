@@ -1,4 +1,4 @@
-"""Makes docs/motion.gif, the page of a run as it plays: `.venv/bin/python docs/_ext/animation.py` (needs Chromium)."""
+"""Makes docs/motion.gif, the page of a run as it plays, by Chromium."""
 
 from __future__ import annotations
 
