@@ -30,7 +30,8 @@ void check_shape(const Array& array, std::vector<py::ssize_t> shape, const char*
 }
 
 int add_bodies(Model& model, const GivenNames& names, const Doubles& mass, const Doubles& inertia,
-               const Doubles& position, const Doubles& orientation, const Doubles& velocity, const Doubles& omega) {
+               const Doubles& position, const Doubles& orientation, const Doubles& velocity, const Doubles& omega,
+               const std::vector<bool>& inertia_as_is) {
   const py::ssize_t count = mass.size();
   check_shape(mass, {count}, "mass");
   check_shape(inertia, {count, 3, 3}, "inertia");
@@ -45,7 +46,8 @@ int add_bodies(Model& model, const GivenNames& names, const Doubles& mass, const
                                            Eigen::Map<const Vec3<double>>(position.data() + 3 * k),
                                            Eigen::Map<const Vec4<double>>(orientation.data() + 4 * k),
                                            Eigen::Map<const Vec3<double>>(velocity.data() + 3 * k),
-                                           Eigen::Map<const Vec3<double>>(omega.data() + 3 * k)};
+                                           Eigen::Map<const Vec3<double>>(omega.data() + 3 * k),
+                                           !inertia_as_is.empty() && inertia_as_is.at(static_cast<std::size_t>(k))};
   return model.add_bodies(read_names(names), bodies);
 }
 
@@ -154,6 +156,14 @@ py::array_t<double> inertias(const Model& model) {
   return out;
 }
 
+/// Indices of the bodies whose inertia may be that of no real body.
+std::vector<int> taken_as_they_are(const Model& model) {
+  std::vector<int> found;
+  for (std::size_t b = 0; b < model.bodies().size(); ++b)
+    if (model.bodies()[b].inertia_as_is) found.push_back(static_cast<int>(b));
+  return found;
+}
+
 /// (k, 7): position and Euler parameters, of the ground (-1) too.
 py::array_t<double> poses(const Model& model, const Integers& bodies) {
   py::array_t<double> out({bodies.size(), py::ssize_t{position_size}});
@@ -233,7 +243,9 @@ void bind_bodies_and_elements(py::class_<Model>& model) {
   model.def(py::init<const Vec3<double>&>(), py::arg("gravity") = Vec3<double>(0.0, 0.0, -9.81))
       .def("add_bodies", &add_bodies, py::arg("names"), py::arg("mass"), py::arg("inertia"), py::arg("position"),
            py::arg("orientation"), py::arg("velocity"), py::arg("omega"),
-           "Adds bodies under a prefix (str) or names (list); returns the first index.")
+           py::arg("inertia_as_is") = std::vector<bool>(),
+           "Adds bodies under a prefix (str) or names (list); returns the first index. `inertia_as_is`: for each body "
+           "whether its inertia may violate the triangle inequality; without, none may.")
       .def(
           "add_joints",
           [](Model& model, const std::string& kind, const GivenNames& names, const Integers& bodies,
@@ -359,6 +371,8 @@ void bind_names(py::class_<Model>& model) {
 void bind_state(py::class_<Model>& model) {
   model.def_property_readonly("mass", &masses)
       .def_property_readonly("inertia", &inertias)
+      .def_property_readonly("inertia_as_is", &taken_as_they_are,
+                             "Indices of the bodies whose inertia may be that of no real body.")
       .def("poses", &poses, py::arg("bodies"), "(k, 7) at t = 0, of bodies by index; -1 is the ground.")
       .def_property_readonly("q0", &Model::initial_q)
       .def_property_readonly("v0", &Model::initial_v)

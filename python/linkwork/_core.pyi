@@ -561,9 +561,10 @@ class Model:
         orientation: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
         velocity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
         omega: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        inertia_as_is: collections.abc.Sequence[bool] = [],
     ) -> int:
         """
-        Adds bodies under a prefix (str) or names (list); returns the first index.
+        Adds bodies under a prefix (str) or names (list); returns the first index. `inertia_as_is`: for each body whether its inertia may violate the triangle inequality; without, none may.
         """
     def add_breaks(
         self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
@@ -703,6 +704,11 @@ class Model:
     def gravity(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]: ...
     @property
     def inertia(self) -> numpy.typing.NDArray[numpy.float64]: ...
+    @property
+    def inertia_as_is(self) -> list[int]:
+        """
+        Indices of the bodies whose inertia may be that of no real body.
+        """
     @property
     def initial_history(self) -> list[float]:
         """

@@ -75,7 +75,8 @@ MJCF_FILE = f"""<mujoco>
 <asset><texture name="t" type="2d" builtin="flat" width="8" height="8"/></asset>
 <worldbody>
  <body name="a" user="3" sleep="init"><joint name="j" range="-1 1" limited="true" frictionloss="0.2"
-   margin="0.1" stiffness="3" springyield="0.4"/>{INERTIAL}<geom name="g" size="0.1" rgba="1 0 0 1"/></body>
+   margin="0.1" stiffness="3" springyield="0.4"/>{INERTIAL}<geom name="g" size="0.1"
+   castshadow="false"/></body>
  <body name="b" mocap="true" pos="3 0 0"><geom size="0.1"/></body>
  <site name="s" size="0.1"/>
 </worldbody>
@@ -90,7 +91,8 @@ TORQUED = "<dynamics><damping>1</damping></dynamics><limit><effort>3</effort></l
 
 SDF_FILE = f"""<sdf version="1.9"><world name="w"><physics name="p" type="ode"/><gravity>0 0 -1</gravity>
 <wind/><model name="m"><plugin name="p" filename="f"/>
-<link name="a"><kinematic>true</kinematic><velocity_decay/><visual name="v"/><collision name="c"/>
+<link name="a"><kinematic>true</kinematic><velocity_decay/>
+<visual name="v"><cast_shadows>0</cast_shadows><geometry><heightmap/></geometry></visual><collision name="c"/>
 <inertial><mass>2</mass><mass>3</mass><fluid_added_mass/></inertial><sensor name="s" type="imu"/></link>
 <link name="b"/>
 <joint name="j" type="universal"><parent>a</parent><child>b</child><physics/>
@@ -100,7 +102,8 @@ SDF_FILE = f"""<sdf version="1.9"><world name="w"><physics name="p" type="ode"/>
 <initial_position>1</initial_position>{TORQUED}</axis><axis2><xyz>0 1 0</xyz>{TORQUED}</axis2></joint>
 </model></world><light name="l" type="point"/></sdf>"""
 
-URDF_FILE = """<robot name="r" version="1.0"><material name="red"/><gazebo reference="a"/>
+URDF_FILE = """<robot name="r" version="1.0"><material name="red"><texture filename="t.png"/></material>
+<gazebo reference="a"/>
 <transmission name="t"/><link name="a"><visual/><collision/><contact/></link>
 <link name="b"><inertial><mass value="1"/><inertia ixx="1"
 iyy="1" izz="1"/></inertial><inertial><mass value="5"/></inertial></link>
@@ -129,14 +132,15 @@ def test_what_is_noted_is_named(tmp_path: Path) -> None:
     said = "\n".join(map(str, lw.import_mjcf(path).notes))
     for words in ("<option> timestep", "<flag> multiccd", "<body> user", "<body> mocap",
                   "<joint> springyield",
-                  "<geom> rgba", "<keyframe>", "<sensor>", "<custom>", "<option> magnetic", "<lengthrange>",
+                  "<geom> castshadow", "<keyframe>",
+                  "<sensor>", "<custom>", "<option> magnetic", "<lengthrange>",
                   "body 'a': and what it carries start asleep", "actuator 'm'", "limits -1 to 1",
                   "contact of 1 pairs"):  # fmt: skip
         assert words in said, words
     path = tmp_path / "model.sdf"
     path.write_text(SDF_FILE)
     said = "\n".join(map(str, lw.import_sdf(path).notes))
-    for words in ("<mass>: in line 4 is there again", "<kinematic>", "<velocity_decay>", "<wind>", "<light>",
+    for words in ("<mass>: in line 5 is there again", "<kinematic>", "<velocity_decay>", "<wind>", "<light>",
                   "<initial_position>", "the dynamics of its axis2", "limits effort 3"):  # fmt: skip
         assert words in said, words
 

@@ -186,7 +186,7 @@ def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
         '<equality><joint joint1="j" name="lock"/></equality><actuator><motor joint="j" name="m"/></actuator>'
     )
     topics = {note.topic for note in lw.import_mjcf(written(tmp_path, body, rest)).notes}
-    assert topics == {"limits", "friction", "equality", "actuator", "contact", "visual"}
+    assert topics == {"limits", "friction", "equality", "actuator", "contact"}
 
 
 # --- against MuJoCo, attribute by attribute -----------------------------------------------------------------
@@ -285,7 +285,7 @@ def test_what_a_flag_disables_is_not_missing(flags: str, topics: set[str], tmp_p
     body = (f'<body name="a"><joint name="j" range="-1 1" limited="true" frictionloss="0.2"/>{INERTIAL}'
             f'<geom size="0.1"/></body>')  # fmt: skip
     found = {note.topic for note in lw.import_mjcf(written(tmp_path, body, flags=flags)).notes}
-    assert found - {"visual"} == topics
+    assert found == topics
 
 
 def test_coordinates_of_several_joints_of_a_body_are_from_their_references(tmp_path: Path) -> None:

@@ -81,7 +81,7 @@ def test_what_is_not_in_the_model_is_listed() -> None:
     imported = lw.import_urdf(ARM)
     assert topics(imported) == [
         ("base", "link 'base'"), ("collision", "link 'lower'"), ("element", "<transmission>"),
-        ("limits", "joint 'elbow'"), ("merged", "massless link 'tool'"), ("visual", "link 'upper'"),
+        ("limits", "joint 'elbow'"), ("merged", "massless link 'tool'"),
     ]  # fmt: skip
     with pytest.warns(lw.LinkworkWarning, match=r"limits \(1\)"):
         imported.warn()

@@ -11,20 +11,22 @@ from pathlib import Path
 import linkwork.view
 import pytest
 
+#: Where it is installed, and where the sources are: wheels do not have them.
 VIEW = Path(linkwork.view.__file__).parent
+SOURCES = Path(__file__).parents[2] / "python/linkwork/view"
 BUILT = json.loads((VIEW / "bundle" / "built.json").read_text())
 PRODUCTS = ("viewer.js", "viewer.css", "LICENSES.txt")
 
 
 def sources() -> list[str]:
     return ["build.mjs", "package-lock.json", "package.json",
-            *(f"src/{path.name}" for path in sorted((VIEW / "src").iterdir()))]  # fmt: skip
+            *(f"src/{path.name}" for path in sorted((SOURCES / "src").iterdir()))]  # fmt: skip
 
 
 def test_bundle_is_of_these_sources() -> None:
     digest = hashlib.sha256()
     for name in sources():
-        digest.update(f"{name}\0".encode() + (VIEW / name).read_bytes() + b"\0")
+        digest.update(f"{name}\0".encode() + (SOURCES / name).read_bytes() + b"\0")
     assert digest.hexdigest() == BUILT["sources"], "sources have changed: ./dev view-bundle"
 
 
@@ -34,7 +36,7 @@ def test_bundle_is_as_it_was_built(name: str) -> None:
 
 
 def test_packages_are_pinned_and_their_licenses_shipped() -> None:
-    packages = json.loads((VIEW / "package.json").read_text())["dependencies"]
+    packages = json.loads((SOURCES / "package.json").read_text())["dependencies"]
     licenses = (VIEW / "bundle" / "LICENSES.txt").read_text()
     for name, version in packages.items():
         assert version[0].isdigit()
@@ -48,7 +50,7 @@ def test_building_anew_gives_the_same(tmp_path: Path) -> None:
         pytest.skip("no Node and npm here")
     for name in sources():
         (tmp_path / name).parent.mkdir(exist_ok=True)
-        shutil.copy(VIEW / name, tmp_path / name)
+        shutil.copy(SOURCES / name, tmp_path / name)
     install = ["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefer-offline"]
     got = subprocess.run(install, cwd=tmp_path, capture_output=True, text=True)
     if got.returncode:

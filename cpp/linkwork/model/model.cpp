@@ -44,8 +44,9 @@ void check_finite(const Eigen::MatrixBase<Derived>& values, const char* quantity
     refuse("not_finite", quantity, std::string(quantity) + " " + text(values) + " is not finite", name);
 }
 
-/// Principal moments of a real body satisfy J_1 + J_2 >= J_3 for every order, and none is negative.
-void check_inertia(const Mat3<double>& J, const std::string& name) {
+/// Principal moments of a real body satisfy J_1 + J_2 >= J_3 for every order, and none is negative. `as_is`: only the
+/// latter is asked for.
+void check_inertia(const Mat3<double>& J, bool as_is, const std::string& name) {
   const double scale = J.cwiseAbs().maxCoeff();
   if (const double gap = (J - J.transpose()).cwiseAbs().maxCoeff(); gap > tolerance * scale)
     refuse("inertia_not_symmetric", "inertia",
@@ -57,7 +58,7 @@ void check_inertia(const Mat3<double>& J, const std::string& name) {
   if (moments[0] < -tolerance * scale)
     refuse("inertia_negative", "inertia", "principal moment of inertia " + text(moments[0]) + " kg m^2 is negative",
            name);
-  if (moments[2] > (moments[0] + moments[1]) * (1.0 + tolerance) + tolerance * scale)
+  if (!as_is && moments[2] > (moments[0] + moments[1]) * (1.0 + tolerance) + tolerance * scale)
     refuse("inertia_triangle", "inertia",
            "principal moments of inertia " + text(moments) +
                " violate the triangle inequality: the largest must not exceed the sum of the others",
@@ -72,7 +73,7 @@ void check_body(const Body& body, const std::string& name) {
   check_finite(body.orientation, "orientation", name);
   check_finite(body.velocity, "velocity", name);
   check_finite(body.omega, "omega", name);
-  check_inertia(body.inertia, name);
+  check_inertia(body.inertia, body.inertia_as_is, name);
   const double norm = body.orientation.norm();
   if (std::abs(norm - 1.0) > unit_tolerance)
     refuse("orientation", "orientation",

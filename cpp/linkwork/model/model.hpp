@@ -25,6 +25,8 @@ struct Body {
   Vec4<double> orientation = {1.0, 0.0, 0.0, 0.0};  ///< Euler parameters, scalar first, unit
   Vec3<double> velocity = Vec3<double>::Zero();     ///< inertial [m/s]
   Vec3<double> omega = Vec3<double>::Zero();        ///< body-fixed [rad/s]
+  /// Take principal moments that violate the triangle inequality, which no real body has.
+  bool inertia_as_is = false;
 };
 
 /// A joint or force element between bodies i and j (ground = -1).

@@ -16,6 +16,7 @@ from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, NotConvergedError, OptionError
 from linkwork.modeling.model import Model
+from linkwork.modeling.tables import Table
 from linkwork.motion.records import Snapshot
 from linkwork.running import checks
 
@@ -54,6 +55,9 @@ STILL = 1e-12
 
 #: In place of zero, where only a division by it is to be avoided.
 TINY = 1e-300
+
+#: Modes in the table of a notebook.
+MODES_SHOWN = 20
 
 #: Random motions along which coefficients of large models are compared.
 PROBES = 8
@@ -116,6 +120,18 @@ class Linearization:
         slow = ", ".join(f"{f:.6g}" for f in self.frequencies[:5])
         more = ", ..." if len(self.eigenvalues) > 5 else ""
         return f"<Linearization of '{self.model.name}': {slow}{more} rad/s, {self._verdict()}>"
+
+    def _repr_html_(self) -> str:
+        """In a notebook: the modes, slow ones first."""
+        columns = ("mode", "frequency [rad/s]", "[Hz]", "damping ratio", "largest part")
+        pairs = zip(self.frequencies[:MODES_SHOWN], self.damping_ratios[:MODES_SHOWN], strict=True)
+        rows = [
+            (str(k), f"{w:.6g}", f"{w / (2 * np.pi):.6g}", f"{ratio:.4g}", self.describe(k))
+            for k, (w, ratio) in enumerate(pairs)
+        ]
+        more = len(self.eigenvalues) - len(rows)
+        title = f"{self.model.name or 'model'}, {self._verdict()}: modes" + (f", {more} more" if more else "")
+        return Table(title, columns, rows)._repr_html_()
 
     def _verdict(self) -> str:
         return "stable" if self.stable else "unstable"

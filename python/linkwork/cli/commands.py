@@ -280,6 +280,17 @@ def schema() -> None:
     "--repair-inertia", is_flag=True, help="Give links that no real body can be the nearest that one can."
 )
 @click.option(
+    "--inertia-as-is", is_flag=True, help="Take inertias that no real body has as they are in the file."
+)
+@click.option(
+    "--limits",
+    type=click.Choice(["note", "stops"]),
+    default="note",
+    show_default=True,
+    help="Ends of joints are only listed, or become end stops.",
+)
+@click.option("--shapes/--no-shapes", default=True, help="Links look as in the file, or have default shapes.")
+@click.option(
     "--couple/--no-couple",
     default=True,
     help="Joints that follow others (mimic, gearboxes) do so, or are free.",
@@ -297,7 +308,10 @@ def schema() -> None:
     help="Move the bodies at t = 0 by the least that satisfies joints and drivers.",
 )
 @click.option(
-    "--search-path", multiple=True, metavar="FOLDER", help="SDF: where included models are; may be repeated."
+    "--search-path",
+    multiple=True,
+    metavar="FOLDER",
+    help="URDF, SDF: where meshes and included models are; may be repeated.",
 )
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def convert(source: str, target: str, as_json: bool, assemble: bool, **options: Any) -> None:

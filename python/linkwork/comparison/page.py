@@ -63,8 +63,24 @@ def page(comparison: Comparison) -> str:
 """
 
 
+#: Of the table in a notebook, whose own style would break its lines and headings.
+CELL_STYLE = """
+.linkwork-comparison { overflow-x: auto; }
+.linkwork-comparison th, .linkwork-comparison td { padding: .18rem .55rem; }
+.linkwork-comparison th, .linkwork-comparison td { text-align: right; white-space: pre; }
+.linkwork-comparison th { vertical-align: bottom; }
+.linkwork-comparison .text { text-align: left; }
+.linkwork-comparison tr.bad td { color: #b3261e; }
+"""
+
+
+def cell(comparison: Comparison) -> str:
+    """The table as a notebook shows it: a line for each run, as wide as it is, to be scrolled."""
+    return f'<div class="linkwork-comparison"><style>{CELL_STYLE}</style>{table(comparison)}</div>'
+
+
 def table(comparison: Comparison) -> str:
-    """The table alone, as a notebook shows it."""
+    """The table alone."""
     columns = text.COLUMNS
     head = "".join(f"<th{_kind(column)}>{escape(column.heading)}</th>" for column in columns)
     body = []

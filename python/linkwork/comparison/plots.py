@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from linkwork.comparison.runs import WRONG, Outcome
 from linkwork.errors import OptionError, nearest
-from linkwork.plots.figures import COLORS, check_format
+from linkwork.plots.figures import COLORS, check_format, new_figure
 
 if TYPE_CHECKING:
     from linkwork.comparison.table import Comparison
@@ -30,8 +29,7 @@ def plot(comparison: Comparison, kind: str, path: str | os.PathLike[str] | None 
     """One picture, and its file. OptionError: no such kind. FileError: `path` cannot be written."""
     if kind not in KINDS:
         raise OptionError(f"plot '{kind}' does not exist{nearest(kind, KINDS)}", code="unknown_option")
-    figure = Figure(figsize=(9.0, 4.8), layout="constrained")
-    FigureCanvasAgg(figure)
+    figure = new_figure(9.0, 4.8)
     ax = figure.subplots()
     KINDS[kind](ax, comparison)
     _dress(ax, comparison)

@@ -177,7 +177,7 @@ class Comparison:
     def _repr_html_(self) -> str:
         from linkwork.comparison import page
 
-        return page.table(self)
+        return page.cell(self)
 
     def to_frame(self) -> pandas.DataFrame:
         """The table as a pandas.DataFrame. OptionError: pandas is not installed; `rows` needs nothing."""

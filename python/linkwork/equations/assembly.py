@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import astuple, dataclass, field
+from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,7 @@ from linkwork.equations import branches
 from linkwork.errors import ModelError, NotConvergedError
 from linkwork.modeling.handles import BodiesLike, BodyLike
 from linkwork.modeling.model import Model, check_model
+from linkwork.modeling.tables import Table
 
 __all__ = ["Assembly", "JointResidual", "assemble"]
 
@@ -77,6 +79,12 @@ class Assembly:
             f"largest residuals {before} before, {after} after; bodies moved by at most {most[0]:.3g} m "
             f"and {most[1]:.3g} rad{opposed}"
         )
+
+    def _repr_html_(self) -> str:
+        """In a notebook: the line, and what each joint's equations miss."""
+        columns = ("joint", "position before", "after [m or 1]", "velocity before", "after [m/s or 1/s]")
+        rows = [(it.joint, *(f"{x:.2g}" for x in astuple(it)[1:])) for it in self.residuals]
+        return f"<p>{escape(str(self))}</p>{Table('Residuals', columns, rows)._repr_html_()}"
 
 
 def assemble(

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, TypedDict
+from typing import Any, Literal, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import rotation
+from linkwork.arguments import one_of
 from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelFileError, OptionError, nearest
 from linkwork.importers.alignment import align_axes
@@ -23,13 +24,15 @@ from linkwork.importers.description import (
     LinkDescription,
 )
 from linkwork.importers.frames import Frame
-from linkwork.importers.tree import LinkState, link_states
+from linkwork.importers.stops import Stops
+from linkwork.importers.tree import LinkState, joint_values, link_states
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 from linkwork.modeling.placement import Attachment
+from linkwork.modeling.shapes import Shape
 
-__all__ = ["Options", "build"]
+__all__ = ["Options", "build", "check_options"]
 
 #: Cosines of the angle between two axes that are perpendicular, up to the digits of a file.
 PERPENDICULAR = 1e-6
@@ -60,6 +63,12 @@ class Options(TypedDict, total=False):
     #: give links whose principal moments no real body can have the nearest that one can; False: they are
     #: refused
     repair_inertia: bool
+    #: take principal moments that no real body can have as they are in the file; False: they are refused
+    inertia_as_is: bool
+    #: "stops": where joints with one coordinate have ends, end stops act; "note": limits are only noted
+    limits: Literal["note", "stops"]
+    #: links look like the visual geometry of the file; False: like the default shapes
+    shapes: bool
     #: angle [rad]: axes of joints that are parallel or perpendicular to within it, at coordinates zero, are
     #: made exactly so. Files round angles (1.57), and a planar loop whose axes are not parallel is locked.
     #: None: only in closed loops, to within 2e-3; 0: as in the file
@@ -86,27 +95,38 @@ class _Group:
         return self.mass == 0 or not self.inertia.any()
 
 
+def check_options(options: Options) -> None:
+    """OptionError: no such option, or two that contradict each other."""
+    for name in options:
+        if name not in Options.__annotations__:
+            hint = nearest(name, Options.__annotations__)
+            raise OptionError(f"an import has no option '{name}'{hint}", code="unknown_option")
+    one_of(options.get("limits", "note"), ("note", "stops"), "limits")
+    if options.get("repair_inertia") and options.get("inertia_as_is"):
+        raise OptionError(
+            "repair_inertia changes inertias, inertia_as_is takes those of the file: give one of them",
+            code="contradiction",
+        )
+
+
 def build(description: Description, options: Options, lines: Mapping[str, int] | None = None) -> Imported:
     """The model of a description. `lines`: where each link is in the file.
 
     ModelFileError: a moving link without inertia, what no body or joint can be. ModelError: coordinates.
-    OptionError: no such option.
     """
-    for name in options:
-        if name not in Options.__annotations__:
-            hint = nearest(name, Options.__annotations__)
-            raise OptionError(f"'{description.path}': no option '{name}'{hint}", code="unknown_option")
     floating = options.get("floating")
     if floating is not None:
         description.grounded = () if floating else description.links
     align_axes(description, options.get("align_axes"))
-    states = link_states(description, options.get("coordinates") or {}, options.get("velocities") or {})
+    coordinates = options.get("coordinates") or {}
+    states = link_states(description, coordinates, options.get("velocities") or {})
     groups = _grouped(description, states, options.get("merge_fixed", False))
     faults: list[Fault] = []
     _check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
     model = Model(description.gravity if gravity is None else gravity, description.name)
-    builder = _Builder(description, model, states, groups, options.get("repair_inertia", False))
+    stops = Stops(description, model, joint_values(description, coordinates))
+    builder = _Builder(description, model, states, groups, stops, options)
     for group in builder.moving:
         _collect(faults, lines or {}, "link", group.main, partial(builder.add_body, group))
     for joint in description.joints if not faults else ():
@@ -119,6 +139,7 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
             builder.note_coupling(coupling, "it moves freely")
     if faults:
         raise ModelFileError(description.path, faults)
+    builder.add_shapes()
     return Imported(description.path, model, tuple(description.notes))
 
 
@@ -132,6 +153,8 @@ def _collect(
         reason = error.reason
         if error.code in ("inertia_triangle", "inertia_negative"):
             reason += "; repair_inertia takes the nearest that is possible"
+        if error.code == "inertia_triangle":
+            reason += ", inertia_as_is this one"
         faults.append(Fault(lines.get(f"{kind} {name}", 1), f"{kind} '{name}'", reason))
 
 
@@ -283,10 +306,12 @@ class _Builder:
         model: Model,
         states: Mapping[str, LinkState],
         groups: Mapping[str, _Group],
-        repair_inertia: bool,
+        stops: Stops,
+        options: Options,
     ) -> None:
-        self._description, self._model = description, model
-        self._repair_inertia = repair_inertia
+        self._description, self._model, self._stops = description, model, stops
+        self._repair_inertia = options.get("repair_inertia", False)
+        self._inertia_as_is = options.get("inertia_as_is", False)
         self._states, self._groups = states, groups
         self._bodies: dict[str, Body] = {WORLD: model.ground}
         self._coordinates: dict[str, str] = {}  #: of each joint in the model that has one
@@ -297,11 +322,12 @@ class _Builder:
         state = self._states[group.main]
         position = state.frame.point(group.center)
         J = (group.inertia + group.inertia.T) / 2
-        if self._repair_inertia:
-            J, moments = _real_inertia(J)
-            if moments is not None:
-                text = f"principal moments {moments} kg m2 are those of no real body: made {_moments(J)}"
-                self._description.note("inertia", f"link '{group.main}'", text)
+        real, moments = _real_inertia(J)
+        if moments is not None and (self._repair_inertia or self._inertia_as_is):
+            what = f"made {_moments(real)}" if self._repair_inertia else "taken as they are"
+            text = f"principal moments {moments} kg m2 are those of no real body: {what}"
+            self._description.note("inertia", f"link '{group.main}'", text)
+            J = real if self._repair_inertia else J
         self._bodies[group.main] = self._model.body(
             group.main,
             mass=group.mass,
@@ -310,9 +336,26 @@ class _Builder:
             orientation=rotation.from_matrix(state.frame.A),
             velocity=state.velocity_of(position),
             omega=state.frame.A.T @ state.omega,
+            inertia_as_is=self._inertia_as_is and moments is not None,
         )
         for link in group.links:
             self._lift(link, group)
+
+    def add_shapes(self) -> None:
+        """What links look like, on the bodies that they are part of, and on the ground."""
+        found: dict[str, list[Shape]] = {}
+        for name, group in self._groups.items():
+            found.setdefault(group.main, []).extend(self._shapes_of(name))
+        for main, shapes in found.items():
+            if shapes:
+                self._model.shape(self._bodies[main], *shapes)
+
+    def _shapes_of(self, name: str) -> Iterator[Shape]:
+        """In body coordinates."""
+        link = self._description.links.get(name)
+        if link is not None and link.shapes:
+            frame = self._side(name, Frame()).frame
+            yield from (shape.moved(frame.r, frame.A) for shape in link.shapes)
 
     # -c m g in the link's center of mass
     def _lift(self, name: str, group: _Group) -> None:
@@ -408,6 +451,8 @@ class _Builder:
                 )
             return
         self._add_friction(joint, a, b)
+        if joint.stops:
+            self._add_stop(joint, a, b)
         if joint.stiffness:
             add = self._add_rotational_spring if joint.kind == "revolute" else self._add_spring
             add(joint, a, b)
@@ -466,6 +511,12 @@ class _Builder:
             unit = "rad/s" if joint.kind == "revolute" else "m/s"
             text = f"friction {joint.friction:g} is regularized below {TRANSITION[kind]:g} {unit}"
             self._note("friction", joint, text)
+
+    def _add_stop(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        place = {"at": (a.at, b.at), "frames": "body", **self._axis_place(joint, a, b)}
+        mains = dict.fromkeys(self._groups[name].main for name in self._stops.carried(joint))
+        bodies = [self._bodies[main] for main in mains if main != WORLD]
+        self._stops.add(joint, (a.body, b.body), place, bodies)
 
     def _add_rotational_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         self._model.rotational_spring_damper(

@@ -12,6 +12,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import warn
 from linkwork.importers.frames import Frame, turned
 from linkwork.modeling.model import Model
+from linkwork.modeling.shapes import Shape
 
 __all__ = ["Coupling", "Description", "Imported", "JointDescription", "LinkDescription", "Motion", "Note"]
 
@@ -59,6 +60,7 @@ class LinkDescription:
     inertia: Floats = field(default_factory=lambda: np.zeros((3, 3)))  #: about the center, link axes [kg m2]
     pose: Frame = field(default_factory=Frame)  #: in the world, of a link that no joint carries
     weightless: float = 0.0  #: the share of its weight that is taken from it
+    shapes: list[Shape] = field(default_factory=list)  #: what it looks like, in the link's frame
 
 
 @dataclass(frozen=True)
@@ -92,6 +94,7 @@ class JointDescription:
     spring_reference: float = 0.0  #: coordinate of the spring at rest
     armature: float = 0.0  #: inertia of a rotor, seen at the joint [kg m2] or [kg]
     pitch: float = 0.0  #: of a screw [m per turn]
+    stops: tuple[float, float] | None = None  #: coordinates of the ends, of a joint that has stops
     closes_loop: bool = False  #: it has no say in where its child is
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from linkwork.arguments import optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelFileError
-from linkwork.importers.building import PERPENDICULAR, Options, build
+from linkwork.importers.building import PERPENDICULAR, Options, build, check_options
 from linkwork.importers.coverage import report
 from linkwork.importers.description import (
     WORLD,
@@ -27,6 +27,8 @@ from linkwork.importers.frames import Frame, from_quaternion
 from linkwork.importers.mjcf_coverage import MJCF
 from linkwork.importers.mjcf_dynamics import JointDynamics, is_disabled
 from linkwork.importers.mjcf_files import roots
+from linkwork.importers.mjcf_visuals import shapes_of
+from linkwork.importers.robot_file import STOPPED
 from linkwork.importers.xml_text import Node, Reader
 
 if TYPE_CHECKING:
@@ -42,21 +44,27 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     """The model in an MJCF file: bodies, joints, springs, damping, armature; equalities connect, weld, joint.
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, repair_inertia, align_axes, couple, merge_fixed. Coordinates are those of MuJoCo, zero or
-    `ref` in the file's pose; flags that disable gravity, equalities, springs, dampers or friction are heeded.
-    Several joints of one body are taken where one joint here does the same: two
-    slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
+    keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. Coordinates
+    are those of MuJoCo, zero or `ref` in the file's pose; flags that disable gravity, equalities, springs,
+    dampers or friction are heeded. Several joints of one body are taken where one joint here does the same:
+    two slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one
+    axis.
 
-    Not represented, and listed in the notes: limits, contact, actuators (but for their damping and armature),
-    joint equalities that are not linear, and what else linkwork.importers.mjcf_coverage lists. Needs the
-    package mujoco (pip install linkwork[mjcf]). ModelFileError: what MuJoCo refuses, tendons, deformable
-    bodies, plugins that act on bodies, joints that cannot be combined, moving bodies without inertia.
-    ModelError: wrong coordinates. LinkworkError: no mujoco package.
+    Bodies look like their geoms, but for planes of the world and geoms of the groups that MuJoCo does not
+    show.
+
+    Not represented, and listed in the notes: limits, unless limits="stops", contact, actuators (but for their
+    damping and armature), joint equalities that are not linear, and what else
+    linkwork.importers.mjcf_coverage lists. Needs the package mujoco (pip install linkwork[mjcf]).
+    ModelFileError: what MuJoCo refuses, tendons, deformable bodies, plugins that act on bodies, joints that
+    cannot be combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco
+    package.
     """
+    check_options(options)
     reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
     model, warnings = _compiled(path)
     lines = dict(_lines(reader.root))
-    description = _MujocoModel(os.fspath(path), model, lines).description()
+    description = _MujocoModel(os.fspath(path), model, lines, options).description()
     _report(reader, description)
     reader.finish()
     for text in dict.fromkeys(warnings):
@@ -101,9 +109,10 @@ def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
 
 
 class _MujocoModel:
-    def __init__(self, path: str, model: mujoco.MjModel, lines: Mapping[str, int]) -> None:
+    def __init__(self, path: str, model: mujoco.MjModel, lines: Mapping[str, int], options: Options) -> None:
         import mujoco
 
+        self._options = options
         self._path, self._model, self._mj, self._lines = path, model, mujoco, lines
         self._dynamics = JointDynamics(model)
         self._links: dict[str, LinkDescription] = {}
@@ -120,6 +129,7 @@ class _MujocoModel:
         out.joints = joints
         out.joints = joints + list(self._equalities(out))
         self._refuse_and_note(out)
+        self._add_shapes(out)
         if not np.isfinite(model.opt.gravity).all():
             self._fault("option gravity", "is not finite")
         if self._faults:
@@ -191,7 +201,7 @@ class _MujocoModel:
             text = f"damping, friction, spring or armature of a {joint.kind} joint is not represented"
             out.note("damping", f"joint '{joint.name}'", text)
         self._note_polynomials(joints, joint, out)
-        self._note_limits(joints, labels, out)
+        self._limit(joints, labels, joint, out)
         yield joint
 
     # The rates of a free joint are the velocity v of the body's origin, inertial, and its angular velocity
@@ -243,8 +253,16 @@ class _MujocoModel:
             text = "its spring or damping is a polynomial: only the linear part is represented"
             out.note("nonlinear", f"joint '{joint.name}'", text)
 
-    def _note_limits(self, joints: range, labels: list[str], out: Description) -> None:
+    def _limit(self, joints: range, labels: list[str], joint: JointDescription, out: Description) -> None:
         if is_disabled(self._model, "limit", "constraint"):
+            return
+        if (
+            self._options.get("limits") == "stops"
+            and joint.kind in STOPPED
+            and self._model.jnt_limited[joints[0]]
+        ):
+            lower, upper = self._model.jnt_range[joints[0]].tolist()
+            joint.stops = (lower, upper)
             return
         for k, label in zip(joints, labels, strict=True):
             if self._model.jnt_limited[k]:
@@ -318,10 +336,17 @@ class _MujocoModel:
             out.note("actuator", f"actuator '{self._name('actuator', k)}'", f"is not represented{lost}")
         self._note_contact(out)
         self._note_sleep(out)
-        if model.ngeom:
-            out.note("visual", "model", f"the shapes of {model.ngeom} geoms are not represented")
         if model.opt.density or model.opt.viscosity or np.any(model.opt.wind):
             out.note("medium", "model", "forces of the surrounding medium are not represented")
+
+    def _add_shapes(self, out: Description) -> None:
+        if not self._options.get("shapes", True):
+            out.note("visual", "model", f"{self._model.ngeom} geoms are left out, as was asked for")
+            return
+        for body, shapes in shapes_of(self._model, out.note).items():
+            name = self._body_name(body)
+            link = self._links.setdefault(name, LinkDescription(WORLD)) if body == 0 else self._links[name]
+            link.shapes += shapes
 
     def _note_contact(self, out: Description) -> None:
         model = self._model

@@ -22,7 +22,10 @@ REPRESENTED = """
     asset
     asset/mesh: builtin class content_type face file inertia maxhullvert name normal params
     asset/mesh @ refpos refquat scale smoothnormal texcoord vertex
+    asset/mesh @ material
     asset/mesh/plugin/**
+    asset/texture/**
+    asset/material: class name rgba texture
     asset/model: content_type file name
 
     body: name pos quat axisangle euler xyaxes zaxis childclass fuse gravcomp simple
@@ -33,7 +36,7 @@ REPRESENTED = """
     body/joint @ actuatorgravcomp
     body/freejoint: name align
     body/geom: name class type pos quat axisangle euler xyaxes zaxis fromto size hfield mesh fitscale
-    body/geom @ mass density shellinertia
+    body/geom @ mass density shellinertia group material rgba
     body/geom/plugin/**
     body/site: name class pos quat axisangle euler xyaxes zaxis fromto mesh
 
@@ -64,19 +67,18 @@ NOTED = (
     ),
     Noted(
         "appearance",
-        "how things look is not represented",
+        "that is not represented: shapes have one color",
         """
         visual/**
         asset/hfield/**
-        asset/material/**
+        asset/material @ emission metallic reflectance roughness shininess specular texrepeat texuniform
+        asset/material/layer/**
         asset/skin/**
-        asset/texture/**
-        asset/mesh @ material
         body/camera/**
         body/light/**
         body/freejoint @ group
         body/joint @ group
-        body/geom @ castshadow group material rgba
+        body/geom @ castshadow
         body/site @ group material rgba size type
         deformable/skin/**
         """,

@@ -8,9 +8,13 @@ from typing import Any
 import numpy as np
 
 from linkwork.arrays import Floats
+from linkwork.importers.building import Options, check_options
 from linkwork.importers.description import Coupling, Description, JointDescription, LinkDescription, Note
 from linkwork.importers.frames import Frame
 from linkwork.importers.xml_text import Node, Reader
+
+#: Coordinates beyond which a joint counts as free; kinds of joints that can have stops.
+UNLIMITED, STOPPED = 1e15, ("revolute", "translational")
 
 #: The text of a quantity by its name: of an attribute (URDF) or of a child (SDF).
 Texts = Callable[[str], str | None]
@@ -19,7 +23,9 @@ Texts = Callable[[str], str | None]
 class RobotFile:
     """Links and joints of a file on their way into a description."""
 
-    def __init__(self) -> None:
+    def __init__(self, options: Options) -> None:
+        check_options(options)
+        self.stops = options.get("limits", "note") == "stops"
         self.notes: list[Note] = []
         self.lines: dict[str, int] = {}  #: of each link and joint, such as "link arm"
         self.links: dict[str, LinkDescription] = {}
@@ -35,8 +41,18 @@ class RobotFile:
             if node.one(tag) is not None:
                 self.note(tag, who, f"its {tag}{what} is not represented")
 
-    def note_geometry(self, node: Node, who: str) -> None:
-        self.note_children(node, who, ("visual", "collision"), " geometry")
+    def limit(
+        self, joint: JointDescription, lower: float, upper: float, unit: str, others: list[str]
+    ) -> None:
+        """The ends of a joint as stops, or noted; `others`, such as "effort 3", are noted in any case."""
+        found = list(others)
+        ends = f"{lower:g} to {upper:g} {unit}".strip()
+        if max(abs(lower), abs(upper)) < UNLIMITED and joint.kind in STOPPED and lower < upper:
+            joint.stops = (lower, upper) if self.stops else None
+        if min(abs(lower), abs(upper)) < UNLIMITED and joint.stops is None:
+            found.insert(0, ends)
+        if found:
+            self.note("limits", f"joint '{joint.name}'", f"limits {', '.join(found)} are not represented")
 
     def check_couplings(self, reader: Reader) -> None:
         """Faults: joints that follow what is not there, or in the end themselves."""

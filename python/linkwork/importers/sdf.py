@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from functools import partial
 from typing import Unpack
 
 import numpy as np
@@ -24,6 +25,8 @@ from linkwork.importers.robot_file import RobotFile, coupling, direction, set_in
 from linkwork.importers.sdf_coverage import SDF
 from linkwork.importers.sdf_includes import Library, Source
 from linkwork.importers.sdf_scopes import Scope
+from linkwork.importers.sdf_visuals import shapes_of
+from linkwork.importers.visuals import Visuals
 from linkwork.importers.xml_text import Node, Reader, is_true
 
 __all__ = ["import_sdf"]
@@ -60,22 +63,23 @@ def import_sdf(
 ) -> Imported:
     """The mechanism in an SDF file, with its closed loops, at the poses of its links or at `coordinates`.
 
-    search_path  folders where models of other files are looked for: model://arm is the folder or file arm in
-                 one of them or beside the file; a path is relative to the file, or to one of them. What an
-                 <include> means must be in these folders; nothing is downloaded
+    search_path  folders where models of other files are looked for, and meshes: model://arm is the folder or
+                 file arm in one of them or beside the file; a path is relative to the file, or to one of
+                 them. What an <include> means must be in these folders; nothing is downloaded
 
     Other options are those of linkwork.importers.building.Options: floating, coordinates, velocities,
-    gravity, keep_massless, repair_inertia, align_axes, couple, merge_fixed. Links that nothing joins to the
+    gravity, keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed.
+    Links look like their visual geometry. Links that nothing joins to the
     world move freely, unless their model is static or floating=False. Joints stand where the poses of the
     links put them; those that close loops have no coordinates of their own. Links and joints of models in
     models, and of the models of a world with several, are called model::name.
 
-    Not represented, and listed in the notes: limits, plugins, geometry, and what else
-    linkwork.importers.sdf_coverage lists. ModelFileError: what is wrong in the file, with lines; moving links
-    without inertia. ModelError: wrong coordinates.
+    Not represented, and listed in the notes: limits, unless limits="stops", plugins, collision geometry, and
+    what else linkwork.importers.sdf_coverage lists. ModelFileError: what is wrong in the file, with lines;
+    moving links without inertia. ModelError: wrong coordinates.
     """
     library, source = Library.of(path, search_path)
-    file = _SdfFile(source, library)
+    file = _SdfFile(source, library, search_path, options)
     library.finish()
     description = file.description(
         source.reader.path, file.root.name, gravity=np.array(file.gravity), grounded=file.grounded
@@ -86,9 +90,18 @@ def import_sdf(
 class _SdfFile(RobotFile):
     """All models of a file."""
 
-    def __init__(self, source: Source, library: Library) -> None:
-        super().__init__()
+    def __init__(
+        self,
+        source: Source,
+        library: Library,
+        search_path: Sequence[str | os.PathLike[str]],
+        options: Options,
+    ) -> None:
+        super().__init__(options)
         self._reader = reader = source.reader
+        wanted = options.get("shapes", True)
+        self._visuals: dict[str, Visuals] = {}  #: by the path of the file
+        self._visuals_of = partial(Visuals, search_path=search_path, note=self.note, wanted=wanted)
         self.root = Scope(self._first(), source, library)
         self.grounded: set[str] = set()  #: links of static models
         self._gearboxes: list[tuple[Scope, str, Node]] = []
@@ -97,6 +110,8 @@ class _SdfFile(RobotFile):
                 read(scope)
         for scope, name, node in self._gearboxes:
             self._gearbox(scope, name, node)
+        for visuals in self._visuals.values():
+            visuals.finish()
         self._report(library)
         if not self.links:
             reader.add(self.root.node, "model", "has no links")
@@ -148,7 +163,8 @@ class _SdfFile(RobotFile):
     def _link(self, scope: Scope, name: str, node: Node) -> LinkDescription:
         link = LinkDescription(scope.prefix + name, pose=scope.absolute @ scope.pose_of("link", name))
         who, reader = f"link '{link.name}'", scope.reader
-        self.note_geometry(node, who)
+        self.note_children(node, who, ("collision",), " geometry")
+        self._read_visuals(scope, node, link)
         gravity = node.word("gravity")
         link.weightless = float(gravity is not None and not is_true(gravity))
         inertial = node.one("inertial")
@@ -172,6 +188,19 @@ class _SdfFile(RobotFile):
         if inertial.one("fluid_added_mass") is not None:
             self.note("fluid_added_mass", who, "its added mass is not represented")
         return link
+
+    def _read_visuals(self, scope: Scope, node: Node, link: LinkDescription) -> None:
+        path = scope.source.reader.path
+        visuals = self._visuals.setdefault(path, self._visuals_of(path))
+        for visual in node.all("visual"):
+            who = f"link '{link.name}' visual"
+            pose = visual.one("pose")
+            named = pose is not None and (pose.attributes.get("relative_to") or pose.attributes.get("frame"))
+            frame = scope.own(visual, who)
+            if named and named != link.name:
+                at = scope.absolute @ scope.pose(named, visual)
+                frame = link.pose.inverse @ at @ frame
+            visuals.add(link.shapes, who, partial(shapes_of, visuals, visual), frame)
 
     def _ends(self, scope: Scope, name: str, node: Node) -> tuple[str, str] | None:
         """The full names of the links that a joint joins."""
@@ -256,19 +285,18 @@ class _SdfFile(RobotFile):
             if dynamics is not None:
                 setattr(joint, field, reader.number(dynamics, dynamics.word(tag), f"{who} {tag}", 0.0))
         if limit is not None:
-            self._limits(reader, limit, who)
+            self._limits(reader, limit, joint)
         if mimic is not None:
             self.couplings.append(self._mimic(scope, mimic, joint))
 
-    def _limits(self, reader: Reader, limit: Node, who: str) -> None:
+    def _limits(self, reader: Reader, limit: Node, joint: JointDescription) -> None:
+        who = f"joint '{joint.name}'"
         lower, upper = (reader.number(limit, limit.word(end), f"{who} {end}", sign * 1e16)
                         for end, sign in (("lower", -1), ("upper", 1)))  # fmt: skip
         words = ((tag, limit.word(tag)) for tag in ("effort", "velocity", "stiffness", "dissipation"))
         found = [f"{tag} {text}" for tag, text in words if text]
-        if min(abs(lower), abs(upper)) < 1e15:
-            found.insert(0, f"{lower:g} to {upper:g}")
-        if found:
-            self.note("limits", who, f"limits {', '.join(found)} are not represented")
+        unit = {"revolute": "rad", "translational": "m"}.get(joint.kind, "")
+        self.limit(joint, lower, upper, unit, found)
 
     def _mimic(self, scope: Scope, mimic: Node, joint: JointDescription) -> Coupling:
         leader = mimic.attributes.get("joint", "")

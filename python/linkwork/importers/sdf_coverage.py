@@ -21,6 +21,21 @@ REPRESENTED = """
     link/inertial/pose: rotation_format degrees
     link/inertial/inertia > ixx ixy ixz iyy iyz izz
 
+    link/visual: name
+    link/visual > transparency
+    link/visual/pose: frame relative_to rotation_format degrees
+    link/visual/geometry
+    link/visual/geometry > box capsule cylinder ellipsoid empty mesh plane sphere
+    link/visual/geometry/box > size
+    link/visual/geometry/capsule > radius length
+    link/visual/geometry/cylinder > radius length
+    link/visual/geometry/ellipsoid > radii
+    link/visual/geometry/sphere > radius
+    link/visual/geometry/plane > normal size
+    link/visual/geometry/mesh > uri scale
+    link/visual/material
+    link/visual/material > diffuse ambient
+
     joint: name type
     joint > parent child gearbox_ratio gearbox_reference_body thread_pitch screw_thread_pitch axis axis2
     joint/axis > use_parent_model_frame dynamics
@@ -33,7 +48,14 @@ REPRESENTED = """
 """
 
 NOTED = (
-    Noted("visual", "", "link/visual/**", by_name=True),
+    Noted("visual", "", "link/visual/geometry > image/** heightmap/** polyline/**", by_name=True),
+    Noted("appearance", "is not represented: shapes have one color",
+          """
+          link/visual > cast_shadows laser_retro visibility_flags meta/** plugin/** frame/**
+          link/visual/geometry/mesh/submesh/**
+          link/visual/material > double_sided emissive lighting pbr/** render_order
+          link/visual/material > script/** shader/** specular
+          """),
     Noted("collision", "", "link/collision/**", by_name=True),
     Noted("fluid_added_mass", "", "link/inertial/fluid_added_mass/**", by_name=True),
     Noted("physics", "", "joint/physics/**", by_name=True),
@@ -105,5 +127,5 @@ SDF = Coverage(
         **{f"{around}/{tag}": tag for around in ("world", "model") for tag in ("include", "joint", "frame")},
         **{f"{around}/pose": "pose" for around in ("model", "include", "link", "joint", "frame")},
     },
-    several="model link joint frame include",
+    several="model link joint frame include link/visual",
 )

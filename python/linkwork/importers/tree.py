@@ -41,7 +41,7 @@ def link_states(description: Description, coordinates: Values, velocities: Value
     for joint in tree:
         children.setdefault(joint.parent, []).append(joint)
     carried = {joint.child for joint in tree}
-    q = _with_couplings(description, _checked(description, coordinates, "coordinates"), offsets=True)
+    q = joint_values(description, coordinates)
     rates = _with_couplings(description, _checked(description, velocities, "velocities"), offsets=False)
 
     states: dict[str, LinkState] = {WORLD: LinkState()}
@@ -67,6 +67,14 @@ def link_states(description: Description, coordinates: Values, velocities: Value
                 f"joint '{name}' closes a loop: its coordinate follows from the others", code="coordinates"
             )
     return states
+
+
+def joint_values(description: Description, coordinates: Values) -> dict[str, Floats]:
+    """From where both sides of each joint agree, of the joints that are given and those that follow them.
+
+    ModelError: a joint that does not exist, or another number of coordinates.
+    """
+    return _with_couplings(description, _checked(description, coordinates, "coordinates"), offsets=True)
 
 
 def _checked(description: Description, given: Values, what: str) -> dict[str, Floats]:

@@ -3,23 +3,37 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from functools import partial
 from typing import TypeVar, Unpack
 
 import numpy as np
 
 from linkwork.arrays import Floats
+from linkwork.errors import ModelError
 from linkwork.importers.building import Options, build
 from linkwork.importers.coverage import report
 from linkwork.importers.description import Imported, JointDescription, LinkDescription, Motion
 from linkwork.importers.frames import Frame, from_rpy
-from linkwork.importers.robot_file import RobotFile, coupling, direction, set_inertia
+from linkwork.importers.robot_file import RobotFile, Texts, coupling, direction, set_inertia
 from linkwork.importers.urdf_coverage import URDF
+from linkwork.importers.visuals import GRAY, Visuals, capsule, hex_of, numbers
 from linkwork.importers.xml_text import Node, Reader
+from linkwork.modeling.shapes import Box, Cylinder, Shape, Sphere
 from linkwork.rotation import perpendicular
 
 __all__ = ["import_urdf"]
 
 X = np.array([1.0, 0.0, 0.0])
+
+#: Visual geometry that needs no file, from its attributes and a color.
+SOLIDS: Mapping[str, Callable[[Texts, str], Sequence[Shape]]] = {
+    "box": lambda texts, color: [Box(numbers(texts("size"), 3, "box size"), color=color)],
+    "cylinder": lambda texts, color: [Cylinder(*_round(texts, "cylinder"), color=color)],
+    "capsule": lambda texts, color: capsule(*_round(texts, "capsule"), color),
+    "sphere": lambda texts, color: [Sphere(numbers(texts("radius"), 1, "sphere radius")[0], color=color)],
+}
 
 #: How joints with axes are called here.
 KINDS = {
@@ -33,34 +47,51 @@ KINDS = {
 OTHERS = {"fixed": "fixed", "floating": "free", "spherical": "spherical", "ball": "spherical"}
 
 
-def import_urdf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
+def import_urdf(
+    path: str | os.PathLike[str],
+    *,
+    search_path: Sequence[str | os.PathLike[str]] = (),
+    **options: Unpack[Options],
+) -> Imported:
     """The robot in a URDF file, at joint coordinates zero or at `coordinates`.
 
-    Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
-    keep_massless, repair_inertia, align_axes, couple, merge_fixed. The base is the ground, unless
-    floating=True. Each link is a body of the same name, its axes those of the link; massless links are parts
-    of the links that they are fixed to.
+    search_path  folders where meshes are looked for: package://name/... is in a folder of that name in one of
+                 them or of ROS_PACKAGE_PATH, or around the file
 
-    Not represented, and listed in the notes: limits, transmissions, geometry, and what else
-    linkwork.importers.urdf_coverage lists. ModelFileError: what is
-    wrong in the file, with lines; moving links without inertia. ModelError: coordinates of joints that do not
-    exist.
+    Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
+    keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. The base is
+    the ground, unless floating=True. Each link is a body of the same name, its axes those of the link;
+    massless links are parts of the links that they are fixed to. Links look like their visual geometry.
+
+    Not represented, and listed in the notes: limits, unless limits="stops", transmissions, collision
+    geometry, and what else linkwork.importers.urdf_coverage lists. ModelFileError: what is wrong in the file,
+    with lines; moving links without inertia. ModelError: coordinates of joints that do not exist.
     """
     reader = Reader(path, "robot")
-    robot = _Robot(reader)
+    robot = _Robot(reader, search_path, options)
     reader.finish()
     name = reader.root.attributes.get("name", "")
     return build(robot.description(reader.path, name, grounded=robot.links), options, robot.lines)
+
+
+def _round(texts: Texts, kind: str) -> tuple[float, float]:
+    """Radius and length."""
+    radius, length = (numbers(texts(what), 1, f"{kind} {what}")[0] for what in ("radius", "length"))
+    return radius, length
 
 
 _Named = TypeVar("_Named", LinkDescription, JointDescription)
 
 
 class _Robot(RobotFile):
-    def __init__(self, reader: Reader) -> None:
-        super().__init__()
+    def __init__(
+        self, reader: Reader, search_path: Sequence[str | os.PathLike[str]], options: Options
+    ) -> None:
+        super().__init__(options)
         self._reader = reader
         root = reader.root
+        self._visuals = Visuals(reader.path, search_path, self.note, options.get("shapes", True))
+        self._colors = dict(_colors(root))
         for node in root.children:
             if node.tag == "link":
                 self._once(self.links, node, self._link(node))
@@ -70,6 +101,7 @@ class _Robot(RobotFile):
                     self._once(self.joints, node, joint)
             elif node.tag.startswith("xacro:"):
                 reader.add(node, node.tag, "is a macro: expand the file by xacro first")
+        self._visuals.finish()
         report(URDF.survey(root), self.note, reader.add)
         self._check_tree()
         self.check_couplings(reader)
@@ -89,7 +121,9 @@ class _Robot(RobotFile):
     def _link(self, node: Node) -> LinkDescription:
         link = LinkDescription(self._name(node))
         who = f"link '{link.name}'"
-        self.note_geometry(node, who)
+        self.note_children(node, who, ("collision",), " geometry")
+        for visual in node.all("visual"):
+            self._visuals.add(link.shapes, who, partial(self._shapes, visual), self._origin(visual, who))
         inertial = node.one("inertial")
         if inertial is None:
             return link
@@ -105,6 +139,21 @@ class _Robot(RobotFile):
             link, self._reader, frame, tensor, tensor.attributes.get, {"ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
         )
         return link
+
+    def _shapes(self, visual: Node) -> Sequence[Shape]:
+        """Of one visual geometry, in its frame."""
+        given = visual.find("material", "color")
+        name = (visual.one("material") or visual).attributes.get("name", "")
+        color = _color(given) if given is not None else self._colors.get(name)
+        geometry = visual.one("geometry")
+        for node in geometry.children if geometry is not None else ():
+            texts = node.attributes.get
+            if node.tag == "mesh":
+                scale = numbers(texts("scale"), 3, "mesh scale", [1.0] * 3)
+                return self._visuals.mesh(texts("filename", ""), scale, otherwise=color)
+            if node.tag in SOLIDS:
+                return SOLIDS[node.tag](texts, color or GRAY)
+        raise ModelError("there is no box, cylinder, capsule, sphere or mesh", code="shape")
 
     def _origin(self, node: Node, who: str) -> Frame:
         origin = node.one("origin")
@@ -136,7 +185,7 @@ class _Robot(RobotFile):
                 _planar(along) if type_ == "planar" else (Motion(joint.kind == "revolute", along),)
             )
             self._dynamics(node, joint, who)
-            self._limits(node, who, type_)
+            self._limits(node, joint, type_)
             self._mimic(node, joint)
         elif type_ in OTHERS:
             joint.kind = OTHERS[type_]
@@ -156,19 +205,19 @@ class _Robot(RobotFile):
                 )
                 setattr(joint, what, value)
 
-    def _limits(self, node: Node, who: str, type_: str) -> None:
+    def _limits(self, node: Node, joint: JointDescription, type_: str) -> None:
         limit = node.one("limit")
         if limit is None:
             return
+        who = f"joint '{joint.name}'"
         lower, upper = (self._reader.number(limit, limit.attributes.get(end), f"{who} limit {end}", 0.0)
                         for end in ("lower", "upper"))  # fmt: skip
         found = [
             f"{what} {text}" for what, text in limit.attributes.items() if what not in ("lower", "upper")
         ]
-        if type_ in ("revolute", "prismatic") and (lower or upper):
-            found.insert(0, f"{lower:g} to {upper:g} {'rad' if type_ == 'revolute' else 'm'}")
-        if found:
-            self.note("limits", who, f"limits {', '.join(found)} are not represented")
+        if type_ not in ("revolute", "prismatic") or not (lower or upper):
+            lower, upper = -np.inf, np.inf
+        self.limit(joint, lower, upper, "rad" if type_ == "revolute" else "m", found)
 
     def _mimic(self, node: Node, joint: JointDescription) -> None:
         mimic = node.one("mimic")
@@ -201,6 +250,21 @@ class _Robot(RobotFile):
                 self._reader.add(
                     by_name[name], f"joint '{name}'", "is part of a ring of joints; a URDF is a tree"
                 )
+
+
+def _colors(root: Node) -> Iterator[tuple[str, str]]:
+    """Of materials by name: those of the robot, and those that a link defines."""
+    visuals = (visual for link in root.all("link") for visual in link.all("visual"))
+    for material in (*(it for visual in visuals for it in visual.all("material")), *root.all("material")):
+        color, name = material.one("color"), material.attributes.get("name")
+        if color is not None and name:
+            with suppress(ModelError):  # said where it is used
+                yield name, _color(color)
+
+
+def _color(node: Node) -> str:
+    """ModelError: no four numbers."""
+    return hex_of(numbers(node.attributes.get("rgba"), 4, "color"))
 
 
 def _planar(normal: Floats) -> tuple[Motion, ...]:

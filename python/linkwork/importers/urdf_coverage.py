@@ -11,6 +11,18 @@ REPRESENTED = """
     link/inertial/origin: xyz rpy
     link/inertial/mass: value
     link/inertial/inertia: ixx ixy ixz iyy iyz izz
+    link/visual: name
+    link/visual/origin: xyz rpy
+    link/visual/geometry
+    link/visual/geometry/box: size
+    link/visual/geometry/cylinder: radius length
+    link/visual/geometry/capsule: radius length
+    link/visual/geometry/sphere: radius
+    link/visual/geometry/mesh: filename scale
+    link/visual/material: name
+    link/visual/material/color: rgba
+    material: name
+    material/color: rgba
     joint: name type
     joint/origin: xyz rpy
     joint/parent: link
@@ -21,25 +33,33 @@ REPRESENTED = """
 """
 
 NOTED = (
-    Noted("visual", "", "link/visual/**", by_name=True),
+    Noted(
+        "appearance", "textures are not represented", "link/visual/material/texture/**\nmaterial/texture/**"
+    ),
     Noted("collision", "", "link/collision/**", by_name=True),
     Noted(
         "limits", "", "joint/limit: lower upper effort velocity acceleration deceleration jerk", by_name=True
     ),
     Noted("calibration", "", "joint/calibration/**", by_name=True),
     Noted("safety_controller", "", "joint/safety_controller/**", by_name=True),
-    Noted("element", "is not represented", "material/**\ntransmission/**\nsensor/**\nlink/sensor/**"),
+    Noted("element", "is not represented", "transmission/**\nsensor/**\nlink/sensor/**"),
     Noted("element", "is not represented: what it changes in Gazebo stays as it is", "gazebo/**"),
     Noted(
         "element", "is not represented: there is no contact", "link/contact/**\nlink/collision_checking/**"
     ),
 )
 
-REFUSED = (Refused("", "link/inertial/origin @ quat_xyzw\njoint/origin @ quat_xyzw", by_name=True),)
+REFUSED = (
+    Refused(
+        "",
+        "link/inertial/origin @ quat_xyzw\njoint/origin @ quat_xyzw\nlink/visual/origin @ quat_xyzw",
+        by_name=True,
+    ),
+)
 
 URDF = Coverage(
     REPRESENTED,
     NOTED,
     REFUSED,
-    several="link joint",
+    several="link joint link/visual material",
 )

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from linkwork import Model
+from linkwork import Box, Cylinder, Model, Rod
+from linkwork.arrays import Floats
 from linkwork.functions import harmonic
 from linkwork.mechanisms.mechanism import Mechanism
 
@@ -81,7 +82,32 @@ def double_wishbone(amplitude: float = 0.02, rate: float = 8.0) -> Model:
         post, wheel, at=(patch, WHEEL_CENTER), normal=up, radius=TIRE_RADIUS, stiffness=TIRE, exponent=1.0,
         name="tire",
     )  # fmt: skip
+    _show(model, patch)
     return model
+
+
+def _show(model: Model, patch: Floats) -> None:
+    """What the bodies look like."""
+    across = (0, 1, 0)
+    model.find("wheel").shape(
+        Cylinder(TIRE_RADIUS, 0.26, axis=across, color="#3b4048"),
+        Cylinder(0.25, 0.28, axis=across, color="#c9ced6"),
+    )
+    post = model.find("post")
+    post.shape(Box((0.45, 0.45, 0.03), position=(0, 0, 0.185)), Rod((0, 0, 0.17), (0, 0, -0.25), 0.04))
+    center = np.array([-0.04, 0, 0.4])
+    frame = [np.array([x, 0.26, z]) for x, z in ((0.3, 0.0), (-0.4, 0.0), (-0.4, 0.32), (0.3, 0.32))]
+    beams = [Rod(a - center, b - center, 0.022) for a, b in zip(frame, frame[1:] + frame[:1], strict=True)]
+    brackets = [Rod(point * (1, 0, 1) + (0, 0.26, 0) - center, point - center, 0.014)
+                for point in (LOWER_HINGE, UPPER_FRONT, UPPER_BACK, STRUT_TOP, TIE_INNER)]  # fmt: skip
+    model.find("chassis").shape(*beams, *brackets)
+    front, back = (LOWER_HINGE + np.array([x, 0, 0]) for x in (0.2, -0.2))
+    for name, (first, second, ball) in {
+        "lower arm": (front, back, LOWER_BALL), "upper arm": (UPPER_FRONT, UPPER_BACK, UPPER_BALL)
+    }.items():  # fmt: skip
+        center = np.array(ARMS[name][2])
+        ends = ((first, ball), (second, ball), (first, second))
+        model.find(name).shape(*(Rod(a - center, b - center, 0.018) for a, b in ends))
 
 
 DOUBLE_WISHBONE = Mechanism(double_wishbone, t_end=5.0, step=1e-3)

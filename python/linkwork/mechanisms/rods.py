@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+from linkwork.arrays import Number
+
 __all__ = ["square_rod", "thin_rod"]
 
 
-def square_rod(mass: float, length: float, side: float) -> tuple[float, float, float]:
+def square_rod(mass: Number, length: Number, side: Number) -> tuple[float, float, float]:
     """Principal moments [kg m2] of a rod of square section: m s^2 / 6, m (l^2 + s^2) / 12 twice."""
-    across = mass * (length**2 + side**2) / 12
-    return mass * side**2 / 6, across, across
+    across = float(mass * (length**2 + side**2) / 12)
+    return float(mass * side**2 / 6), across, across
 
 
-def thin_rod(mass: float, length: float) -> tuple[float, float, float]:
+def thin_rod(mass: Number, length: Number) -> tuple[float, float, float]:
     """Principal moments [kg m2] of a rod in plane motion: m l^2 / 12 twice.
 
     The moment about its own axis, which the motion never feels, is not zero: the mass matrix stays regular.
     """
-    across = mass * length**2 / 12
+    across = float(mass * length**2 / 12)
     return across / 100, across, across

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,9 +27,13 @@ class Bodies:
         self._model, self._core = model, core
         self.ground = Body("ground", -1, model)
 
-    def add(self, names: str | list[str], mass: Floats, inertia: Floats, **state: Floats) -> Range[Body]:
-        """Hand k bodies to the compiled model, which checks them; every array has a leading k."""
-        first = self._core.add_bodies(names, mass, inertia, **state)
+    def add(self, names: str | list[str], mass: Floats, inertia: Floats, as_is: Sequence[bool] = (),
+            **state: Floats) -> Range[Body]:  # fmt: skip
+        """Hand k bodies to the compiled model, which checks them; every array has a leading k.
+
+        `as_is`: for each whether its inertia may be that of no real body; empty: none.
+        """
+        first = self._core.add_bodies(names, mass, inertia, **state, inertia_as_is=list(as_is))
         return Range(range(first, first + len(mass)), self.handle)
 
     def handle(self, index: int) -> Body:

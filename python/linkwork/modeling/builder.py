@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, arguments, functions
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, Number, VectorLike
 from linkwork.errors import ModelError, about, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.modeling.bodies import Bodies
@@ -46,7 +46,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         _check_name(name, "model")
         self._name = name
 
-    def __init__(self, gravity: ArrayLike = (0.0, 0.0, -9.81), name: str = "") -> None:
+    def __init__(self, gravity: VectorLike = (0.0, 0.0, -9.81), name: str = "") -> None:
         """`gravity`: acceleration (3,), inertial [m/s2]. ModelError: not three finite numbers."""
         self.name = name
         self._core = _core.Model(arguments.shaped(gravity, [(3,)], "model", "gravity"))
@@ -71,13 +71,14 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         self,
         name: str | None = None,
         *,
-        mass: float,
-        inertia: ArrayLike,
-        position: ArrayLike = (0.0, 0.0, 0.0),
-        orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
-        velocity: ArrayLike = (0.0, 0.0, 0.0),
-        omega: ArrayLike = (0.0, 0.0, 0.0),
+        mass: Number,
+        inertia: VectorLike,
+        position: VectorLike = (0.0, 0.0, 0.0),
+        orientation: VectorLike = (1.0, 0.0, 0.0, 0.0),
+        velocity: VectorLike = (0.0, 0.0, 0.0),
+        omega: VectorLike = (0.0, 0.0, 0.0),
         shape: ShapesLike = (),
+        inertia_as_is: bool = False,
     ) -> Body:
         """Add a rigid body as it is at t = 0.
 
@@ -88,6 +89,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         velocity     of the center of mass (3,), inertial [m/s]
         omega        angular velocity (3,), body axes [rad/s]
         shape        what it looks like: one or several Box, Cylinder, ...; without, as its joints suggest
+        inertia_as_is  take principal moments that no real body has, the largest above the sum of the others,
+                     as files of robots state them; refused otherwise
 
         ModelError: a value that no body can have, or a name that is taken.
         """
@@ -99,7 +102,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         state = {what: arguments.shaped(x, [(3,)], who, what)[None] for what, x in vectors.items()}
         state["orientation"] = arguments.shaped(orientation, [(4,)], who, "orientation")[None]
         shapes = self._shapes.checked(shape)
-        body = self._bodies.add([name], m[None], (np.diag(J) if J.ndim == 1 else J)[None], **state)[0]
+        tensor = (np.diag(J) if J.ndim == 1 else J)[None]
+        body = self._bodies.add([name], m[None], tensor, [inertia_as_is], **state)[0]
         self._shapes.set(range(body.index, body.index + 1), shapes)
         return body
 
@@ -108,11 +112,11 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         name: str | Sequence[str],
         *,
         mass: ArrayLike,
-        inertia: ArrayLike,
-        position: ArrayLike,
-        orientation: ArrayLike = (1.0, 0.0, 0.0, 0.0),
-        velocity: ArrayLike = (0.0, 0.0, 0.0),
-        omega: ArrayLike = (0.0, 0.0, 0.0),
+        inertia: VectorLike,
+        position: VectorLike,
+        orientation: VectorLike = (1.0, 0.0, 0.0, 0.0),
+        velocity: VectorLike = (0.0, 0.0, 0.0),
+        omega: VectorLike = (0.0, 0.0, 0.0),
         shape: ShapesLike = (),
     ) -> Range[Body]:
         """Add k bodies at once, named name[0], name[1], ..., or by k names; linear in time and memory.
@@ -137,7 +141,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         }
         full = {what: np.broadcast_to(x, (k, x.shape[-1])) for what, x in state.items()}
         shapes, first = self._shapes.checked(shape), self.body_count
-        bodies = self._bodies.add(names, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), **full)
+        bodies = self._bodies.add(names, np.broadcast_to(m, (k,)), np.broadcast_to(J, (k, 3, 3)), (), **full)
         self._shapes.set(range(first, first + k), shapes)
         return bodies
 
@@ -262,7 +266,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         *,
         force: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         torque: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
-        at: ArrayLike | None = None,
+        at: VectorLike | None = None,
         frame: Literal["inertial", "body"] = "inertial",
         breaks: ArrayLike = (),
         name: str | None = None,
@@ -290,7 +294,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         a: BodyLike,
         b: BodyLike,
         *,
-        at: ArrayLike | tuple[ArrayLike, ArrayLike],
+        at: VectorLike,
         stiffness: TimeFunctionLike = 0.0,
         damping: TimeFunctionLike = 0.0,
         free_length: TimeFunctionLike = None,
@@ -319,9 +323,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         a: BodyLike,
         b: BodyLike,
         *,
-        axis: ArrayLike | tuple[ArrayLike, ArrayLike],
-        at: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
-        x_axis: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        axis: VectorLike,
+        at: VectorLike | None = None,
+        x_axis: VectorLike | None = None,
         stiffness: TimeFunctionLike = 0.0,
         damping: TimeFunctionLike = 0.0,
         free_angle: TimeFunctionLike = 0.0,
@@ -371,8 +375,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         a: BodyLike,
         b: BodyLike,
         *,
-        at: ArrayLike | tuple[ArrayLike, ArrayLike],
-        orientation: ArrayLike | tuple[ArrayLike, ArrayLike] | None = None,
+        at: VectorLike,
+        orientation: VectorLike | None = None,
         stiffness: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         rotational_stiffness: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),
         damping: Sequence[TimeFunctionLike] = (0.0, 0.0, 0.0),

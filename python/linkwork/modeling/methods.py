@@ -121,7 +121,7 @@ def _signature(kind: _core.KindInfo) -> Signature:
 def _type_of(kind: _core.KindInfo, name: str) -> str:
     """Of an argument, as in the stubs."""
     parameter = kind.parameters.get(name)
-    return "ArrayLike" if parameter is None else "float" if parameter.constant else "TimeFunctionLike"
+    return "VectorLike" if parameter is None else "Number" if parameter.constant else "TimeFunctionLike"
 
 
 def _returned(kind: _core.KindInfo) -> str:
@@ -181,6 +181,7 @@ _STUB_HEAD = '''\
 
 from numpy.typing import ArrayLike
 
+from linkwork.arrays import Number, VectorLike
 from linkwork.functions import TimeFunctionLike
 from linkwork.modeling.handles import BodyLike, Force, Joint
 from linkwork.modeling.placement import Frames

@@ -9,19 +9,19 @@ from where its joints sit and from its inertia, see linkwork.view.appearance.
 
 from __future__ import annotations
 
+import copy
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from linkwork import rotation
 from linkwork.arguments import array, is_number, optional_package
-from linkwork.arrays import Floats, Indices
+from linkwork.arrays import Floats, Indices, Number, VectorLike
 from linkwork.errors import FileError, ModelError
 
 __all__ = ["Box", "Cylinder", "Mesh", "Rod", "Shape", "Shapes", "ShapesLike", "Sphere"]
@@ -37,7 +37,7 @@ class Shape:
     orientation: Floats  #: Euler parameters (4,), axes of the shape to axes of the body
     color: str | None  #: "#rrggbb"; None: that of the body
 
-    def _place(self, position: ArrayLike, orientation: ArrayLike, color: str | None) -> None:
+    def _place(self, position: VectorLike, orientation: VectorLike, color: str | None) -> None:
         p = _vector(self.kind, "orientation", orientation, 4)
         length = float(np.linalg.norm(p))
         if abs(length - 1) > 1e-6:
@@ -53,6 +53,15 @@ class Shape:
     def dimensions(self) -> dict[str, Any]:
         """The arguments that only this kind has; plain numbers and lists, or the arrays of a mesh."""
         raise NotImplementedError
+
+    def moved(self, origin: Floats, axes: Floats) -> Self:
+        """The same shape, outside of a frame with that origin (3,) and axes (3, 3), in columns, which it is
+        in.
+        """
+        out = copy.copy(self)  # a mesh shares its arrays
+        p = rotation.from_matrix(axes @ rotation.matrix(self.orientation))
+        out._set(position=origin + axes @ self.position, orientation=p)
+        return out
 
     def description(self) -> dict[str, Any]:
         """All of it as `Shape.of` takes it; JSON but for the arrays of a mesh."""
@@ -81,8 +90,8 @@ class Box(Shape):
     kind = "box"
     size: Floats
 
-    def __init__(self, size: ArrayLike, *, position: ArrayLike = (0, 0, 0),
-                 orientation: ArrayLike = (1, 0, 0, 0), color: str | None = None) -> None:  # fmt: skip
+    def __init__(self, size: VectorLike, *, position: VectorLike = (0, 0, 0),
+                 orientation: VectorLike = (1, 0, 0, 0), color: str | None = None) -> None:  # fmt: skip
         """ModelError: an edge that is not positive."""
         edges = _vector("box", "size", size, 3)
         for edge in edges:
@@ -100,8 +109,8 @@ class Sphere(Shape):
     kind = "sphere"
     radius: float
 
-    def __init__(self, radius: float, *, position: ArrayLike = (0, 0, 0),
-                 orientation: ArrayLike = (1, 0, 0, 0), color: str | None = None) -> None:  # fmt: skip
+    def __init__(self, radius: Number, *, position: VectorLike = (0, 0, 0),
+                 orientation: VectorLike = (1, 0, 0, 0), color: str | None = None) -> None:  # fmt: skip
         """ModelError: a radius that is not positive."""
         self._set(radius=_positive("sphere", "radius", radius))
         self._place(position, orientation, color)
@@ -117,8 +126,8 @@ class Cylinder(Shape):
     radius: float
     length: float
 
-    def __init__(self, radius: float, length: float, *, axis: ArrayLike | None = None,
-                 position: ArrayLike = (0, 0, 0), orientation: ArrayLike = (1, 0, 0, 0),
+    def __init__(self, radius: Number, length: Number, *, axis: VectorLike | None = None,
+                 position: VectorLike = (0, 0, 0), orientation: VectorLike = (1, 0, 0, 0),
                  color: str | None = None) -> None:  # fmt: skip
         """ModelError: a radius or length that is not positive, an axis without direction."""
         self._set(
@@ -141,7 +150,7 @@ class Rod(Shape):
     radius: float
 
     def __init__(
-        self, start: ArrayLike, end: ArrayLike, radius: float | None = None, *, color: str | None = None
+        self, start: VectorLike, end: VectorLike, radius: Number | None = None, *, color: str | None = None
     ) -> None:
         """ModelError: a rod without length, a radius that is not positive."""
         a, b = _vector("rod", "start", start, 3), _vector("rod", "end", end, 3)
@@ -149,6 +158,9 @@ class Rod(Shape):
         self._set(start=a, end=b)
         self._place((a + b) / 2, _along(b - a, "rod: start and end coincide, so that its axis"), color)
         self._set(radius=_positive("rod", "radius", length / 25 if radius is None else radius))
+
+    def moved(self, origin: Floats, axes: Floats) -> Rod:
+        return Rod(origin + axes @ self.start, origin + axes @ self.end, self.radius, color=self.color)
 
     def dimensions(self) -> dict[str, Any]:
         return {"start": self.start.tolist(), "end": self.end.tolist(), "radius": self.radius}
@@ -161,8 +173,8 @@ class Mesh(Shape):
     vertices: Floats  #: (n, 3) [m]
     triangles: Indices  #: (m, 3) places in `vertices`, counterclockwise from outside
 
-    def __init__(self, vertices: ArrayLike, triangles: ArrayLike, *, position: ArrayLike = (0, 0, 0),
-                 orientation: ArrayLike = (1, 0, 0, 0), color: str | None = None) -> None:  # fmt: skip
+    def __init__(self, vertices: VectorLike, triangles: VectorLike, *, position: VectorLike = (0, 0, 0),
+                 orientation: VectorLike = (1, 0, 0, 0), color: str | None = None) -> None:  # fmt: skip
         """ModelError: arrays of other shapes, or triangles of vertices that there are not."""
         points, corners = np.asarray(vertices, float), np.asarray(triangles, np.int32)
         if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
@@ -177,8 +189,8 @@ class Mesh(Shape):
         self._place(position, orientation, color)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, scale: float = 1.0, position: ArrayLike = (0, 0, 0),
-             orientation: ArrayLike = (1, 0, 0, 0), color: str | None = None) -> Mesh:  # fmt: skip
+    def load(cls, path: str | os.PathLike[str], *, scale: Number = 1.0, position: VectorLike = (0, 0, 0),
+             orientation: VectorLike = (1, 0, 0, 0), color: str | None = None) -> Mesh:  # fmt: skip
         """An STL or OBJ file; `scale` 1e-3 for one in mm. FileError: missing, or not such a file."""
         if Path(path).suffix.lower() not in (".stl", ".obj"):
             raise FileError(
@@ -247,7 +259,7 @@ def _runs(bodies: Indices) -> list[range]:
     return [range(int(part[0]), int(part[-1]) + 1) for part in np.split(bodies, breaks) if len(part)]
 
 
-def _vector(kind: str, what: str, value: ArrayLike, size: int) -> Floats:
+def _vector(kind: str, what: str, value: VectorLike, size: int) -> Floats:
     vector = array(value, f"{kind}: {what}", ModelError).copy()
     if vector.shape != (size,) or not np.isfinite(vector).all():
         raise ModelError(f"{kind}: {what} {value!r} is not {size} finite numbers", code="shape")

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from linkwork import _core, rotation
 from linkwork.arguments import UNREADABLE, is_one_of
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, VectorLike
 from linkwork.errors import ModelError
 from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken
 from linkwork.modeling.coordinates import coordinate_of
@@ -160,8 +160,8 @@ class SpecialJointMethods:
         a: BodyLike,
         b: BodyLike,
         *,
-        points: ArrayLike,
-        at: ArrayLike,
+        points: VectorLike,
+        at: VectorLike,
         closed: bool = False,
         frames: Frames = "space",
         name: str | None = None,
@@ -198,7 +198,7 @@ class SpecialJointMethods:
         return model._keep("point_on_curve", index, CurveData(curve, point, closed))
 
 
-def _points(points: ArrayLike, subject: Subject) -> Floats:
+def _points(points: VectorLike, subject: Subject) -> Floats:
     try:
         array = np.array(points, dtype=float)
     except UNREADABLE:

@@ -35,7 +35,7 @@ COLUMNS: Mapping[What, Sequence[str]] = {
 
 @dataclass(frozen=True, repr=False)
 class Table(Sequence[Mapping[str, str]]):
-    """Rows of texts under columns; printed, or shown in a notebook, the first rows."""
+    """Rows of texts under columns, with or without names; printed, or in a notebook, the first rows."""
 
     title: str
     columns: Sequence[str]
@@ -63,13 +63,14 @@ class Table(Sequence[Mapping[str, str]]):
 
         body = "".join(row("td", texts) for texts in self.rows[:PRINTED])
         rest = "".join(f"<p>{line}</p>" for line in self._rest())
+        head = f"<thead>{row('th', self.columns)}</thead>" if any(self.columns) else ""
         return (
-            f"<table><caption>{html.escape(self._head())}</caption><thead>{row('th', self.columns)}</thead>"
+            f'<table style="text-align:left"><caption>{html.escape(self._head())}</caption>{head}'
             f"<tbody>{body}</tbody></table>{rest}"
         )
 
     def _head(self) -> str:
-        return f"{self.title}: {len(self)}"
+        return f"{self.title}: {len(self)}" if any(self.columns) else self.title
 
     def _rest(self) -> list[str]:
         more = len(self) - PRINTED

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 
 #: The most lines of one kind in one picture.
 BODIES, JOINTS = 3, 4
+
+#: Pixels of an inch in a notebook.
+DPI = 80
 
 #: Frames looked at to choose the bodies and joints that tell the most.
 SAMPLED_FRAMES = 50
@@ -264,9 +268,18 @@ def _cycle(count: int) -> list[str]:
 
 def new_figure(width: float, height: float) -> Figure:
     """A figure of its own, drawn by Agg: no window, no pyplot."""
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = Picture(figsize=(width, height), layout="constrained")
     FigureCanvasAgg(figure)
     return figure
+
+
+class Picture(Figure):
+    """A figure that a notebook shows by itself, whether or not pyplot is in use there."""
+
+    def _repr_png_(self) -> bytes:
+        out = io.BytesIO()
+        self.savefig(out, format="png", dpi=DPI)
+        return out.getvalue()
 
 
 def check_format(path: str | os.PathLike[str]) -> None:

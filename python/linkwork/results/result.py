@@ -123,6 +123,14 @@ class Result:
         bodies, joints = self._header.body_count, self._header.joint_count
         return f"<Result: {bodies} bodies, {joints} joints, {len(self)} frames{end}>"
 
+    def _repr_html_(self) -> str:
+        """In a notebook: the summary."""
+        from linkwork.modeling.tables import Table
+        from linkwork.motion import summary
+
+        (_, title), *rows = (pair for pair in summary.lines(self) if pair[1])
+        return Table(title, ("", ""), rows)._repr_html_()
+
     # --- motion ---
 
     @property

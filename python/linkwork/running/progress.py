@@ -214,9 +214,10 @@ class _Notebook:
             self._display("")
 
     def _display(self, text: str) -> None:
-        from IPython.display import display
+        from IPython import display
 
-        display({"text/plain": text}, raw=True, display_id=self._name, update=self._shown)
+        show: Any = display.display  # untyped there
+        show({"text/plain": text}, raw=True, display_id=self._name, update=self._shown)
         self._shown = True
 
 

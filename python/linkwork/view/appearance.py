@@ -1,14 +1,15 @@
 """What is drawn of a mechanism: the shapes that were given, defaults for the rest, symbols for joints.
 
-A body without a shape is drawn as rods between the points of its joints; without such points, or for what
-sticks out beyond them, as the uniform solid that has its mass and inertia. The symbol of a joint follows from
-its equations: which translations and rotations they hold.
+A body without a shape is drawn as rods between the points of its joints, or as a plate where four or more are
+in a plane; without such points, or for what sticks out beyond them, as the uniform solid that has its mass
+and inertia. Two bodies that slide in each other along their length are a cylinder and its piston. The symbol
+of a joint follows from its equations: which translations and rotations they hold.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -16,10 +17,10 @@ import numpy as np
 
 from linkwork import rotation
 from linkwork.arrays import Floats
-from linkwork.modeling.shapes import Box, Cylinder, Rod, Shape, Sphere
+from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Header
 from linkwork.motion.violations import Holds, gaps, joint_kinds
-from linkwork.view import machine_elements
+from linkwork.view import machine_elements, meshes
 from linkwork.view.machine_elements import Form, at
 
 if TYPE_CHECKING:
@@ -34,8 +35,23 @@ JOINT_COLOR, GROUND_COLOR, FORCE_COLOR, PLANE_COLOR = "#3a424d", "#8b929c", "#7d
 #: Of what is stretched between two points.
 SPAN_COLORS = {"bar": "#7a828c", "coil": FORCE_COLOR, "damper": "#98a1ab"}
 
+#: Of many bodies the first to the last are of one color after the other: neighbors look alike.
+RAMP = ("#35608d", "#2f9384", "#7fae4a", "#e3b43c", "#dd7f3c", "#b5547a")
+
+#: Many.
+RAMPED = 200
+
+#: Points are in a plane where they are no farther from it than this part of how far they are apart.
+FLAT = 0.05
+
+#: Radius of a piston over that of its cylinder; a collar's, which ends the cylinder, and its length.
+PISTON, COLLAR, COLLAR_LENGTH = 0.6, 1.3, 2.5
+
 #: Moments of inertia that differ by less are taken for equal.
 EQUAL = 1e-3
+
+#: Around each corner of a plate [rad].
+CORNERS = 2 * np.pi / 12 * np.arange(12)
 
 #: Frames looked at to see how far something slides; joints for which that is done.
 SAMPLED_FRAMES, SLIDES = 100, 500
@@ -93,26 +109,92 @@ def solids(result: Result) -> list[Solid]:
     points = _points_of_bodies(header, holds)
     thickness = _thickness(header, points)
     given = header.shapes.by_body()
-    parts = [_element(it) for it in machine_elements.solid_parts(result, thickness)]
+    telescopes = _telescopes(header, holds, given, thickness)
+    halves = {body: rod for it in telescopes.values() for body, rod in it.items()}
+    parts = [_element(it, header.body_count) for it in machine_elements.solid_parts(result, thickness)]
     wheels = {it.body for it in parts if it.layer == "body"}
     found = [
-        Solid("body", i, i, shape, shape.color or BODY_COLORS[i % len(BODY_COLORS)])
+        Solid("body", i, i, shape, shape.color or body_color(i, header.body_count))
         for i in range(header.body_count)
-        for shape in given.get(i) or default_shapes(points[i], header.mass[i], header.inertia[i], thickness)
+        for shape in given.get(i)
+        or halves.get(i)
+        or default_shapes(points[i], header.mass[i], header.inertia[i], thickness)
         if i in given or i not in wheels or isinstance(shape, Rod)  # a wheel needs no solid of its inertia
     ]
     found += [Solid("ground", -1, -1, shape, shape.color or GROUND_COLOR) for shape in given.get(-1, ())]
     slides = _slides(result, [j for j, it in enumerate(holds) if it.sliding])
     for j, it in enumerate(holds):
-        found += _joint(header, j, it, thickness, slides.get(j))
+        found += [] if j in telescopes else _joint(header, j, it, thickness, slides.get(j))
     return found + parts
 
 
-def _element(it: machine_elements.Placed) -> Solid:
+def body_color(body: int, count: int) -> str:
+    """Of one of so many."""
+    if count < RAMPED:
+        return BODY_COLORS[body % len(BODY_COLORS)]
+    place = body / (count - 1) * (len(RAMP) - 1)
+    first = min(int(place), len(RAMP) - 2)
+    a, b = (np.array(list(bytes.fromhex(RAMP[k][1:]))) for k in (first, first + 1))
+    return "#" + bytes(np.round(a + (place - first) * (b - a)).astype(np.uint8)).hex()
+
+
+# --- cylinders and pistons ---------------------------------------------------------------------------------
+
+
+def _telescopes(
+    header: Header, holds: Sequence[Holds], given: Mapping[int, Sequence[Shape]], thickness: float
+) -> dict[int, dict[int, list[Shape]]]:
+    """Joints along which two bodies slide in each other, with the shapes of both.
+
+    Both are rods along the axis of the joint, from their other joints to where their inertia ends.
+    """
+    pairs = {
+        j: (int(pair[0]), int(pair[1]))
+        for j, pair in enumerate(header.joint_bodies)
+        if holds[j].sliding and min(pair) >= 0 and not {int(pair[0]), int(pair[1])} & set(given)
+    }
+    inner = {frozenset(pair) for pair in pairs.values()}
+    between = [
+        j for j, pair in enumerate(header.joint_bodies) if inner and frozenset(map(int, pair)) in inner
+    ]
+    points = _points_of_bodies(header, holds, set(between)) if pairs else {}
+    found: dict[int, dict[int, list[Shape]]] = {}
+    taken: set[int] = set()
+    for j, pair in pairs.items():
+        axes = header.joint_frame[j, :, :, 2]
+        cylinder, piston = (
+            _half(points.get(body, []), header, body, axis, thickness)
+            for body, axis in zip(pair, axes, strict=True)
+        )
+        if cylinder and piston and not taken & set(pair):
+            taken |= set(pair)
+            found[j] = dict(zip(pair, _telescope(cylinder, piston), strict=True))
+    return found
+
+
+def _telescope(cylinder: Rod, piston: Rod) -> tuple[list[Shape], list[Shape]]:
+    """With a collar where the piston comes out, and so much thinner that it is in the cylinder."""
+    along = cylinder.end - cylinder.start
+    half = COLLAR_LENGTH * cylinder.radius / 2 * along / np.linalg.norm(along)
+    collar = Rod(cylinder.end - half, cylinder.end + half, COLLAR * cylinder.radius)
+    thin = Rod(piston.start, piston.end, PISTON * min(cylinder.radius, piston.radius))
+    return [cylinder, collar], [thin]
+
+
+def _half(points: Sequence[Floats], header: Header, body: int, axis: Floats, thickness: float) -> Rod | None:
+    """The one rod that a body is, from its joint, if it lies along an axis."""
+    shapes = default_shapes(points, header.mass[body], header.inertia[body], thickness) if points else []
+    if len(shapes) != 1 or not isinstance(shapes[0], Rod):
+        return None
+    along = shapes[0].end - shapes[0].start
+    return shapes[0] if abs(along @ axis) > 0.99 * np.linalg.norm(along) else None
+
+
+def _element(it: machine_elements.Placed, count: int) -> Solid:
     """Wheels and balls have the color of their body; balls stand for more than one sees of a body."""
     role, index = it.element.role, it.element.index
     if it.part in ("body", "ball") and it.body >= 0:
-        color, ball = BODY_COLORS[it.body % len(BODY_COLORS)], it.part == "ball"
+        color, ball = body_color(it.body, count), it.part == "ball"
         return Solid("force" if ball else "body", index if ball else it.body, it.body, it.shape, color, ball)
     color = PLANE_COLOR if it.part != "symbol" else FORCE_COLOR if role == "force" else JOINT_COLOR
     return Solid(role, index, it.body, it.shape, color)
@@ -130,6 +212,8 @@ def default_shapes(points: Sequence[Floats], mass: float, inertia: Floats, thick
     if len(corners) == 3:
         pairs = [(0, 1), (1, 2), (2, 0)]
         return [_rod(corners[a], corners[b], thickness) for a, b in pairs]
+    if len(corners) > 3 and (plate := _plate(np.array(corners), thickness)):
+        return [plate]
     if len(corners) > 3:
         return [Sphere(1.8 * thickness), *(_rod(np.zeros(3), arm, thickness) for arm in arms)]
     solid = _uniform_solid(mass, inertia, 3 * thickness)
@@ -139,6 +223,19 @@ def default_shapes(points: Sequence[Floats], mass: float, inertia: Floats, thick
         solid = Box([1.6 * solid.radius] * 3) if isinstance(solid, Sphere) else solid
         return [_at_most(solid, 10 * thickness)]
     return _hanging(arms[0], solid, thickness)
+
+
+def _plate(points: Floats, thickness: float) -> Shape | None:
+    """What covers points (k, 3) in a plane, but not on a line, with an edge beyond them; else None."""
+    middle = points.mean(axis=0)
+    _, spread, axes = np.linalg.svd(points - middle)
+    if spread[2] > FLAT * spread[0] or spread[1] < 4 * FLAT * spread[0]:
+        return None
+    axes[2] = np.cross(axes[0], axes[1])
+    edge = 1.8 * thickness * np.stack([np.cos(CORNERS), np.sin(CORNERS)], axis=1)
+    outline = ((points - middle) @ axes[:2].T)[:, None] + edge
+    return Mesh(*meshes.plate(outline.reshape(-1, 2), 0.5 * thickness), position=middle,
+                orientation=rotation.from_matrix(axes.T))  # fmt: skip
 
 
 def _link(a: Floats, b: Floats, thickness: float) -> list[Shape]:
@@ -219,10 +316,14 @@ def _distinct(points: Sequence[Floats], least: float) -> list[Floats]:
     return found
 
 
-def _points_of_bodies(header: Header, holds: Sequence[Holds]) -> dict[int, list[Floats]]:
-    """Where placed joints and bushings sit on each body."""
+def _points_of_bodies(
+    header: Header, holds: Sequence[Holds], without: Collection[int] = ()
+) -> dict[int, list[Floats]]:
+    """Where placed joints and bushings sit on each body; `without` these joints."""
     points: dict[int, list[Floats]] = defaultdict(list)
     for j, it in enumerate(holds):
+        if j in without:
+            continue
         for body, origin in zip(header.joint_bodies[j], header.joint_origin[j], strict=True):
             if body >= 0 and it.placed:
                 points[int(body)].append(origin)

@@ -119,7 +119,7 @@ def solid_parts(result: Result, thickness: float) -> list[Placed]:
         line = header.curves.get(it.index, np.zeros((0, 3)))
         found += [Placed(it, it.bodies[0], Rod(a, b, 0.5 * thickness), "plane") for a, b in pairwise(line)]
     for it in elements(header, "force"):
-        if "radius" in it.numbers:
+        if "radius" in it.numbers and it.bodies[0] not in shaped:
             planes.append((it, 2 * abs(it.numbers["radius"])))
         parts = _force(it, thickness)
         found += [placed for placed in parts if placed.part == "symbol" or placed.body not in shaped]
@@ -138,10 +138,7 @@ def _placement(it: Element) -> str:
 
 def at(shape: Shape, origin: Floats, axes: Floats) -> Shape:
     """The same shape, given in the axes of a joint, in those of the body."""
-    p = rotation.from_matrix(axes @ rotation.matrix(shape.orientation))
-    if isinstance(shape, Mesh):  # shares its arrays
-        return Mesh(shape.vertices, shape.triangles, position=origin + axes @ shape.position, orientation=p)
-    return Shape.of({**shape.description(), "position": origin + axes @ shape.position, "orientation": p})
+    return shape.moved(origin, axes)
 
 
 def _force(it: Element, r: float) -> list[Placed]:

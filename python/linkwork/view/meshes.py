@@ -1,4 +1,4 @@
-"""Surfaces of machine elements that are no box, ball or cylinder: toothed wheels, spiral springs."""
+"""Surfaces of machine elements that are no box, ball or cylinder: toothed wheels, spiral springs, plates."""
 
 from __future__ import annotations
 
@@ -40,6 +40,19 @@ def spiral() -> Surface:
     angle = np.linspace(0, 2 * np.pi * TURNS, int(TURNS * PIECES) + 1)
     radius = np.linspace(INNER, 1 - WIDTH, len(angle))
     return _band(radius, radius + WIDTH, angle, BAND / 2, closed=False)
+
+
+def plate(points: Floats, half: float) -> Surface:
+    """What the convex hull of points (k, 2) covers, from -half to half along z."""
+    from scipy.spatial import ConvexHull
+
+    outline = points[ConvexHull(points).vertices]  # counterclockwise
+    count, k = len(outline), np.arange(len(outline))
+    n = (k + 1) % count
+    vertices = np.vstack([np.column_stack([outline, np.full(count, z)]) for z in (-half, half)])
+    fan = np.stack([np.zeros(count - 2, int), k[1:-1], k[2:]], axis=1)
+    walls = [np.stack(three, axis=1) for three in ((k, n, n + count), (k, n + count, k + count))]
+    return vertices, np.concatenate([fan[:, ::-1], fan + count, *walls]).astype(np.int32)
 
 
 def _band(inner: Floats, outer: Floats, angle: Floats, half: float, *, closed: bool) -> Surface:

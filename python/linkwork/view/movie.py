@@ -1,4 +1,4 @@
-"""Movies of a run without a display: shaded faces of what the viewer shows, painted from back to front.
+"""Movies of a run without a display: what the viewer's page shows, with its floor, light and perspective.
 
 GIF is written by pillow, MP4 by the ffmpeg that imageio-ffmpeg brings: pip install 'linkwork[movie]'.
 """
@@ -8,7 +8,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,21 +17,19 @@ from numpy.typing import NDArray
 from linkwork import arguments, rotation
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, OptionError, unwritable
-from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
-from linkwork.plots.figures import new_figure
 from linkwork.view.appearance import Scene, Solid, Span, scene
+from linkwork.view.camera import Camera, floor
+from linkwork.view.raster import Raster
+from linkwork.view.surfaces import coil, cylinder, surface
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.collections import PolyCollection
-
     from linkwork.results.result import Result
 
-#: More faces than these take minutes to paint.
-MOST_FACES = 200_000
+#: More faces than these take minutes to paint; more shapes than these have fewer faces each.
+MOST_FACES, MANY = 1_000_000, 1500
 
-#: Direction to the light, in axes (right, up, towards the eye).
-LIGHT = np.array([0.35, 0.75, 0.56])
+#: Direction to the lamp from the side, in axes (right, up, towards the eye); it is above, too.
+SIDE = np.array([0.35, 0.0, 0.7])
 
 #: Of a movie: hours of it.
 MOST_PICTURES = 1_000_000
@@ -105,40 +102,45 @@ def _write_mp4(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[in
 
 @dataclass(frozen=True)
 class _Faces:
-    """Polygons with as many corners each, fixed in their bodies."""
+    """Triangles fixed in their bodies."""
 
-    corners: Floats  # (m, corners, 3) body coordinates
+    corners: Floats  # (m, 3, 3) body coordinates
+    normals: Floats  # (m, 3, 3)
     body: NDArray[np.intp]  # (m,)
     color: Floats  # (m, 3) red, green, blue in 0 .. 1
 
-    def placed(self, r: Floats, A: Floats) -> Floats:
-        """The corners where the bodies are (m, corners, 3), inertial."""
-        moved: Floats = r[self.body, None] + np.einsum("mab,mcb->mca", A[self.body], self.corners)
-        return moved
+    def placed(self, r: Floats, A: Floats) -> tuple[Floats, Floats]:
+        """Corners and normals where the bodies are (m, 3, 3), inertial."""
+        turn = A[self.body].transpose(0, 2, 1)
+        return r[self.body, None] + self.corners @ turn, self.normals @ turn
 
 
 @dataclass(frozen=True)
 class _Stretched:
-    """Polygons between a point of one body and a point of another; z of corners is 0 to 1 between them."""
+    """Triangles between a point of one body and a point of another; z of corners is -1/2 to 1/2 between
+    them.
+    """
 
-    corners: Floats  # (m, corners, 3) x and y [m]
+    corners: Floats  # (m, 3, 3) x and y [m]
+    normals: Floats  # (m, 3, 3)
     body: NDArray[np.intp]  # (m, 2)
     ends: Floats  # (m, 2, 3) body coordinates
     color: Floats  # (m, 3)
 
-    def placed(self, r: Floats, A: Floats) -> Floats:
+    def placed(self, r: Floats, A: Floats) -> tuple[Floats, Floats]:
         """As of faces of bodies."""
         ends = r[self.body] + np.einsum("msab,msb->msa", A[self.body], self.ends)
         along = ends[:, 1] - ends[:, 0]
         length = np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
-        x = rotation.perpendicular(along / length)
-        y = np.cross(along / length, x)
-        moved: Floats = ends[:, :1] + np.einsum("mca,mab->mcb", self.corners, np.stack([x, y, along], axis=1))
-        return moved
+        z = along / length
+        x = rotation.perpendicular(z)
+        turn = np.stack([x, np.cross(z, x), along], axis=1)
+        turn_normals = np.stack([x, np.cross(z, x), z], axis=1)
+        return ends.mean(axis=1)[:, None] + self.corners @ turn, self.normals @ turn_normals
 
 
 class Painter:
-    """Draws poses of a run in parallel projection, from the side that shows the most."""
+    """Pictures of the poses of a run as the viewer shows them, from the side that shows the most."""
 
     def __init__(self, result: Result, size: tuple[int, int]) -> None:
         """OptionError: too many faces."""
@@ -151,64 +153,58 @@ class Painter:
                 "give the bodies simpler shapes, or use result.view()",
                 code="movie",
             )
-        self._axes = _eye(result)
-        self._low, self._high = self._range()
+        axes = _eye(result)
+        low, high = self._range()
+        self.camera = Camera.around(low, high, axes, size)
+        self._up = _up(result)
+        self._light = _unit(_unit(axes @ SIDE) + 1.2 * self._up)
+        self._floor = floor(self.camera, low, high, self._up)
+        self._middle = (low + high) / 2
 
     def pictures(self, times: Floats) -> Iterator[Pixels]:
-        """Red, green, blue (height, width, 3) at each time."""
-        width, height = self._size
-        figure = new_figure(width / 100, height / 100)
-        figure.set_layout_engine("none")
-        figure.set_dpi(100)
-        ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-        collection = self.prepare(ax)
-        text = ax.text(0.02, 0.03, "", transform=ax.transAxes, fontsize=10, color="0.35")
+        """Red, green, blue (height, width, 3) at each time, which is written in it."""
+        from PIL import Image, ImageDraw, ImageFont
+
+        font = ImageFont.load_default(max(10, self._size[1] // 42))
         for time in times:
-            self.draw(collection, time)
-            text.set_text(f"{time:.3f} s")
-            figure.canvas.draw()
-            yield np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()  # type: ignore[attr-defined]
+            image = Image.fromarray(self.picture(time))
+            place = (0.02 * self._size[0], 0.97 * self._size[1])
+            ImageDraw.Draw(image).text(place, f"{time:.3f} s", fill=(90, 98, 110), font=font, anchor="ls")
+            yield np.asarray(image)
 
-    def prepare(self, ax: Axes) -> PolyCollection:
-        """Axes in meters of the picture's plane that hold everything, and what `draw` fills."""
-        from matplotlib.collections import PolyCollection
+    def picture(self, time: float) -> Pixels:
+        """At one time."""
+        r, A = self._pose(time)
+        raster = Raster(self._floor)
+        for faces in self._faces:
+            corners, normals = faces.placed(r, A)
+            places, nearness = self.camera.seen(corners)
+            ab, ac = places[:, 1] - places[:, 0], places[:, 2] - places[:, 0]
+            front = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0] < 0  # counterclockwise; rows count downward
+            colors = self._lit(faces.color[front], corners[front], normals[front])
+            raster.draw(places[front], nearness[front], colors)
+        return raster.picture()
 
-        width, height = self._size
-        ax.set_axis_off()
-        middle, half = (self._low + self._high) / 2, (self._high - self._low) / 2
-        scale = 1.08 * max(half[0] / width, half[1] / height) or 1.0
-        ax.set(xlim=(middle[0] - scale * width, middle[0] + scale * width))
-        ax.set(ylim=(middle[1] - scale * height, middle[1] + scale * height))
-        collection = PolyCollection([], linewidths=0.4, antialiaseds=True)
-        ax.add_collection(collection)
-        return collection
+    # Ambient light from above and below, a lamp by Lambert, and its reflection by Blinn and Phong
+    def _lit(self, color: Floats, corners: Floats, normals: Floats) -> Floats:
+        """Of each corner (m, 3, 3)."""
+        towards = self.camera.position - corners
+        half = towards / np.linalg.norm(towards, axis=-1, keepdims=True) + self._light
+        half /= np.maximum(np.linalg.norm(half, axis=-1, keepdims=True), 1e-300)
+        shade = 0.52 + 0.13 * (normals @ self._up) + 0.45 * np.clip(normals @ self._light, 0, 1)
+        shine = 0.14 * np.clip(np.einsum("mcd,mcd->mc", normals, half), 0, 1) ** 30
+        lit: Floats = np.clip(color[:, None] * shade[..., None] + shine[..., None], 0, 1)
+        return lit
 
-    def draw(self, collection: PolyCollection, time: float) -> None:
-        polygons, colors = self._polygons(time)
-        collection.set_verts(polygons)
-        collection.set(facecolor=colors, edgecolor=colors)
+    @property
+    def pixels_of_meter(self) -> float:
+        """At the distance of the middle."""
+        across = self._middle + np.outer((0, 1), self.camera.axes[:, 0])
+        return float(np.ptp(self.projected(across)[:, 0]))
 
     def projected(self, points: Floats) -> Floats:
-        """Inertial points (k, 3) in the plane of the picture (k, 2), right and up [m]."""
-        seen: Floats = points @ self._axes[:, :2]
-        return seen
-
-    def _polygons(self, time: float) -> tuple[list[Floats], Floats]:
-        """What faces the eye, from back to front, and its shade."""
-        r, A = self._pose(time)
-        polygons: list[Floats] = []
-        depths, colors = [], []
-        for faces in self._faces:
-            seen = faces.placed(r, A) @ self._axes
-            normal = np.cross(seen[:, 1] - seen[:, 0], seen[:, 2] - seen[:, 0])
-            normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-            front = normal[:, 2] > 0
-            shade = 0.55 + 0.45 * np.clip(normal[front] @ LIGHT, 0, 1)
-            polygons += list(seen[front, :, :2])
-            depths.append(seen[front, :, 2].mean(axis=1))
-            colors.append(np.clip(faces.color[front] * shade[:, None], 0, 1))
-        order = np.argsort(np.concatenate(depths), kind="stable")
-        return [polygons[k] for k in order], np.concatenate(colors)[order]
+        """Inertial points (k, 3) in pixels of the picture from its upper left corner (k, 2)."""
+        return self.camera.seen(points)[0]
 
     def _pose(self, time: float) -> tuple[Floats, Floats]:
         """Positions (n + 1, 3) and rotation matrices (n + 1, 3, 3) between two frames; the ground is last."""
@@ -224,26 +220,41 @@ class Painter:
         return np.concatenate([r, np.zeros((1, 3))]), np.concatenate([rotation.matrix(p), np.eye(3)[None]])
 
     def _range(self) -> tuple[Floats, Floats]:
-        """Of everything that is seen, right and up [m], from a sample of frames."""
+        """The corners (3,) of the box around everything, from a sample of frames."""
         sample = self._result.t[:: max(1, len(self._result) // 40)]
-        low, high = np.full(2, np.inf), np.full(2, -np.inf)
+        low, high = np.full(3, np.inf), np.full(3, -np.inf)
         for time in sample:
             r, A = self._pose(float(time))
             for faces in self._faces:
-                seen = faces.placed(r, A) @ self._axes[:, :2]
-                low, high = np.minimum(low, seen.min((0, 1))), np.maximum(high, seen.max((0, 1)))
-        return low, high
+                corners, _ = faces.placed(r, A)
+                low, high = np.minimum(low, corners.min((0, 1))), np.maximum(high, corners.max((0, 1)))
+        return (low, high) if np.isfinite(low).all() else (np.zeros(3), np.ones(3))
+
+
+def _unit(a: Floats) -> Floats:
+    unit: Floats = a / np.linalg.norm(a)
+    return unit
+
+
+def _up(result: Result) -> Floats:
+    """Against gravity; without, z, or y where everything lies in the plane of x and y."""
+    gravity = np.asarray(result.header.gravity, float)
+    if gravity.any():
+        return -_unit(gravity)
+    positions = result.sampled_positions(max(1, len(result) // 40)).reshape(-1, 3)
+    sides = np.ptp(positions, axis=0)
+    lies = sides[2] < 0.25 * sides.max() and int(np.argmin(sides)) == 2
+    up: Floats = np.eye(3)[1 if lies else 2]
+    return up
 
 
 def _eye(result: Result) -> Floats:
     """Axes of the picture (3, 3): columns right, up, towards the eye, as the viewer chooses them."""
     positions = result.sampled_positions(max(1, len(result) // 40)).reshape(-1, 3)
     sides = np.ptp(positions, axis=0)
-    gravity = np.asarray(result.header.gravity, float)
     flat = int(np.argmin(sides))
     level = sides[flat] < 0.25 * sides.max()
-    free = np.eye(3)[1 if level and flat == 2 else 2]
-    up = -gravity / np.linalg.norm(gravity) if gravity.any() else free
+    up = _up(result)
     if level and abs(up[flat]) < 0.5:
         towards = np.eye(3)[flat]
         towards = towards if np.cross(up, towards).sum() >= 0 else -towards
@@ -263,112 +274,35 @@ def _eye(result: Result) -> Floats:
 
 
 def _faces(drawn: Scene) -> list[_Faces | _Stretched]:
-    """Of all solids, by number of corners, and of all spans."""
-    return [*_solid_faces([it for it in drawn.solids if not it.clear]), *_span_faces(drawn.spans)]
-
-
-def _span_faces(drawn: list[Span]) -> Iterator[_Stretched]:
-    for it in drawn:
-        for corners in _span(it):
-            count = len(corners)
-            yield _Stretched(corners, np.tile(it.bodies, (count, 1)), np.tile(it.ends, (count, 1, 1)),
-                             np.tile(_color(it), (count, 1)))  # fmt: skip
+    """Of all solids, and of all that is stretched."""
+    solid = [it for it in drawn.solids if not it.clear]
+    coarse = len(solid) + len(drawn.spans) > MANY
+    found: list[_Faces | _Stretched] = [_solid_faces(solid, coarse)] if solid else []
+    return found + [_stretched(it) for it in drawn.spans]
 
 
 def _color(it: Solid | Span) -> Floats:
     return np.array(list(bytes.fromhex(it.color[1:]))) / 255
 
 
-def _span(it: Span) -> list[Floats]:
-    """Polygons (m, corners, 3) along z from 0 to 1."""
+def _stretched(it: Span) -> _Stretched:
+    """Bars, coils and dampers, along z from -1/2 to 1/2."""
     if it.form == "coil":
-        return [_helix() * (it.radius, it.radius, 1)]
-    pieces = [(1.0, 0.0, 1.0)] if it.form == "bar" else [(1.0, 0.14, 0.64), (0.3, 0.0, 1.0)]
-    return [
-        part * (width * it.radius, width * it.radius, high - low) + (0, 0, (low + high) / 2)
-        for width, low, high in pieces
-        for part in _cylinder(8)
-    ]
+        parts = [coil()]
+    else:
+        pieces = [(1.0, -0.5, 0.5)] if it.form == "bar" else [(1.0, -0.36, 0.14), (0.3, -0.5, 0.5)]
+        corners, normals = cylinder(16)
+        parts = [(corners * (width, width, high - low) + (0, 0, (low + high) / 2), normals)
+                 for width, low, high in pieces]  # fmt: skip
+    corners, normals = (np.concatenate(it) for it in zip(*parts, strict=True))
+    count = len(corners)
+    return _Stretched(corners * (it.radius, it.radius, 1), normals, np.tile(it.bodies, (count, 1)),
+                      np.tile(it.ends, (count, 1, 1)), np.tile(_color(it), (count, 1)))  # fmt: skip
 
 
-def _solid_faces(drawn: list[Solid]) -> list[_Faces]:
-    by_corners: dict[int, list[_Faces]] = {}
-    for it in drawn:
-        color = _color(it)
-        for corners in _surface(it.shape):
-            count = len(corners)
-            faces = _Faces(corners, np.full(count, it.body), np.tile(color, (count, 1)))
-            by_corners.setdefault(corners.shape[1], []).append(faces)
-    return [
-        _Faces(
-            *(np.concatenate([getattr(it, name) for it in several]) for name in ("corners", "body", "color"))
-        )
-        for several in by_corners.values()
-    ]
-
-
-def _surface(shape: Shape) -> list[Floats]:
-    """Polygons (m, corners, 3) in body coordinates, counterclockwise from outside."""
-    match shape:
-        case Box():
-            unit: list[Floats] = [_box() * shape.size]
-        case Sphere():
-            unit = [_sphere() * shape.radius]
-        case Cylinder():
-            unit = [part * (shape.radius, shape.radius, shape.length) for part in _cylinder()]
-        case Rod():
-            length = float(np.linalg.norm(shape.end - shape.start))
-            unit = [part * (shape.radius, shape.radius, length) for part in _cylinder(8)]
-        case Mesh():
-            unit = [shape.vertices[shape.triangles]]
-        case _:
-            unit = []
-    A = rotation.matrix(shape.orientation)
-    return [shape.position + part @ A.T for part in unit]
-
-
-def _box() -> Floats:
-    """Edges of one."""
-    square = np.array([[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]) / 2
-    turns = [np.roll(square, shift, axis=1) for shift in range(3)]
-    return np.stack([*turns, *(-turn[::-1] for turn in turns)])
-
-
-def _cylinder(sides: int = 14, slices: int = 6) -> list[Floats]:
-    """Radius and length one, about z; slices, so that painting from back to front has short faces."""
-    angle = 2 * np.pi * np.arange(sides) / sides
-    ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    heights = np.linspace(-0.5, 0.5, slices + 1)
-    walls = [
-        [[*a, low], [*b, low], [*b, high], [*a, high]]
-        for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True)
-        for low, high in pairwise(heights)
-    ]
-    top = np.column_stack([ring, np.full(sides, 0.5)])
-    bottom = np.column_stack([ring, np.full(sides, -0.5)])[::-1]
-    return [np.array(walls), np.stack([top, bottom])]
-
-
-def _helix(coils: int = 7, pieces: int = 10, wire: float = 0.15) -> Floats:
-    """A wire on a circle of radius one: a ribbon that is seen from both sides, z from 0 to 1."""
-    angle = np.linspace(0, 2 * np.pi * coils, coils * pieces + 1)
-    middle = np.stack([np.cos(angle), np.sin(angle), 0.08 + 0.84 * angle / angle[-1]], axis=1)
-    middle = np.concatenate([[[0, 0, 0]], middle, [[0, 0, 1]]])
-    up = np.array([0, 0, wire / 14])
-    front = np.stack([middle[:-1] - up, middle[1:] - up, middle[1:] + up, middle[:-1] + up], axis=1)
-    return np.concatenate([front, front[:, ::-1]])
-
-
-def _sphere(rings: int = 9, sides: int = 14) -> Floats:
-    """Radius one."""
-    polar, angle = np.linspace(0, np.pi, rings + 1), 2 * np.pi * np.arange(sides + 1) / sides
-    point = np.stack(
-        [
-            np.outer(np.sin(polar), np.cos(angle)),
-            np.outer(np.sin(polar), np.sin(angle)),
-            np.outer(np.cos(polar), np.ones(sides + 1)),
-        ],
-        axis=-1,
-    )
-    corners = (point[1:, :-1], point[1:, 1:], point[:-1, 1:], point[:-1, :-1])
-    return np.stack(corners, axis=2).reshape(-1, 4, 3)
+def _solid_faces(drawn: list[Solid], coarse: bool) -> _Faces:
+    surfaces = [surface(it.shape, coarse) for it in drawn]
+    counts = [len(corners) for corners, _ in surfaces]
+    corners, normals = (np.concatenate(it) for it in zip(*surfaces, strict=True))
+    return _Faces(corners, normals, np.repeat([it.body for it in drawn], counts),
+                  np.repeat([_color(it) for it in drawn], counts, axis=0))  # fmt: skip

@@ -29,8 +29,10 @@ def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
     """The first frame. FileError: `path` cannot be written. OptionError: too much to paint."""
     painter = Painter(result, SIZE)
     figure = new_figure(SIZE[0] / 100, SIZE[1] / 100)
-    ax = figure.subplots()
-    painter.draw(painter.prepare(ax), float(result.t[0]))
+    figure.set_layout_engine("none")
+    ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    ax.set_axis_off()
+    ax.imshow(painter.picture(float(result.t[0])), extent=(0, SIZE[0], SIZE[1], 0), aspect="auto")
     _axes(ax, painter)
     if len(result.body_names) <= NAMED:
         places = painter.projected(result.recorded("q", np.s_[0, :, :3]))
@@ -49,19 +51,19 @@ def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
 
 
 def _axes(ax: Axes, painter: Painter) -> None:
-    """x, y, z in the lower left corner, and a length to compare with."""
-    (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
-    length = 0.06 * (right - left)
-    corner = np.array([left + 1.5 * length, low + 1.5 * length])
+    """x, y, z in the lower left corner, and a length to compare with, as far away as the middle."""
+    length = 0.055 * SIZE[0]
+    corner = np.array([1.3 * length, SIZE[1] - 1.3 * length])
     for axis, color in zip(range(3), ("#d84040", "#3fa34d", "#3f6fd8"), strict=True):
-        end = corner + length * painter.projected(np.eye(3)[axis : axis + 1])[0]
+        end = corner + length * painter.camera.axes[axis, :2] * (1, -1)
         ax.annotate("", tuple(end), tuple(corner), arrowprops={"arrowstyle": "->", "color": color, "lw": 1.6})
         beyond = corner + 1.25 * (end - corner)
         ax.text(beyond[0], beyond[1], "xyz"[axis], color=color, fontsize=9, ha="center", va="center")
-    scale = _round(0.2 * (right - left))
-    start = np.array([right - 0.04 * (right - left) - scale, low + 0.06 * (high - low)])
-    ax.plot([start[0], start[0] + scale], [start[1], start[1]], color="0.35", lw=2)
-    ax.text(start[0] + scale / 2, start[1] + 0.012 * (high - low), f"{scale:g} m", color="0.35",
+    per_meter = painter.pixels_of_meter
+    scale = _round(0.2 * SIZE[0] / per_meter)
+    start = np.array([0.96 * SIZE[0] - scale * per_meter, 0.95 * SIZE[1]])
+    ax.plot([start[0], start[0] + scale * per_meter], [start[1], start[1]], color="0.35", lw=2)
+    ax.text(start[0] + scale * per_meter / 2, start[1] - 0.012 * SIZE[1], f"{scale:g} m", color="0.35",
             fontsize=9, ha="center", va="bottom")  # fmt: skip
 
 

@@ -57,6 +57,7 @@ std::vector<int> fill_reducing_order(const NumberLists& graph) {
 #include <Eigen/SparseCore>
 #endif
 #include <numeric>
+#include <utility>
 
 namespace linkwork::block {
 namespace {
@@ -100,6 +101,49 @@ Numbers minimum_degree(const NumberLists& graph) {
   std::iota(order.begin(), order.end(), 0);
   if (!graph.numbers().empty()) find_minimum_degree(graph, order);  // which AMD does not take
   return order;
+}
+
+/// Nodes with one neighbor or none, one after the other, each without those before it: what hangs on the rest as trees.
+/// Eliminated first they cause no fill, which AMD alone does not find: Eigen's counts a node itself among the neighbors
+/// of those that it has not met yet.
+Numbers hanging(const NumberLists& graph) {
+  const int n = static_cast<int>(graph.size());
+  Numbers degree(graph.size()), order;
+  std::vector<char> gone(graph.size(), 0);
+  for (int node = 0; node < n; ++node) at(degree, node) = static_cast<int>(graph[node].size());
+  for (int first = 0; first < n; ++first)
+    for (int node = first; node != none && !at(gone, node) && at(degree, node) <= 1;) {
+      at(gone, node) = 1;
+      order.push_back(node);
+      int next = none;
+      for (const int neighbor : graph[node])
+        if (!at(gone, neighbor)) {
+          --at(degree, neighbor);
+          next = neighbor;
+        }
+      node = next;
+    }
+  return order;
+}
+
+/// Without some nodes, and how the others are called in the whole.
+std::pair<NumberLists, Numbers> without(const NumberLists& graph, const Numbers& nodes) {
+  const int n = static_cast<int>(graph.size());
+  Numbers number(graph.size(), 0), names, list;
+  for (const int node : nodes) at(number, node) = none;
+  for (int node = 0; node < n; ++node)
+    if (at(number, node) != none) {
+      at(number, node) = static_cast<int>(names.size());
+      names.push_back(node);
+    }
+  NumberLists rest;
+  for (const int node : names) {
+    list.clear();
+    for (const int neighbor : graph[node])
+      if (at(number, neighbor) != none) list.push_back(at(number, neighbor));
+    rest.add(list);
+  }
+  return {std::move(rest), std::move(names)};
 }
 
 /// Nested dissection by levels of a breadth-first search from a node far out (A. George, J. W. H. Liu, Computer
@@ -261,14 +305,22 @@ double operations(const NumberLists& graph, const Numbers& order) {
   return sum;
 }
 
-}  // namespace
-
-std::vector<int> fill_reducing_order(const NumberLists& graph) {
+/// Of what has no trees on it.
+Numbers order_of_rest(const NumberLists& graph) {
   const auto follow_tree = [&](const Numbers& order) { return postordered(order, elimination_tree(graph, order)); };
   Numbers order = follow_tree(minimum_degree(graph));
   if (graph.size() < large) return order;
   Numbers dissected = follow_tree(Dissection(graph).run());
   return operations(graph, dissected) < operations(graph, order) ? dissected : order;
+}
+
+}  // namespace
+
+std::vector<int> fill_reducing_order(const NumberLists& graph) {
+  Numbers order = hanging(graph);
+  const auto [rest, names] = without(graph, order);
+  for (const int node : order_of_rest(rest)) order.push_back(at(names, node));
+  return postordered(order, elimination_tree(graph, order));
 }
 
 }  // namespace linkwork::block

@@ -26,7 +26,7 @@ from linkwork.errors import (
 )
 from linkwork.functions import Sum, TimeFunction, constant
 from linkwork.modeling.elements import KINDS
-from linkwork.modeling.files import schema
+from linkwork.modeling.files import packed, schema
 from linkwork.modeling.files.batches import Placed, add_batch, batch_key
 from linkwork.modeling.files.collection import collection_paused
 from linkwork.modeling.files.messages import faults_of_schema
@@ -371,7 +371,9 @@ def _with_history(model: Model, history: Sequence[float]) -> Model:
 
 def _shape_of(record: schema.Record) -> Shape:
     """ModelError: what no shape can be."""
-    return Shape.of(record.model_dump(exclude_unset=True))
+    given = record.model_dump(exclude_unset=True)
+    arrays = [what for what in ("vertices", "triangles") if isinstance(given.get(what), str)]
+    return Shape.of(given | {what: packed.unpack(given[what], f"mesh: {what}") for what in arrays})
 
 
 def _add_shapes(model: Model, record: schema.ShapesRecord) -> None:
@@ -410,7 +412,8 @@ def _add_batch_of_bodies(model: Model, records: Sequence[schema.BodyRecord]) -> 
         for what in ("position", "orientation", "velocity", "omega")
     }
     mass = np.array([body.mass for body in records], dtype=float)
-    model.compiled().add_bodies([body.name for body in records], mass, tensors, **state)
+    as_is = [body.inertia_as_is for body in records]
+    model.compiled().add_bodies([body.name for body in records], mass, tensors, **state, inertia_as_is=as_is)
 
 
 def function_of(record: Any) -> TimeFunction:

@@ -90,6 +90,7 @@ class BodyRecord(Record):
     )
     velocity: Vector = Field([0.0, 0.0, 0.0], description="of the center of mass, inertial [m/s]")
     omega: Vector = Field([0.0, 0.0, 0.0], description="angular velocity, body axes [rad/s]")
+    inertia_as_is: bool = Field(False, description="take principal moments that no real body has")
 
 
 # --- functions of time --------------------------------------------------------------------------------------
@@ -109,6 +110,14 @@ def _numbers() -> Any:
 
 #: A number, or lists of them in each other.
 Numbers = _numbers()
+
+
+#: Of a mesh: rows of three numbers, or what linkwork.modeling.files.packed makes of many of them.
+Rows = Annotated[
+    Annotated[list[Annotated[list[Number], Len(3, 3)]], Tag("rows")]
+    | Annotated[str, Field(strict=True, pattern="^(f4|f8|i4):"), Tag("text")],
+    Discriminator(lambda value: "text" if isinstance(value, str) else "rows"),
+]
 
 
 def constructors() -> Mapping[str, Callable[..., functions.TimeFunction]]:
@@ -424,6 +433,8 @@ def _shape_type(kind: str) -> type[Record]:
     fields: dict[str, Any] = {"kind": (Literal[kind], ...)}
     for parameter in inspect.signature(SHAPES[kind]).parameters.values():
         type_ = Word if "str" in str(parameter.annotation) else Numbers
+        if parameter.name in ("vertices", "triangles"):
+            type_ = Rows
         default = ... if parameter.default is parameter.empty else _plain(parameter.default)
         fields[parameter.name] = (type_ if default is not None else type_ | None, default)
     return create_model(f"{kind} shape", __base__=Record, __doc__=SHAPES[kind].__doc__, **fields)

@@ -21,7 +21,7 @@ from linkwork.errors import ModelError, OptionError, nearest, unwritable
 from linkwork.functions import Sum, Table, TimeFunction
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.elements import KINDS, Role
-from linkwork.modeling.files import schema
+from linkwork.modeling.files import packed, schema
 from linkwork.modeling.files.collection import collection_paused
 from linkwork.modeling.files.syntax import check_suffix
 from linkwork.modeling.shapes import Shape
@@ -90,13 +90,15 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
     # -0.0 is not 0.0: it is written
     given = {what: ((x != usual[what]) | np.signbit(x)).any(axis=1).tolist() for what, x in state.items()}
     columns = {what: x.tolist() for what, x in state.items()}
+    as_is = set(core.inertia_as_is)
     for k, mass in enumerate(core.mass.tolist()):
         record = {
             "name": core.body_name(k),
             "mass": mass,
             "inertia": moments[k] if diagonal[k] else J[k].tolist(),
         }
-        yield record | {what: columns[what][k] for what in columns if given[what][k]}
+        record |= {what: columns[what][k] for what in columns if given[what][k]}
+        yield record | ({"inertia_as_is": True} if k in as_is else {})
 
 
 def _shapes(model: ModelBuilder) -> Iterator[dict[str, Any]]:
@@ -107,10 +109,17 @@ def _shapes(model: ModelBuilder) -> Iterator[dict[str, Any]]:
 
 
 def _shape_record(shape: Shape) -> dict[str, Any]:
-    record = {what: x.tolist() if isinstance(x, np.ndarray) else x for what, x in shape.description().items()}
+    record = {what: _plain(x) for what, x in shape.description().items()}
     if "orientation" in record:
         record["orientation"] = normalized_from(shape.orientation[None], _scaled)[0].tolist()
     return record
+
+
+def _plain(value: Any) -> Any:
+    """Lists of an array, or one text where they would be long."""
+    if not isinstance(value, np.ndarray):
+        return value
+    return packed.pack(value) if value.ndim == 2 and len(value) >= packed.LEAST else value.tolist()
 
 
 def _scaled(p: Floats) -> Floats:

@@ -17,6 +17,7 @@ const SELECTED = "#00b7ff";
 const LONGEST = 0.22; // arrow, of the box around everything
 const PATHS = 6; // bodies of which the way is drawn
 const DOTS = 200; // bodies from which on each has a dot
+const DOT = { thin: 4.5, thick: 1.5 }; // pixels of it, where bodies are thinner than a pixel, and where one sees them
 const FRAMES = 2000; // bodies of which the axes are drawn
 const MANY = 1500; // instances from which on they have fewer triangles
 
@@ -55,6 +56,7 @@ export class World {
 
   render() {
     this.waiting = false;
+    for (const figure of this.figures) figure.sizeDots();
     this.renderer.render(this.scene, this.camera);
     for (const listener of this.rendered) listener();
   }
@@ -334,9 +336,24 @@ class Figure {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage));
     geometry.setAttribute("color", new BufferAttribute(colors, 3));
-    this.dots = new Points(geometry, new PointsMaterial({ size: 1.5, sizeAttenuation: false, vertexColors: true }));
+    this.dots = new Points(geometry, new PointsMaterial({ size: DOT.thick, sizeAttenuation: false, vertexColors: true }));
     this.dots.frustumCulled = false;
+    this.thickness = this.#usualThickness;
     this.group.add(this.dots);
+  }
+
+  /** What would be a hairline is a line of dots. */
+  sizeDots() {
+    if (!this.dots) return;
+    const pixels = this.thickness * this.world.pixelsOfMeter * window.devicePixelRatio;
+    this.dots.material.size = Math.min(Math.max(DOT.thin - pixels, DOT.thick), DOT.thin) * Math.min(window.devicePixelRatio, 2);
+  }
+
+  /** Of most bodies, where they are thinnest [m]. */
+  get #usualThickness() {
+    const bodies = this.parts.filter((it) => it.layer === "body" && it.local);
+    const all = bodies.flatMap((it) => Array.from(it.index, (_, k) => Math.min(...it.local.subarray(10 * k + 7, 10 * k + 10))));
+    return all.sort((a, b) => a - b)[Math.floor(all.length / 2)] ?? 0;
   }
 
   #moveDots() {
