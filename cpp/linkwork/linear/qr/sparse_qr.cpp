@@ -9,6 +9,7 @@
 #include "linkwork/linear/block/joint_order.hpp"
 #include "linkwork/linear/qr/front.hpp"
 #include "linkwork/math/aligned.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::qr {
 namespace {
@@ -66,6 +67,7 @@ class Elimination {
 
   Numbers run() {
     for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
+      look_for_interruption();
       list_columns(tree_.supernodes[s]);
       assemble(static_cast<int>(s));
       factor_(front_);
