@@ -302,7 +302,9 @@ Places dependent_rows(const SparseRows& A, double tolerance) {
 LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance)
     : at(system.make_evaluation()) {
   system.evaluate_constraints(pose.t, pose.q, VectorXd::Zero(system.v_size()), pose.history, at);
+  look_for_interruption();
   D = loops.scaled_D(at);
+  look_for_interruption();
   dependent = dependent_rows(D, tolerance);
 }
 

@@ -55,8 +55,10 @@ class Elimination {
         dense_(dense),
         most_rows_(dense.rows() + spare_rows),
         tree_(block::order_joint_graph(group_graph(A, groups))) {
+    look_for_interruption();
     order_columns(groups);
     sort_rows();
+    look_for_interruption();
     child_.assign(tree_.supernodes.size(), -1);
     sibling_.assign(tree_.supernodes.size(), -1);
     for (auto s = static_cast<int>(tree_.supernodes.size()); s-- > 0;)
