@@ -96,3 +96,30 @@ def test_texts_of_a_result_that_are_lost_do_not_hold_up_whoever_reads_it(tmp_pat
             [sys.executable, "-c", read, path], capture_output=True, text=True, timeout=60, check=True
         )
         assert found.stdout == "not_readable\n"
+
+
+NO_MEMORY = """
+import os, resource, sys
+import linkwork as lw
+from linkwork import mechanisms
+
+system = lw.System(mechanisms.four_bar(5), linear_solver="klu")
+system.derivative(0.0, system.initial_state())  # everything is loaded by now
+taken = 4096 * int(open("/proc/self/statm").read().split()[0])
+resource.setrlimit(resource.RLIMIT_AS, (taken + 64 * 2**20,) * 2)
+for choice in ({"linear_solver": "spqr"}, {"linear_solver": "umfpack"}, {"linear_solver": "klu"},
+               {"linear_solver": "cholmod_supernodal", "matrix_form": "schur"}):
+    try:
+        lw.System(mechanisms.four_bar(5), **choice).derivative(0.0, system.initial_state())
+        print("done")
+    except MemoryError:
+        print("no memory")
+"""
+
+
+def test_solvers_with_blas_refuse_where_there_is_no_memory_for_its_buffer() -> None:
+    """OpenBLAS itself tries again for ever; its buffer has 128 MB where the processor has wide vectors."""
+    done = subprocess.run([sys.executable, "-c", NO_MEMORY], capture_output=True, text=True, timeout=120)
+    assert done.stderr == ""
+    spqr, umfpack, klu, supernodal = done.stdout.splitlines()
+    assert klu == "done" and spqr == umfpack == supernodal
