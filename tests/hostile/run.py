@@ -240,6 +240,7 @@ def main() -> int:
     parser.add_argument("--trials", type=int, default=10**9, help="the most turns of each part")
     given = parser.parse_args()
     os.environ.setdefault("OMP_NUM_THREADS", "1")
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # which what runs in the background else ignores
     names = given.part or list(PARTS)
     tried, failed = dict.fromkeys(names, 0), dict.fromkeys(names, 0)
     spent, turns = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0)
