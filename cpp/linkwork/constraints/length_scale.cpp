@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 
 namespace linkwork {
@@ -86,6 +87,7 @@ class Clusters {
 }  // namespace
 
 VectorXd characteristic_lengths(const System& system) {
+  look_for_interruption();
   Clusters clusters(system);
   VectorXd lengths(system.body_count());
   for (int body = 0; body < system.body_count(); ++body) lengths[body] = clusters.length(body);

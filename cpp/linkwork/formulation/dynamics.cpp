@@ -13,12 +13,10 @@ namespace linkwork {
 namespace {
 
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
-constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
 constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
 constexpr int most_refinements = 20;
-constexpr auto poll_interval = std::chrono::milliseconds(50);
 
 std::string joined(const std::vector<std::string>& words) {
   std::string out;
@@ -156,14 +154,6 @@ FactorizationCost Dynamics::factorization_cost() const {
 
 double Dynamics::assemble_time() const { return formulation_->saddle().assemble_time(); }
 
-void Dynamics::poll() {
-  if (!interrupt_ || system_.body_count() < polled_bodies) return;
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_poll_ < poll_interval) return;
-  last_poll_ = now;
-  interrupt_();
-}
-
 /// How many evaluations the time of this one stands for.
 int Dynamics::evaluations_on_the_clock() const {
   if (statistics_.evaluations < timed_evaluations || system_.body_count() >= timed_bodies) return 1;
@@ -171,7 +161,7 @@ int Dynamics::evaluations_on_the_clock() const {
 }
 
 void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
-  poll();
+  meter_.add(system_.body_count());
   observe_now();
   now_.t = t;
   now_.stage = stage;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "linkwork/constraints/rank.hpp"
 #include "linkwork/formulation/stabilization.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 
@@ -135,9 +135,6 @@ class Dynamics {
   /// y_dot at the current state for accelerations and multipliers that were found otherwise.
   void rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const;
 
-  /// Called now and then inside long evaluations; may throw to end the run.
-  void set_interrupt(std::function<void()> interrupt) { interrupt_ = std::move(interrupt); }
-
  private:
   friend class Busy;
   void look_for_switches();
@@ -145,7 +142,6 @@ class Dynamics {
   void check_masses() const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
-  void poll();
   int evaluations_on_the_clock() const;
   void look_for_nan(bool accelerations) const;
 
@@ -165,8 +161,7 @@ class Dynamics {
   int clocked_ = 1;
   bool traces_ = false, held_ = false;
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0
-  std::function<void()> interrupt_;
-  std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
+  InterruptionMeter meter_;
   mutable std::atomic_flag busy_;
 };
 

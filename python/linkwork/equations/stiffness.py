@@ -21,6 +21,9 @@ DIFFERENCE = 1e-6
 #: A vibration that goes on less than this in a step [rad] is not stiff, even where a method lets it grow.
 SLOW = 0.5
 
+#: Of h times an eigenvalue: no explicit method is stable there, and its growth is beyond all numbers.
+BEYOND = 1e6
+
 #: By which a motion may grow in a step before the step counts as unstable.
 GROWTH = 1.01
 
@@ -71,6 +74,8 @@ def stable_step(growth: Callable[[float, float], float], eigenvalue: complex, st
         growing = z.real > 0.1 * abs(z)  # by itself, which is no fault of the method
         if growing or not (damped or abs(z) > SLOW):
             return False
+        if not abs(z) < BEYOND:
+            return True
         real = abs(z.imag) < REAL * abs(z)
         return growth(-z.real / 2, 0.0) > GROWTH if real else growth(-z.real, abs(z)) > GROWTH
 

@@ -92,6 +92,13 @@ class Result:
         return bool(self.statistics) and not self.statistics.get("failed", False) and not self.missing
 
     @property
+    def status(self) -> Literal["finished", "failed", "interrupted"]:
+        """How the run ended; "interrupted" also where a file does not say how, see `missing`."""
+        if self.finished:
+            return "finished"
+        return "failed" if self.statistics.get("failed", False) else "interrupted"
+
+    @property
     def missing(self) -> tuple[str, ...]:
         """What a file had lost when it was read; its digests tell. The frames that are there are whole."""
         return tuple(self._header.manifest.get("missing", ()))

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "linkwork/linear/backends/cholmod_view.hpp"
+#include "linkwork/linear/blas_buffer.hpp"
 #include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
@@ -44,6 +45,7 @@ class Spqr final : public LinearSolver {
 
   void analyze(const SparseMatrix& pattern) override {
     const SharedState held;
+    reserve_blas_buffer();
     begin_.assign(pattern.column_begin.begin(), pattern.column_begin.end());
     row_.assign(pattern.row.begin(), pattern.row.end());
     SuiteSparseQR_free<double>(&qr_, &common_);

@@ -5,6 +5,7 @@
 
 #include <new>
 
+#include "linkwork/linear/blas_buffer.hpp"
 #include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
@@ -22,6 +23,7 @@ class Umfpack final : public LinearSolver {
 
   void analyze(const SparseMatrix& pattern) override {
     const SharedState held;
+    reserve_blas_buffer();
     release();
     check(umfpack_di_symbolic(pattern.size, pattern.size, pattern.column_begin.data(), pattern.row.data(), nullptr,
                               &symbolic_, control_, info_));

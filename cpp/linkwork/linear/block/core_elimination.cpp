@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linkwork/linear/block/joint_order.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
 namespace {
@@ -105,6 +106,7 @@ class CoreBuilder {
   }
 
   Order order_with(std::vector<int> hubs) const {
+    look_for_interruption();
     Order out;
     out.hubs = std::move(hubs);
     out.hub_node.assign(system_.body_count(), none);
