@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "linkwork/formulation/watched_formulation.hpp"
+
 namespace linkwork {
 namespace {
 

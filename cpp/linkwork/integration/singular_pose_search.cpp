@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {

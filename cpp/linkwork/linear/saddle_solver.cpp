@@ -7,9 +7,10 @@
 namespace linkwork {
 
 const std::vector<MatrixForm>& matrix_forms() {
-  static const std::vector<MatrixForm> all = {{"kkt", false, true, true, &detail::make_kkt},
-                                              {"schur", true, false, true, &detail::make_schur},
-                                              {"normal", true, true, false, &detail::make_normal}};
+  static const std::vector<MatrixForm> all = {
+      {.name = "kkt", .definite = false, .velocities = true, .multipliers = true, .make = &detail::make_kkt},
+      {.name = "schur", .definite = true, .velocities = false, .multipliers = true, .make = &detail::make_schur},
+      {.name = "normal", .definite = true, .velocities = true, .multipliers = false, .make = &detail::make_normal}};
   return all;
 }
 
