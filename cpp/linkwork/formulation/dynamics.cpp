@@ -8,6 +8,7 @@
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
+#include "linkwork/math/names.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
@@ -20,12 +21,6 @@ constexpr int timed_bodies = 20;     // below, a look at the clock takes as long
 constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
 constexpr int most_refinements = 20;
 constexpr auto poll_interval = std::chrono::milliseconds(50);
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
 
 /// The matrix of the formulation: as asked for, or one that suits the linear solver.
 std::string choose_form(const FormulationInfo& info, const Options& options, bool redundant) {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 
 namespace linkwork {
 
@@ -15,12 +15,7 @@ const std::vector<MatrixForm>& matrix_forms() {
 }
 
 const MatrixForm& matrix_form(const std::string& name) {
-  std::string known;
-  for (const MatrixForm& form : matrix_forms()) {
-    if (form.name == name) return form;
-    known += (known.empty() ? "" : ", ") + std::string(form.name);
-  }
-  throw OptionError("unknown_matrix_form", "matrix_form '" + name + "' does not exist; there are: " + known);
+  return find_named(matrix_forms(), name, "matrix_form", "unknown_matrix_form");
 }
 
 bool can_solve(const std::string& name, const LinearSolverInfo& solver) {
