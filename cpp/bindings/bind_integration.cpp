@@ -1,4 +1,4 @@
-#include "bindings.hpp"
+#include "exclusive.hpp"
 #include "linkwork/integration/accumulated_error.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
 #include "linkwork/integration/simulation.hpp"

@@ -26,8 +26,10 @@ import numpy as np
 from children import Failure
 from linkwork import mechanisms
 
-FIELDS = ("q", "v", "vdot", "lambda", "kinetic", "potential", "work", "violation", "history")
-PAIRS = ("bs32", "dopri5", "tsit5", "dop853")
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
+
+from recorded import FIELDS, PAIRS, bits_after
+
 SMALL = ("pendulum", "four_bar", "bricard", "flyball_governor", "heavy_top", "bennett", "watt_six_bar")
 
 #: Tries once, or as often as it returns.
@@ -36,12 +38,6 @@ Part = Callable[[random.Random, Path], int | None]
 
 def simulate(model: lw.Model, t_end: float, **choices: Any) -> lw.Result:
     return lw.simulate(model, t_end, progress=False, on_inaccurate="pass", **choices)
-
-
-def bits_after(result: lw.Result, t: float) -> dict[str, bytes]:
-    later = result.t > t * (1 + 1e-12)
-    fields = {"t": result.t, **{name: result.recorded(name) for name in FIELDS}}
-    return {name: np.ascontiguousarray(field[later]).tobytes() for name, field in fields.items()}
 
 
 def random_choices(rng: random.Random, t_end: float) -> dict[str, Any]:

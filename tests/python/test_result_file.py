@@ -63,17 +63,7 @@ def test_round_trip_is_exact(tmp_path: Path, bodies: int, joints: int) -> None:
     loaded = Result.load(tmp_path / "run.h5")
     for name in FIELDS:
         np.testing.assert_array_equal(getattr(loaded, name), getattr(result, name), err_msg=name)
-    for name in (
-        "gravity",
-        "mass",
-        "inertia",
-        "q0",
-        "v0",
-        "joint_rows",
-        "joint_bodies",
-        "joint_frame",
-        "joint_origin",
-    ):
+    for name in writing.MODEL_ARRAYS:
         np.testing.assert_array_equal(
             getattr(loaded.header, name), getattr(result.header, name), err_msg=name
         )

@@ -225,7 +225,7 @@ class Selection {
     preferred.head(static_cast<Eigen::Index>(own.size())).setOnes();
     Places out;
     for (const int k : choose_rows(static_cast<int>(count), preferred, bases))
-      if (static_cast<std::size_t>(k) < own.size()) out.push_back(own[k]);
+      if (k < std::ssize(own)) out.push_back(own[k]);
     std::sort(out.begin(), out.end());
     return out;
   }
@@ -260,7 +260,7 @@ class Selection {
   Places rows_of(int joint) const {
     const auto& first = solver_.system().model().joint_rows();
     const int row = first[joint], count = first[joint + 1] - row;
-    Places out(static_cast<std::size_t>(count));
+    Places out(count);
     std::iota(
         out.begin(), out.end(),
         static_cast<int>(std::lower_bound(loops_.rows().begin(), loops_.rows().end(), row) - loops_.rows().begin()));

@@ -8,18 +8,11 @@
 #include "linkwork/constraints/least_singular_value.hpp"
 #include "linkwork/constraints/minimum_norm.hpp"
 #include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/instant.hpp"
 #include "linkwork/formulation/rank_tolerant.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
 
 namespace linkwork {
-
-/// Of the last evaluation.
-struct Instant {
-  double t = 0.0;
-  VectorXd y;
-  VectorXd history;
-  int stage = 1;
-};
 
 /// Where rows were left out last, other than those that are at first: what solves was analyzed there.
 struct RowChoice {

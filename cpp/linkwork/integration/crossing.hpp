@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linkwork/formulation/projection.hpp"
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/gauss_collocation.hpp"
 #include "linkwork/integration/interpolant.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"

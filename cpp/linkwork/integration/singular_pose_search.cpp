@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {

@@ -32,14 +32,14 @@ REAL, KNOWN = 1e-6, 1e-3
 
 
 @dataclass(frozen=True)
-class Fastest:
+class FastestMode:
     """The eigenvalue [1/s] of largest modulus of the linearized equations; the body that moves most in it."""
 
     eigenvalue: complex
     body: str
 
 
-def fastest(system: System) -> Fastest | None:
+def fastest(system: System) -> FastestMode | None:
     """By Arnoldi's method on finite differences of y_dot at the initial state; None without force elements.
 
     Only motions that the constraints allow count: those that the forces can excite.
@@ -59,7 +59,7 @@ def fastest(system: System) -> Fastest | None:
     values, vectors = np.linalg.eig(H)
     largest = int(np.argmax(np.abs(values)))
     motion = np.abs(basis @ vectors[:, largest])[nq:].reshape(-1, 6).max(axis=1)
-    return Fastest(complex(values[largest]), core.body_name(int(motion.argmax())))
+    return FastestMode(complex(values[largest]), core.body_name(int(motion.argmax())))
 
 
 def stable_step(growth: Callable[[float, float], float], eigenvalue: complex, step: float) -> float:

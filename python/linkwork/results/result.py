@@ -190,7 +190,13 @@ class Result:
         i = self._place("body", name)
         q, v, vdot = (self._field(field, np.s_[:, i]) for field in ("q", "v", "vdot"))
         return BodyResult(
-            self.body_names[i], q[:, :3], q[:, 3:], v[:, :3], v[:, 3:], vdot[:, :3], vdot[:, 3:]
+            name=self.body_names[i],
+            position=q[:, :3],
+            orientation=q[:, 3:],
+            velocity=v[:, :3],
+            omega=v[:, 3:],
+            acceleration=vdot[:, :3],
+            angular_acceleration=vdot[:, 3:],
         )
 
     # --- joints ---

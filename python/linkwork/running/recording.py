@@ -29,7 +29,7 @@ from linkwork.running.progress import Report
 if TYPE_CHECKING:
     from linkwork.running.estimation import ErrorEstimator
 
-__all__ = ["Checkpoints", "PythonStep", "Recorder", "Told", "frame_bytes", "pieces", "record", "recorder"]
+__all__ = ["Checkpoints", "PythonStep", "Recorder", "StopIterationIsError", "frame_bytes", "pieces", "record", "recorder"]
 
 Frames = Mapping[str, Floats]
 
@@ -260,12 +260,12 @@ def _compiled_pieces(run: _core.Run, interrupts: Interrupts, frame_bytes: int) -
     """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
     most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
     while not run.finished:
-        with interrupts.computing(), Told():
+        with interrupts.computing(), StopIterationIsError():
             frames = run.advance(most_frames, PIECE_SECONDS)
         yield frames
 
 
-class Told(AbstractContextManager[None]):
+class StopIterationIsError(AbstractContextManager[None]):
     """OptionError: StopIteration of a function of the user's, which would only end an iteration of ours."""
 
     def __exit__(
@@ -284,7 +284,7 @@ def _python_pieces(
     """The user's own integrator; meanwhile `system.derivative` has the sampled correction in it."""
     finished = False
     while not finished:
-        with interrupts.computing(), Told():
+        with interrupts.computing(), StopIterationIsError():
             finished = _steps(run, step, system, time.perf_counter() + PIECE_SECONDS)
         yield run.take_frames()
 

@@ -116,7 +116,7 @@ def simulate(
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
-    with Interrupts() as interrupts, interrupts.computing(), recording.Told():
+    with Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError():
         checks.check_bodies(model)
         for name in options:
             check_option(name, TABLE)

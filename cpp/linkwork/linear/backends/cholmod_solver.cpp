@@ -134,7 +134,7 @@ std::unique_ptr<LinearSolver> make(Storage) {
 namespace linkwork {
 
 LinearSolverInfo cholmod_info(const std::string& name, const std::string& documentation, CholmodMode mode) {
-  LinearSolverInfo info{name, documentation, true};
+  LinearSolverInfo info{.name = name, .documentation = documentation, .positive_definite = true};
 #if LINKWORK_WITH_CHOLMOD
   info.make = mode == CholmodMode::automatic    ? make<CholmodMode::automatic>
               : mode == CholmodMode::simplicial ? make<CholmodMode::simplicial>

@@ -107,7 +107,7 @@ std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Spqr>(); }
 namespace linkwork {
 
 LinearSolverInfo spqr_solver() {
-  LinearSolverInfo info{"spqr", "SuiteSparseQR's rank-revealing sparse QR", false, nullptr};
+  LinearSolverInfo info{.name = "spqr", .documentation = "SuiteSparseQR's rank-revealing sparse QR"};
 #if LINKWORK_WITH_GPL
   info.make = make;
 #else

@@ -88,7 +88,7 @@ std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Umfpack>()
 namespace linkwork {
 
 LinearSolverInfo umfpack_solver() {
-  LinearSolverInfo info{"umfpack", "UMFPACK's multifrontal sparse LU", false, nullptr};
+  LinearSolverInfo info{.name = "umfpack", .documentation = "UMFPACK's multifrontal sparse LU"};
 #if LINKWORK_WITH_GPL
   info.make = make;
 #else
