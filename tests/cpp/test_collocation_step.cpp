@@ -17,7 +17,7 @@ double violation(Dynamics& dynamics, double t, const VectorXd& y) {
 
 }  // namespace
 
-TEST_CASE("one step is what two halves of it are, to the twelfth order, and stands on the constraints throughout") {
+TEST_CASE("one step is what two halves of it are, and stands on the constraints throughout") {
   Dynamics dynamics(parallelogram(0.6, 1.0), {});
   CollocationStep step(dynamics, 1.0);
   const Unwatched unwatched(dynamics);
