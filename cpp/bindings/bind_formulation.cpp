@@ -1,9 +1,10 @@
 #include <cmath>
 
-#include "bindings.hpp"
+#include "exclusive.hpp"
 #include "linkwork/assembly/force_elements.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/formulation/formulation.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/instruction_set.hpp"
@@ -42,9 +43,9 @@ VectorXd state(const Dynamics& dynamics, double t, const ConstVector& q, const C
 
 /// D in compressed rows.
 py::dict sparse_D(const System& system, const Evaluation& at) {
-  std::vector<std::int64_t> begin(static_cast<std::size_t>(system.row_count()) + 1, 0);
+  std::vector<std::int64_t> begin(system.row_count() + 1, 0);
   for (const ConstraintBlock& block : system.blocks())
-    for (int k = 0; k < block.rows; ++k) begin[static_cast<std::size_t>(block.row + k) + 1] += 6;
+    for (int k = 0; k < block.rows; ++k) begin[block.row + k + 1] += 6;
   for (std::size_t r = 1; r < begin.size(); ++r) begin[r] += begin[r - 1];
   py::array_t<double> data(static_cast<py::ssize_t>(begin.back()));
   py::array_t<std::int64_t> indices(static_cast<py::ssize_t>(begin.back()));
@@ -52,8 +53,8 @@ py::dict sparse_D(const System& system, const Evaluation& at) {
   for (const ConstraintBlock& block : system.blocks())
     for (int k = 0; k < block.rows; ++k)
       for (int c = 0; c < 6; ++c) {
-        const std::int64_t place = next[static_cast<std::size_t>(block.row + k)]++;
-        data.mutable_data()[place] = at.D[static_cast<std::size_t>(block.offset + 6 * k + c)];
+        const std::int64_t place = next[block.row + k]++;
+        data.mutable_data()[place] = at.D[block.offset + 6 * k + c];
         indices.mutable_data()[place] = 6 * block.body + c;
       }
   py::dict out;

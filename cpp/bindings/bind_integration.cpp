@@ -1,4 +1,4 @@
-#include "bindings.hpp"
+#include "exclusive.hpp"
 #include "linkwork/integration/accumulated_error.hpp"
 #include "linkwork/integration/adaptive_simulation.hpp"
 #include "linkwork/integration/simulation.hpp"
@@ -93,12 +93,6 @@ py::dict to_dict(Frames&& frames, const System& system) {
   out["violation"] = to_numpy(std::move(frames.violation), {count, 3});
   out["history"] = to_numpy(std::move(frames.history), {count, static_cast<py::ssize_t>(system.history_size())});
   return out;
-}
-
-/// Looks for a signal (Ctrl-C) from inside a long evaluation.
-void look_for_signals() {
-  const py::gil_scoped_acquire acquire;
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
 py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {
@@ -236,7 +230,6 @@ void bind_fixed_steps(py::module_& module) {
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
                        std::int64_t record_every, double t_start, const VectorXd& start) {
              const Busy busy(dynamics);
-             dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<Simulation>(
                  dynamics, make_integrator(integrator),
                  Schedule{
@@ -260,7 +253,6 @@ void bind_adaptive_steps(py::module_& module) {
                        double largest_step, std::int64_t record_every, std::vector<double> times,
                        std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks) {
              const Busy busy(dynamics);
-             dynamics.set_interrupt(&look_for_signals);
              return std::make_unique<AdaptiveSimulation>(dynamics, pair,
                                                          AdaptiveSchedule{.t_end = t_end,
                                                                           .tolerances = {rtol, atol},

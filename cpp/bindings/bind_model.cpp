@@ -39,15 +39,15 @@ int add_bodies(Model& model, const GivenNames& names, const Doubles& mass, const
   check_shape(orientation, {count, 4}, "orientation");
   check_shape(velocity, {count, 3}, "velocity");
   check_shape(omega, {count, 3}, "omega");
-  std::vector<Body> bodies(static_cast<std::size_t>(count));
+  std::vector<Body> bodies(count);
   for (py::ssize_t k = 0; k < count; ++k)
-    bodies[static_cast<std::size_t>(k)] = {mass.data()[k],
-                                           Eigen::Map<const RowMajor3>(inertia.data() + 9 * k),
-                                           Eigen::Map<const Vec3<double>>(position.data() + 3 * k),
-                                           Eigen::Map<const Vec4<double>>(orientation.data() + 4 * k),
-                                           Eigen::Map<const Vec3<double>>(velocity.data() + 3 * k),
-                                           Eigen::Map<const Vec3<double>>(omega.data() + 3 * k),
-                                           !inertia_as_is.empty() && inertia_as_is.at(static_cast<std::size_t>(k))};
+    bodies[k] = {mass.data()[k],
+                 Eigen::Map<const RowMajor3>(inertia.data() + 9 * k),
+                 Eigen::Map<const Vec3<double>>(position.data() + 3 * k),
+                 Eigen::Map<const Vec4<double>>(orientation.data() + 4 * k),
+                 Eigen::Map<const Vec3<double>>(velocity.data() + 3 * k),
+                 Eigen::Map<const Vec3<double>>(omega.data() + 3 * k),
+                 !inertia_as_is.empty() && inertia_as_is.at(k)};
   return model.add_bodies(read_names(names), bodies);
 }
 
@@ -82,14 +82,14 @@ Elements read_elements(const Integers& bodies, const Doubles& origin, const Doub
 int add_coupler(Model& model, const std::string& name, const std::vector<CoupledCoordinate>& coordinates, double offset,
                 int signal) {
   const auto coupler = std::make_shared<Coupler>(model, coordinates);
-  const Element& first = model.joints()[static_cast<std::size_t>(coordinates.front().joint)];
+  const Element& first = model.joints()[coordinates.front().joint];
   return model.add_special_joint("coupler", name, first.i, first.j, first.at, coupler, {{offset, signal}});
 }
 
 std::vector<std::array<Vec3<double>, 4>> read_pieces(const Doubles& coefficients, const char* name) {
   const py::ssize_t count = coefficients.ndim() > 0 ? coefficients.shape(0) : 0;
   check_shape(coefficients, {count, 4, 3}, name);
-  std::vector<std::array<Vec3<double>, 4>> out(static_cast<std::size_t>(count));
+  std::vector<std::array<Vec3<double>, 4>> out(count);
   for (std::size_t k = 0; k < out.size(); ++k)
     for (std::size_t m = 0; m < 4; ++m)
       out[k][m] = Eigen::Map<const Vec3<double>>(coefficients.data() + 12 * k + 3 * m);
@@ -114,7 +114,7 @@ py::dict element_arrays(const std::vector<Element>& elements, const std::vector<
   py::array_t<double> frame({count, py::ssize_t{2}, py::ssize_t{3}, py::ssize_t{3}});
   py::array_t<std::int64_t> first_parameter(count);
   for (py::ssize_t k = 0; k < count; ++k) {
-    const Element& element = elements[static_cast<std::size_t>(k)];
+    const Element& element = elements[k];
     kind.mutable_data()[k] = element.kind;
     bodies.mutable_data()[2 * k] = element.i;
     bodies.mutable_data()[2 * k + 1] = element.j;
@@ -128,8 +128,8 @@ py::dict element_arrays(const std::vector<Element>& elements, const std::vector<
   py::array_t<double> constant(total);
   py::array_t<int> signal(total);
   for (py::ssize_t p = 0; p < total; ++p) {
-    constant.mutable_data()[p] = parameters[static_cast<std::size_t>(p)].constant;
-    signal.mutable_data()[p] = parameters[static_cast<std::size_t>(p)].signal;
+    constant.mutable_data()[p] = parameters[p].constant;
+    signal.mutable_data()[p] = parameters[p].signal;
   }
   py::dict out;
   out["kind"] = kind;
@@ -151,8 +151,7 @@ py::array_t<double> masses(const Model& model) {
 py::array_t<double> inertias(const Model& model) {
   const auto count = static_cast<py::ssize_t>(model.bodies().size());
   py::array_t<double> out({count, py::ssize_t{3}, py::ssize_t{3}});
-  for (py::ssize_t b = 0; b < count; ++b)
-    Eigen::Map<RowMajor3>(out.mutable_data() + 9 * b) = model.bodies()[static_cast<std::size_t>(b)].inertia;
+  for (py::ssize_t b = 0; b < count; ++b) Eigen::Map<RowMajor3>(out.mutable_data() + 9 * b) = model.bodies()[b].inertia;
   return out;
 }
 
@@ -169,7 +168,7 @@ py::array_t<double> poses(const Model& model, const Integers& bodies) {
   py::array_t<double> out({bodies.size(), py::ssize_t{position_size}});
   for (py::ssize_t k = 0; k < bodies.size(); ++k) {
     const int index = bodies.data()[k];
-    const Body body = index == ground ? Body{} : model.bodies().at(static_cast<std::size_t>(index));
+    const Body body = index == ground ? Body{} : model.bodies().at(index);
     Eigen::Map<Vec3<double>>(out.mutable_data(k)) = body.position;
     Eigen::Map<Vec4<double>>(out.mutable_data(k) + 3) = body.orientation;
   }
@@ -336,15 +335,12 @@ void bind_names(py::class_<Model>& model) {
       .def(
           "force_name", [](const Model& model, int force) { return model.force_names().name(force); }, py::arg("force"))
       .def(
-          "joint_kind",
-          [](const Model& model, int joint) {
-            return joint_info(model.joints().at(static_cast<std::size_t>(joint)).kind).name;
-          },
+          "joint_kind", [](const Model& model, int joint) { return joint_info(model.joints().at(joint).kind).name; },
           py::arg("joint"))
       .def(
           "joint_bodies",
           [](const Model& model, int joint) {
-            const Element& element = model.joints().at(static_cast<std::size_t>(joint));
+            const Element& element = model.joints().at(joint);
             const SpecialJoint* special = model.special_joint(joint);
             return special ? special->bodies() : std::vector<int>{element.i, element.j};
           },

@@ -6,7 +6,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "linkwork/integration/run.hpp"
 #include "linkwork/math/types.hpp"
 
 namespace linkwork::python {
@@ -25,19 +24,6 @@ void bind_assembler(py::module_& module);
 void bind_formulation(py::module_& module);
 void bind_integration(py::module_& module);
 void bind_driven_motion(py::module_& module);
-
-// A System works for one caller at a time; see Busy.
-inline const Dynamics& dynamics_of(const Dynamics& dynamics) { return dynamics; }
-inline const Dynamics& dynamics_of(const Run& run) { return run.dynamics(); }
-
-/// The function, in which the dynamics of its first argument are busy.
-template <class Result, class Self, class... Arguments>
-auto exclusive(Result (*function)(Self&, Arguments...)) {
-  return [function](Self& self, Arguments... arguments) -> Result {
-    const Busy busy(dynamics_of(self));
-    return function(self, std::forward<Arguments>(arguments)...);
-  };
-}
 
 /// Hands a vector over to numpy without a copy.
 py::array_t<double> to_numpy(std::vector<double>&& values, std::vector<py::ssize_t> shape);

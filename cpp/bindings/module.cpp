@@ -1,7 +1,19 @@
 #include "bindings.hpp"
+#include "linkwork/math/interruption.hpp"
+
+namespace {
+
+/// Signals (Ctrl-C), whose handlers Python calls between two lines of its own only.
+void look_for_signals() {
+  const pybind11::gil_scoped_acquire acquire;
+  if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+}
+
+}  // namespace
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled core of linkwork: models, evaluation, formulations and the drivers of the integrators.";
+  linkwork::set_interruption(&look_for_signals);
   linkwork::python::bind_errors(module);
   linkwork::python::bind_time_functions(module);
   linkwork::python::bind_kinds(module);

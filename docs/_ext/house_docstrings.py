@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
 
 #: "name   meaning" or "first, second   meaning"
-ROW = re.compile(r"^(\w[\w ,.\[\]=\"']*?)(?: {2,}| (?=\S))(\S.*)$")
 COLUMNS = re.compile(r"^(\S(?:.*?\S)?) {2,}(\S.*)$")
 NAMES = re.compile(r"^\w+(, \w+)*,?$")
 ERRORS = re.compile(r"(?:^|(?<=[.;] ))((?:\w+(?:Error|Warning)(?:, | and )?)+): ")

@@ -173,16 +173,14 @@ def runge_kutta(branch: Branch, start: Array, h: float, steps: NDArray[np.int_])
 
 
 def crossings(branch: Branch, start: Array, t_end: float) -> int:
-    """How often s passes a singular value."""
+    """How often s passes a singular value: from one turning point to the next it grows, or falls."""
 
-    def passes(_t: float, y: np.ndarray) -> float:
-        return float(np.sin((y[0] - branch.singular) * np.pi / branch.period))
+    def turns(_t: float, y: np.ndarray) -> float:
+        return float(y[1])
 
-    return len(
-        solve_ivp(branch.rates, (0, t_end), start, "DOP853", rtol=1e-10, atol=1e-10, events=passes).t_events[
-            0
-        ]
-    )
+    motion = solve_ivp(branch.rates, (0, t_end), start, "DOP853", rtol=1e-12, atol=1e-12, events=turns)
+    s = np.concatenate([[start[0]], motion.y_events[0].reshape(-1, len(start))[:, 0], [motion.y[0, -1]]])
+    return int(np.abs(np.diff(np.floor((s - branch.singular) / branch.period))).sum())
 
 
 def table(found: list[Found]) -> str:

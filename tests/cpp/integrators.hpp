@@ -7,7 +7,7 @@
 
 #include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/simulation.hpp"
-#include "support.hpp"
+#include "mechanisms.hpp"
 
 /// Some methods, mechanisms to run them on, and the order that three runs show.
 namespace support {
@@ -64,12 +64,18 @@ inline std::vector<Method> all_methods() {
   return all;
 }
 
+/// With principal axes along its own.
+inline Body rigid_body(double mass, const Vec3<double>& moments) {
+  Body body;
+  body.mass = mass;
+  body.inertia = moments.asDiagonal();
+  return body;
+}
+
 /// An asymmetric body that nothing holds and no torque acts on.
 inline Model free_body() {
   Model model(Vec3<double>::Zero());
-  Body body;
-  body.mass = 2.0;
-  body.inertia = Vec3<double>(1.0, 2.0, 2.5).asDiagonal();
+  Body body = rigid_body(2.0, {1.0, 2.0, 2.5});
   body.velocity = {0.3, -0.2, 0.1};
   body.omega = {1.0, 2.0, -0.5};
   model.add_body("brick", body);
@@ -79,9 +85,7 @@ inline Model free_body() {
 /// A rod on a hinge, let go from the horizontal.
 inline Model pendulum() {
   Model model;
-  Body body;
-  body.mass = 2.0;
-  body.inertia = Vec3<double>(0.10, 0.20, 0.20).asDiagonal();
+  Body body = rigid_body(2.0, {0.10, 0.20, 0.20});
   body.position = {0.5, 0.0, 0.0};
   model.add_body("rod", body);
   Attachment<double> at;
@@ -95,16 +99,12 @@ inline Model pendulum() {
 /// An asymmetric body on a ball joint at the origin, moving consistently.
 inline Model spherical_pendulum() {
   Model model;
-  Body body;
-  body.mass = 2.0;
-  body.inertia = Vec3<double>(0.10, 0.20, 0.25).asDiagonal();
+  Body body = rigid_body(2.0, {0.10, 0.20, 0.25});
   body.position = {0.8, 0.0, -0.3};
   body.omega = {0.5, -0.4, 1.5};
   body.velocity = body.omega.cross(body.position);
   model.add_body("bob", body);
-  const Mat3<double> I = Mat3<double>::Identity();
-  const Vec3<double> none = Vec3<double>::Zero();
-  model.add_joint("spherical", "hook", ground, 0, place(model, ground, 0, none, none, I, I));
+  join(model, "spherical", "hook", ground, 0, {0, 0, 0});
   return model;
 }
 
@@ -122,7 +122,7 @@ inline Frames run(const Model& model, std::unique_ptr<Integrator> integrator, co
 }
 
 inline VectorXd last(const std::vector<double>& frames, Eigen::Index size) {
-  return Eigen::Map<const VectorXd>(frames.data() + frames.size() - static_cast<std::size_t>(size), size);
+  return Eigen::Map<const VectorXd>(frames.data() + frames.size() - size, size);
 }
 
 /// (q, v, work) of a one-body model at the end.

@@ -20,10 +20,12 @@ inline int join(Model& model, const std::string& kind, const std::string& name, 
   return model.add_joint(kind, name, i, j, place(model, i, j, P, P, I, I));
 }
 
-/// Crank, coupler and rocker on hinges about z: 20 equations, of which three are redundant.
-inline Model four_bar() {
+/// Crank, coupler and rocker on hinges about z: 20 equations, of which three are redundant. With all bars along x where
+/// `flat`: it can go on in two ways.
+inline Model four_bar(bool flat = false) {
+  const Vec3<double> A(0, 0, 0), B = flat ? Vec3<double>(1, 0, 0) : Vec3<double>(0, 1, 0),
+                                 C = flat ? Vec3<double>(3, 0, 0) : Vec3<double>(2, 1.5, 0), D(2, 0, 0);
   Model model;
-  const Vec3<double> A(0, 0, 0), B(0, 1, 0), C(2, 1.5, 0), D(2, 0, 0);
   model.add_body("crank", body_at(0.5 * (A + B)));
   model.add_body("coupler", body_at(0.5 * (B + C)));
   model.add_body("rocker", body_at(0.5 * (C + D)));
@@ -31,6 +33,20 @@ inline Model four_bar() {
   join(model, "revolute", "B", 0, 1, B);
   join(model, "revolute", "C", 1, 2, C);
   join(model, "revolute", "D", ground, 2, D);
+  return model;
+}
+
+/// A door of this size on two hinges about z; on the ground the upper one is off by this part of the size. Both hold at
+/// first if `placed`, else the door is made for hinges that are not off.
+inline Model door(double size, const Vec3<double>& off, bool placed = false) {
+  Model model;
+  Body body = body_at({0.5 * size, 0, 0.5 * size});
+  body.inertia *= size * size;
+  model.add_body("door", body);
+  const Mat3<double> I = Mat3<double>::Identity();
+  const Vec3<double> high{0, 0, size}, on_ground = high + size * off;
+  join(model, "revolute", "low", ground, 0, {0, 0, 0});
+  model.add_joint("revolute", "high", ground, 0, place(model, ground, 0, on_ground, placed ? on_ground : high, I, I));
   return model;
 }
 

@@ -29,12 +29,12 @@ inline std::vector<int> spqr_dependent_columns(const Eigen::SparseMatrix<double>
   auto* qr = SuiteSparseQR_factorize<double>(SPQR_ORDERING_DEFAULT, tolerance * largest, &view, &common);
   if (!qr) throw std::bad_alloc();
   // Columns with a pivot among the singletons are live; SPQR marks the dead ones of the rest.
-  std::vector<char> live(static_cast<std::size_t>(A.cols()), 0);
-  for (SuiteSparse_long k = 0; k < qr->n1rows; ++k) live[static_cast<std::size_t>(qr->R1j[qr->R1p[k]])] = 1;
+  std::vector<char> live(A.cols(), 0);
+  for (SuiteSparse_long k = 0; k < qr->n1rows; ++k) live[qr->R1j[qr->R1p[k]]] = 1;
   const auto original = [&](SuiteSparse_long k) { return static_cast<int>(qr->Q1fill ? qr->Q1fill[k] : k); };
   std::vector<int> dead;
   for (SuiteSparse_long k = 0; k < qr->n1cols; ++k)
-    if (!live[static_cast<std::size_t>(k)]) dead.push_back(original(k));
+    if (!live[k]) dead.push_back(original(k));
   if (qr->rank < A.cols())
     for (SuiteSparse_long k = qr->n1cols; k < A.cols(); ++k)
       if (qr->QRnum->Rdead[k - qr->n1cols]) dead.push_back(original(k));

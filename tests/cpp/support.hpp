@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "linkwork/assembly/system.hpp"
+#include "linkwork/formulation/options.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/model/model.hpp"
@@ -79,7 +80,7 @@ inline Attachment<double> random_attachment(Random& random) {
 /// axes F_i and F_j in space.
 inline Attachment<double> place(const Model& model, int i, int j, const Vec3<double>& P_i, const Vec3<double>& P_j,
                                 const Mat3<double>& F_i, const Mat3<double>& F_j) {
-  const auto pose = [&](int body) { return body == ground ? Body{} : model.bodies()[static_cast<std::size_t>(body)]; };
+  const auto pose = [&](int body) { return body == ground ? Body{} : model.bodies()[body]; };
   const Mat3<double> A_i = rotation_matrix<double>(pose(i).orientation);
   const Mat3<double> A_j = rotation_matrix<double>(pose(j).orientation);
   return {A_i.transpose() * (P_i - pose(i).position), A_j.transpose() * (P_j - pose(j).position), A_i.transpose() * F_i,
@@ -88,7 +89,7 @@ inline Attachment<double> place(const Model& model, int i, int j, const Vec3<dou
 
 /// Adds a joint of any kind that the initial pose satisfies.
 inline int add_joint(Model& model, Random& random, const std::string& kind, const std::string& name, int i, int j) {
-  const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info;
+  const KindInfo& info = joint_kinds()[joint_kind_index(kind)].info;
   const auto named = [&](const std::string& name) { return info.placement == name; };
   Mat3<double> F_i = random.frame();
   Vec3<double> P_i = random.vec3(), apart = Vec3<double>::Zero();
@@ -132,9 +133,7 @@ inline std::vector<Parameter> force_parameters(Model& model, Random& random, con
 inline Model random_tree(Random& random, int bodies) {
   Model model(random.vec3(9.81));
   for (int body = 0; body < bodies; ++body) {
-    const std::string kind =
-        joint_kinds()[static_cast<std::size_t>(random.integer(0, static_cast<int>(joint_kinds().size()) - 1))]
-            .info.name;
+    const std::string kind = joint_kinds()[random.integer(0, static_cast<int>(joint_kinds().size()) - 1)].info.name;
     model.add_body("body" + std::to_string(body), random_body(random));
     add_joint(model, random, kind, "joint" + std::to_string(body), random.integer(ground, body - 1), body);
   }
@@ -163,7 +162,7 @@ inline MatrixXd dense_D(const System& system, const Evaluation& at) {
   for (const ConstraintBlock& block : system.blocks())
     for (int row = 0; row < block.rows; ++row)
       for (int column = 0; column < 6; ++column)
-        D(block.row + row, 6 * block.body + column) = at.D[static_cast<std::size_t>(block.offset + 6 * row + column)];
+        D(block.row + row, 6 * block.body + column) = at.D[block.offset + 6 * row + column];
   return D;
 }
 
@@ -172,7 +171,7 @@ inline MatrixXd dense_M(const Model& model) {
   const auto n = static_cast<Eigen::Index>(model.bodies().size());
   MatrixXd M = MatrixXd::Zero(6 * n, 6 * n);
   for (Eigen::Index body = 0; body < n; ++body) {
-    const Body& b = model.bodies()[static_cast<std::size_t>(body)];
+    const Body& b = model.bodies()[body];
     M.block<3, 3>(6 * body, 6 * body).diagonal().setConstant(b.mass);
     M.block<3, 3>(6 * body + 3, 6 * body + 3) = b.inertia;
   }
@@ -211,6 +210,15 @@ auto first_difference(F f, double h) {
 template <class F>
 auto second_difference(F f, double h) {
   return ((16.0 * (f(h) + f(-h)) - (f(2 * h) + f(-2 * h)) - 30.0 * f(0.0)) / (12.0 * h * h)).eval();
+}
+
+inline Options options_of(const std::string& formulation, const std::string& form = "auto",
+                          const std::string& solver = "auto") {
+  Options options;
+  options.formulation = formulation;
+  options.matrix_form = form;
+  options.linear_solver = solver;
+  return options;
 }
 
 /// Code of the OptionError that a call throws, or "none".

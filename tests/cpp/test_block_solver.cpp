@@ -26,19 +26,19 @@ void for_every_instruction_set(Check check) {
 /// A square net of n x n nodes, rods between neighbours joined by balls, the first node on the ground.
 Model net(Random& random, int n) {
   Model model;
-  std::vector<std::vector<std::pair<int, double>>> rods_at(static_cast<std::size_t>(n * n));  // (body, end along its x)
+  std::vector<std::vector<std::pair<int, double>>> rods_at(n * n);  // (body, end along its x)
   std::vector<Vec3<double>> nodes;
   for (int k = 0; k < n * n; ++k) nodes.emplace_back(k % n, k / n, 0.3 * random.number());
   const auto add_rod = [&](int a, int b) {
-    const Vec3<double> along = nodes[static_cast<std::size_t>(b)] - nodes[static_cast<std::size_t>(a)];
+    const Vec3<double> along = nodes[b] - nodes[a];
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3<double>::UnitX(), along);
     Body rod;
     rod.inertia = Vec3<double>(0.002, 0.08, 0.08).asDiagonal();
-    rod.position = 0.5 * (nodes[static_cast<std::size_t>(a)] + nodes[static_cast<std::size_t>(b)]);
+    rod.position = 0.5 * (nodes[a] + nodes[b]);
     rod.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
     const int body = model.add_body("rod" + std::to_string(model.bodies().size()), rod);
-    rods_at[static_cast<std::size_t>(a)].emplace_back(body, -0.5 * along.norm());
-    rods_at[static_cast<std::size_t>(b)].emplace_back(body, 0.5 * along.norm());
+    rods_at[a].emplace_back(body, -0.5 * along.norm());
+    rods_at[b].emplace_back(body, 0.5 * along.norm());
   };
   for (int k = 0; k < n * n; ++k) {
     if (k % n + 1 < n) add_rod(k, k + 1);
@@ -294,7 +294,7 @@ TEST_CASE("couplers among many bodies are solved, of trees, loops and hubs") {
       }
       for (int k = 0; k < 2; ++k) {
         const std::vector<CoupledCoordinate> some(angles.begin() + k, angles.begin() + 2 + random.integer(k, 2));
-        const Element& first = model.joints()[static_cast<std::size_t>(some.front().joint)];
+        const Element& first = model.joints()[some.front().joint];
         model.add_special_joint("coupler", "coupler" + std::to_string(k), first.i, first.j, first.at,
                                 std::make_shared<Coupler>(model, some), {Parameter{}});
       }
@@ -318,7 +318,7 @@ TEST_CASE("dropped rows are left out, whole joints included, as if they were not
     for (int trial = 0; trial < 20; ++trial) {
       Model model = trial % 2 ? loops(random, random.integer(3, 25)) : hub(random, random.integer(8, 20), true);
       const Element doubled = model.joints()[1];
-      const KindInfo& kind = joint_kinds()[static_cast<std::size_t>(doubled.kind)].info;
+      const KindInfo& kind = joint_kinds()[doubled.kind].info;
       model.add_joint(kind.name, "again", doubled.i, doubled.j, doubled.at,
                       std::vector<Parameter>(kind.parameters.size(), Parameter{1.0, -1}));
       const System system(model);
@@ -399,7 +399,7 @@ TEST_CASE("a state that is not a number never factorizes") {
   for (const bool open : {true, false}) {
     const System system(open ? random_chain(random, 4, "revolute") : net(random, 3));
     Evaluation at = evaluate_initially(system);
-    at.D[static_cast<std::size_t>(system.blocks().back().offset)] = NAN;
+    at.D[system.blocks().back().offset] = NAN;
     for_every_instruction_set([&](SaddleSolver& solver) {
       solver.analyze(system, at);
       CHECK_THROWS_AS(solver.factorize(at, VectorXd::Zero(system.row_count())), SingularSystemError);
@@ -438,7 +438,7 @@ Model spread(const Model& model, Random& random) {
   for (std::size_t k = 0; k < model.joints().size(); ++k) {
     const Element& joint = model.joints()[k];
     const auto first = model.joint_parameters().begin() + static_cast<std::ptrdiff_t>(joint.first_parameter);
-    const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joint.kind)].info;
+    const KindInfo& info = joint_kinds()[joint.kind].info;
     out.add_joint(info.name, model.joint_name(static_cast<int>(k)), joint.i, joint.j, joint.at,
                   {first, first + static_cast<std::ptrdiff_t>(info.parameters.size())});
   }

@@ -11,10 +11,9 @@ namespace {
 Model turning(double from, double rate) {
   const Model placed = parallelogram(from, rate);
   Model model(Vec3<double>::Zero());
-  for (int body = 0; body < 3; ++body)
-    model.add_body(placed.body_name(body), placed.bodies()[static_cast<std::size_t>(body)]);
+  for (int body = 0; body < 3; ++body) model.add_body(placed.body_name(body), placed.bodies()[body]);
   for (int joint = 0; joint < 4; ++joint) {
-    const Element& it = placed.joints()[static_cast<std::size_t>(joint)];
+    const Element& it = placed.joints()[joint];
     model.add_joint("revolute", placed.joint_name(joint), it.i, it.j, it.at);
   }
   return model;

@@ -43,7 +43,7 @@ TEST_CASE("a driven rod moves, and is driven, as its driver says") {
     CHECK(std::abs(frames.v_dot[6 * n + 5] - acceleration) < 1e-11);
     // Unit inertia about the center of mass, and 1 kg at the arm.
     CHECK(std::abs(std::abs(frames.lambda[6 * n + 5]) - std::abs((1.0 + arm * arm) * acceleration)) < 1e-10);
-    for (int level = 0; level < 3; ++level) CHECK(frames.violation[3 * n + static_cast<std::size_t>(level)] < 1e-11);
+    for (int level = 0; level < 3; ++level) CHECK(frames.violation[3 * n + level] < 1e-11);
   }
 }
 

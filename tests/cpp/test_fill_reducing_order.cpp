@@ -19,12 +19,12 @@ NumberLists lists_of(const std::vector<std::set<int>>& neighbors) {
 }
 
 void couple(std::vector<std::set<int>>& graph, int a, int b) {
-  graph[static_cast<std::size_t>(a)].insert(b);
-  graph[static_cast<std::size_t>(b)].insert(a);
+  graph[a].insert(b);
+  graph[b].insert(a);
 }
 
 std::vector<std::set<int>> grid(int n) {
-  std::vector<std::set<int>> graph(static_cast<std::size_t>(n * n));
+  std::vector<std::set<int>> graph(n * n);
   for (int k = 0; k < n * n; ++k) {
     if (k % n + 1 < n) couple(graph, k, k + 1);
     if (k + n < n * n) couple(graph, k, k + n);
@@ -36,12 +36,12 @@ std::vector<std::set<int>> grid(int n) {
 std::size_t entries(std::vector<std::set<int>> graph, const std::vector<int>& order) {
   std::size_t sum = 0;
   for (const int node : order) {
-    const std::set<int> own = graph[static_cast<std::size_t>(node)];
+    const std::set<int> own = graph[node];
     sum += own.size();
     for (const int a : own) {
-      graph[static_cast<std::size_t>(a)].erase(node);
+      graph[a].erase(node);
       for (const int b : own)
-        if (b != a) graph[static_cast<std::size_t>(a)].insert(b);
+        if (b != a) graph[a].insert(b);
     }
   }
   return sum;

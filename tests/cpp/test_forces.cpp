@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 Model random_force(const std::string& kind, int i, int j, Random& random) {
   Model model(random.vec3(9.81));
   for (const char* name : {"a", "b"}) model.add_body(name, random_body(random));
-  const KindInfo& info = force_kinds()[static_cast<std::size_t>(force_kind_index(kind))].info;
+  const KindInfo& info = force_kinds()[force_kind_index(kind)].info;
   const std::vector<Parameter> parameters = force_parameters(model, random, info);
   model.add_force(kind, "force", i, j, random_attachment(random), parameters);
   return model;
@@ -89,7 +89,7 @@ TEST_CASE("force elements act with equal and opposite forces and moments on thei
     const Evaluation at = evaluate_initially(system);
     Vec3<double> force = Vec3<double>::Zero(), moment = Vec3<double>::Zero();
     for (int b = 0; b < 2; ++b) {
-      const Body& body = model.bodies()[static_cast<std::size_t>(b)];
+      const Body& body = model.bodies()[b];
       const Vec3<double> F = at.g.segment<3>(6 * b) - body.mass * model.gravity();
       const Vec3<double> n = at.g.segment<3>(6 * b + 3) + body.omega.cross(body.inertia * body.omega);
       force += F;

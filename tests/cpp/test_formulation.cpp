@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/formulation/formulation.hpp"
 #include "linkwork/math/error.hpp"
 #include "support.hpp"
 
@@ -39,15 +40,6 @@ std::vector<Named> mechanisms() {
   driven.add_joint("distance", "actuator", ground, 1, ends, {{0.0, driven.add_signal(harmonic(0.2, 3.0, 0.5, 1.0))}});
   all.push_back({"driven four-bar", driven});
   return all;
-}
-
-Options options_of(const std::string& formulation, const std::string& system = "auto",
-                   const std::string& solver = "auto") {
-  Options options;
-  options.formulation = formulation;
-  options.matrix_form = system;
-  options.linear_solver = solver;
-  return options;
 }
 
 struct Solution {
@@ -305,7 +297,7 @@ TEST_CASE("results do not change with units by the scaled penalty") {
   const double mass = 1e3, length = 1e3;  // g, mm
   Model other(length * model.gravity());
   for (int body = 0; body < 4; ++body) {
-    Body b = model.bodies()[static_cast<std::size_t>(body)];
+    Body b = model.bodies()[body];
     b.mass *= mass;
     b.inertia *= mass * length * length;
     b.position *= length;
@@ -313,7 +305,7 @@ TEST_CASE("results do not change with units by the scaled penalty") {
     other.add_body(model.body_name(body), b);
   }
   for (int joint = 0; joint < 4; ++joint) {
-    Element element = model.joints()[static_cast<std::size_t>(joint)];
+    Element element = model.joints()[joint];
     element.at.s_i *= length;
     element.at.s_j *= length;
     other.add_joint("revolute", model.joint_name(joint), element.i, element.j, element.at);

@@ -33,7 +33,7 @@ Model falling(double above) {
   const Vec3<double> O = Vec3<double>::Zero();
   const Mat3<double> I = Mat3<double>::Identity();
   Random random(1);
-  const KindInfo& info = force_kinds()[static_cast<std::size_t>(force_kind_index("translational_stop"))].info;
+  const KindInfo& info = force_kinds()[force_kind_index("translational_stop")].info;
   std::vector<Parameter> parameters;
   for (const ParameterInfo& it : info.parameters) {
     const std::string& name = it.name;

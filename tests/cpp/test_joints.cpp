@@ -20,7 +20,7 @@ struct Case {
   Case(const std::string& kind, int i, int j, Random& random) : model(Vec3<double>::Zero()) {
     for (int body = 0; body <= std::max(i, j); ++body)
       model.add_body("body" + std::to_string(body), random_body(random));
-    const KindInfo& info = joint_kinds()[static_cast<std::size_t>(joint_kind_index(kind))].info;
+    const KindInfo& info = joint_kinds()[joint_kind_index(kind)].info;
     std::vector<Parameter> parameters;
     for (const ParameterInfo& it : info.parameters) {
       if (it.constant()) {
@@ -183,7 +183,7 @@ TEST_CASE("every joint names each of its equations once") {
   for (const JointKind& kind : joint_kinds()) {
     CAPTURE(kind.info.name);
     CHECK(kind.info.rows > 0);
-    CHECK(kind.info.equations.size() == static_cast<std::size_t>(kind.info.rows));
+    CHECK(std::ssize(kind.info.equations) == kind.info.rows);
     CHECK_FALSE(kind.info.documentation.empty());
     for (std::size_t a = 0; a < kind.info.equations.size(); ++a)
       for (std::size_t b = 0; b < a; ++b) CHECK(kind.info.equations[a].name != kind.info.equations[b].name);

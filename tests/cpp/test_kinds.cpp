@@ -12,7 +12,7 @@ TEST_CASE("every kind is found by its name, and no two have the same") {
     INFO(info.name);
     CHECK(joint_kind_index(info.name) == static_cast<int>(k));
     CHECK(names.insert(info.name).second);
-    CHECK(info.equations.size() == static_cast<std::size_t>(info.rows));
+    CHECK(std::ssize(info.equations) == info.rows);
   }
   for (std::size_t k = 0; k < force_kinds().size(); ++k) {
     CHECK(force_kind_index(force_kinds()[k].info.name) == static_cast<int>(k));

@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "mechanisms.hpp"
 
 using namespace support;
@@ -16,12 +17,6 @@ double least(Dynamics& dynamics) {
   return value;
 }
 
-Options by(const char* formulation) {
-  Options options;
-  options.formulation = formulation;
-  return options;
-}
-
 }  // namespace
 
 TEST_CASE("it is the least singular value of scale^-1 D M^-1/2, the scale that of the rows at the start") {
@@ -33,7 +28,7 @@ TEST_CASE("it is the least singular value of scale^-1 D M^-1/2, the scale that o
   const VectorXd scale = mean_delassus_diagonal(system, at).cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = scale.asDiagonal() * S * scale.asDiagonal();
   const double expected = std::sqrt(Eigen::JacobiSVD<MatrixXd>(scaled).singularValues().tail<1>()[0]);
-  Dynamics dynamics(model, by("standard"));
+  Dynamics dynamics(model, options_of("standard"));
   dynamics.evaluate(0.0, dynamics.initial_y());
   for (int k = 0; k < 20; ++k) least(dynamics);
   CHECK(least(dynamics) == doctest::Approx(expected).epsilon(1e-3));
@@ -43,7 +38,7 @@ TEST_CASE("the least singular value falls linearly to zero toward a singular pos
   for (const char* formulation : {"standard", "penalty", "augmented_lagrangian"}) {
     std::vector<double> values;
     for (const double theta : {0.04, 0.02, 0.01}) {
-      Dynamics dynamics(parallelogram(theta), by(formulation));
+      Dynamics dynamics(parallelogram(theta), options_of(formulation));
       dynamics.evaluate(0.0, dynamics.initial_y());
       values.push_back(least(dynamics));
     }

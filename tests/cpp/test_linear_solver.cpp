@@ -17,12 +17,13 @@ constexpr double failure = 1e-14;  // a pivot ratio that the callers take for a 
 /// A symmetric matrix by its entries with row <= column; the diagonal is always stored.
 using Entries = std::map<std::pair<int, int>, double>;
 
-SparseMatrix compress(int size, const Entries& upper, Storage storage) {
-  std::vector<std::map<int, double>> columns(static_cast<std::size_t>(size));
-  for (int k = 0; k < size; ++k) columns[static_cast<std::size_t>(k)][k] = 0.0;
+SparseMatrix compress(const Entries& upper, Storage storage) {
+  const int size = upper.rbegin()->first.second + 1;
+  std::vector<std::map<int, double>> columns(size);
+  for (int k = 0; k < size; ++k) columns[k][k] = 0.0;
   for (const auto& [at, value] : upper) {
-    columns[static_cast<std::size_t>(at.second)][at.first] = value;
-    if (storage == Storage::full) columns[static_cast<std::size_t>(at.first)][at.second] = value;
+    columns[at.second][at.first] = value;
+    if (storage == Storage::full) columns[at.first][at.second] = value;
   }
   SparseMatrix A{size, storage, {0}, {}, {}};
   for (const auto& column : columns) {
@@ -88,13 +89,20 @@ double residual(const Entries& A, const MatrixXd& x, const MatrixXd& b) {
 }
 
 /// Factorizes and solves with three right-hand sides at once.
-void check_solves(LinearSolver& solver, const Entries& A, const SparseMatrix& matrix, Random& random) {
+void check_solves(LinearSolver& solver, const Entries& A, Storage storage, Random& random) {
+  const SparseMatrix matrix = compress(A, storage);
   CHECK(solver.factorize(matrix).ratio > failure);
   const MatrixXd b = random.matrix(matrix.size, 3);
   MatrixXd x = b;
   solver.solve(x);
   CHECK(residual(A, x, b) < 1e-12);
   CHECK(solver.factor_nonzeros() >= matrix.size);
+}
+
+std::unique_ptr<LinearSolver> analyzed(const LinearSolverInfo& info, const Entries& pattern, Storage storage) {
+  auto solver = info.make(storage);
+  solver->analyze(compress(pattern, storage));
+  return solver;
 }
 
 /// Runs a check with every solver of this build, in each storage that it is used with.
@@ -118,7 +126,9 @@ void for_every_indefinite_solver(Check check) {
 }
 
 /// A failure is reported by a pivot ratio that is not above `failure`: it may be NaN.
-double pivot_ratio(LinearSolver& solver, const SparseMatrix& matrix) { return solver.factorize(matrix).ratio; }
+double pivot_ratio(LinearSolver& solver, const Entries& A, Storage storage) {
+  return solver.factorize(compress(A, storage)).ratio;
+}
 
 }  // namespace
 
@@ -128,10 +138,7 @@ TEST_CASE("every solver solves positive definite systems of every size from 1 to
     for (int size = 1; size <= 60; ++size) {
       CAPTURE(size);
       const Entries A = positive_definite(size, random);
-      const SparseMatrix matrix = compress(size, A, storage);
-      const auto solver = info.make(storage);
-      solver->analyze(matrix);
-      check_solves(*solver, A, matrix, random);
+      check_solves(*analyzed(info, A, storage), A, storage, random);
     }
   });
 }
@@ -142,10 +149,7 @@ TEST_CASE("every solver that can solves saddle point systems of every size from 
     for (int size = 3; size <= 60; ++size) {
       CAPTURE(size);
       const Entries A = saddle(size, random);
-      const SparseMatrix matrix = compress(size, A, Storage::full);
-      const auto solver = info.make(Storage::full);
-      solver->analyze(matrix);
-      check_solves(*solver, A, matrix, random);
+      check_solves(*analyzed(info, A, Storage::full), A, Storage::full, random);
     }
   });
 }
@@ -158,10 +162,7 @@ TEST_CASE("every sparse solver solves systems of several thousand") {
     if (info.dense) return;
     for (const Entries& entries : {A, K}) {
       if (&entries != &A && info.positive_definite) continue;
-      const SparseMatrix matrix = compress(size, entries, storage);
-      const auto solver = info.make(storage);
-      solver->analyze(matrix);
-      check_solves(*solver, entries, matrix, random);
+      check_solves(*analyzed(info, entries, storage), entries, storage, random);
     }
   });
 }
@@ -170,12 +171,11 @@ TEST_CASE("after one analyze every solver takes new values again and again") {
   Random random(83);
   for_every_solver([&](const LinearSolverInfo& info, Storage storage) {
     Entries A = positive_definite(40, random);
-    const auto solver = info.make(storage);
-    solver->analyze(compress(40, A, storage));
+    const auto solver = analyzed(info, A, storage);
     for (int repetition = 0; repetition < 5; ++repetition) {
       const double scale = random.number(0.1, 10.0);
       for (auto& [at, value] : A) value *= at.first == at.second ? scale : scale * random.number(-1.0, 1.0);
-      check_solves(*solver, A, compress(40, A, storage), random);
+      check_solves(*solver, A, storage, random);
     }
   });
 }
@@ -184,12 +184,11 @@ TEST_CASE("LU keeps its accuracy where new values make the pivots of the last fa
   Random random(84);
   for_every_indefinite_solver([&](const LinearSolverInfo& info) {
     Entries A = {{{0, 0}, 1.0}, {{0, 1}, 1.0}, {{1, 1}, 2.0}, {{1, 2}, 1.0}, {{2, 2}, 1.0}, {{0, 2}, 0.25}};
-    const auto solver = info.make(Storage::full);
-    solver->analyze(compress(3, A, Storage::full));
-    check_solves(*solver, A, compress(3, A, Storage::full), random);
+    const auto solver = analyzed(info, A, Storage::full);
+    check_solves(*solver, A, Storage::full, random);
     A[{0, 0}] = 1e-14;
     A[{1, 1}] = 1e-14;
-    check_solves(*solver, A, compress(3, A, Storage::full), random);
+    check_solves(*solver, A, Storage::full, random);
   });
 }
 
@@ -199,9 +198,8 @@ TEST_CASE("every solver can analyze another pattern, of another size") {
     const auto solver = info.make(storage);
     for (const int size : {30, 50, 7}) {
       const Entries A = positive_definite(size, random);
-      const SparseMatrix matrix = compress(size, A, storage);
-      solver->analyze(matrix);
-      check_solves(*solver, A, matrix, random);
+      solver->analyze(compress(A, storage));
+      check_solves(*solver, A, storage, random);
     }
   });
 }
@@ -232,10 +230,8 @@ TEST_CASE("every solver reports a matrix with two equal rows as singular, and na
     for (const int size : {2, 5, 20, 60}) {
       CAPTURE(size);
       const int twin = random.integer(0, size - 2);
-      const SparseMatrix matrix = compress(size, with_twin_row(size, twin, random), storage);
-      const auto solver = info.make(storage);
-      solver->analyze(matrix);
-      const Pivot pivot = solver->factorize(matrix);
+      const Entries A = with_twin_row(size, twin, random);
+      const Pivot pivot = analyzed(info, A, storage)->factorize(compress(A, storage));
       CAPTURE(pivot.ratio);
       CHECK_FALSE(pivot.ratio > failure);
       INFO("row ", pivot.row, " of equal rows ", twin, " and ", size - 1);
@@ -248,13 +244,12 @@ TEST_CASE("every solver reports a zero matrix and a zero row as singular") {
   Random random(87);
   for_every_solver([&](const LinearSolverInfo& info, Storage storage) {
     Entries A = positive_definite(10, random);
-    const auto solver = info.make(storage);
-    solver->analyze(compress(10, A, storage));
+    const auto solver = analyzed(info, A, storage);
     for (auto& [at, value] : A)
       if (at.first == 4 || at.second == 4) value = 0.0;
-    CHECK_FALSE(pivot_ratio(*solver, compress(10, A, storage)) > failure);
+    CHECK_FALSE(pivot_ratio(*solver, A, storage) > failure);
     for (auto& entry : A) entry.second = 0.0;
-    CHECK_FALSE(pivot_ratio(*solver, compress(10, A, storage)) > failure);
+    CHECK_FALSE(pivot_ratio(*solver, A, storage) > failure);
   });
 }
 
@@ -263,14 +258,13 @@ TEST_CASE("every solver of positive definite systems reports an indefinite one")
   for_every_solver([&](const LinearSolverInfo& info, Storage storage) {
     if (storage == Storage::full) return;
     Entries A = positive_definite(10, random);
-    const auto solver = info.make(storage);
-    solver->analyze(compress(10, A, storage));
+    const auto solver = analyzed(info, A, storage);
     A[{6, 6}] *= -1.0;
-    CHECK_FALSE(pivot_ratio(*solver, compress(10, A, storage)) > failure);
+    CHECK_FALSE(pivot_ratio(*solver, A, storage) > failure);
     A = positive_definite(10, random);
     A[{6, 6}] = 0.01 * A[{6, 6}];
     A[{6, 7}] = 3.0 * A[{7, 7}];
-    CHECK_FALSE(pivot_ratio(*solver, compress(10, A, storage)) > failure);
+    CHECK_FALSE(pivot_ratio(*solver, A, storage) > failure);
   });
 }
 
@@ -281,10 +275,9 @@ TEST_CASE("every solver reports NaN and infinity wherever they stand") {
       for (const auto& at : std::vector<std::pair<int, int>>{{0, 0}, {19, 19}, {0, 1}, {18, 19}, {10, 10}, {9, 11}}) {
         INFO(bad, " at row ", at.first, ", column ", at.second);
         Entries A = positive_definite(20, random);
-        const auto solver = info.make(storage);
-        solver->analyze(compress(20, A, storage));
+        const auto solver = analyzed(info, A, storage);
         A.at(at) = bad;
-        CHECK_FALSE(pivot_ratio(*solver, compress(20, A, storage)) > failure);
+        CHECK_FALSE(pivot_ratio(*solver, A, storage) > failure);
       }
   });
 }
@@ -293,11 +286,10 @@ TEST_CASE("every solver reports NaN in a refactorization") {
   Random random(90);
   for_every_solver([&](const LinearSolverInfo& info, Storage storage) {
     Entries A = positive_definite(20, random);
-    const auto solver = info.make(storage);
-    solver->analyze(compress(20, A, storage));
-    CHECK(pivot_ratio(*solver, compress(20, A, storage)) > failure);
+    const auto solver = analyzed(info, A, storage);
+    CHECK(pivot_ratio(*solver, A, storage) > failure);
     for (auto& entry : A) entry.second = NAN;
-    CHECK_FALSE(pivot_ratio(*solver, compress(20, A, storage)) > failure);
+    CHECK_FALSE(pivot_ratio(*solver, A, storage) > failure);
   });
 }
 
@@ -305,13 +297,12 @@ TEST_CASE("every solver works again after a failure") {
   Random random(91);
   for_every_solver([&](const LinearSolverInfo& info, Storage storage) {
     const Entries good = positive_definite(20, random);
-    const auto solver = info.make(storage);
-    solver->analyze(compress(20, good, storage));
+    const auto solver = analyzed(info, good, storage);
     for (const double bad : {0.0, double(NAN)}) {
       Entries A = good;
       for (auto& entry : A) entry.second = bad;
-      CHECK_FALSE(pivot_ratio(*solver, compress(20, A, storage)) > failure);
-      check_solves(*solver, good, compress(20, good, storage), random);
+      CHECK_FALSE(pivot_ratio(*solver, A, storage) > failure);
+      check_solves(*solver, good, storage, random);
     }
   });
 }
@@ -321,11 +312,10 @@ TEST_CASE("the pivot ratio of a positive definite solver does not change under d
   for_every_solver([&](const LinearSolverInfo& info, Storage storage) {
     if (storage == Storage::full) return;
     Entries A = positive_definite(15, random);
-    const auto solver = info.make(storage);
-    solver->analyze(compress(15, A, storage));
-    const Pivot pivot = solver->factorize(compress(15, A, storage));
+    const auto solver = analyzed(info, A, storage);
+    const Pivot pivot = solver->factorize(compress(A, storage));
     for (auto& [at, value] : A) value *= std::pow(10.0, at.first % 5 - 2) * std::pow(10.0, at.second % 5 - 2);
-    const Pivot scaled = solver->factorize(compress(15, A, storage));
+    const Pivot scaled = solver->factorize(compress(A, storage));
     CHECK(scaled.ratio == doctest::Approx(pivot.ratio).epsilon(1e-10));
     CHECK(scaled.row == pivot.row);
   });

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/formulation/formulation.hpp"
 #include "support.hpp"
 
 using namespace support;

@@ -254,8 +254,8 @@ TEST_CASE("names are found by index and back, single ones and groups") {
   Model model = small_model();
   const std::vector<std::string> names = {"crank", "rod", "link[0]", "link[1]"};
   for (int body = 0; body < 4; ++body) {
-    CHECK(model.body_name(body) == names[static_cast<std::size_t>(body)]);
-    CHECK(model.body_names().find(names[static_cast<std::size_t>(body)]) == body);
+    CHECK(model.body_name(body) == names[body]);
+    CHECK(model.body_names().find(names[body]) == body);
   }
   CHECK(model.body_name(ground) == "ground");
   for (const char* unknown :
@@ -280,7 +280,7 @@ TEST_CASE("rows are numbered joint by joint and described by joint and equation"
   model.add_joint("distance", "rod", 0, 2, at_origins(), {{1.0, -1}});
   CHECK(model.joint_rows() == std::vector<int>{0, 3, 8, 13, 14});
   const std::vector<int> joints = {0, 0, 0, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 3};
-  for (int row = 0; row < 14; ++row) CHECK(model.joint_of_row(row) == joints[static_cast<std::size_t>(row)]);
+  for (int row = 0; row < 14; ++row) CHECK(model.joint_of_row(row) == joints[row]);
   CHECK(model.describe_row(0) == "spherical 'pin', translation x");
   CHECK(model.describe_row(12) == "revolute 'hinge[1]', rotation about joint x");
   CHECK(model.describe_row(13) == "distance 'rod', distance");

@@ -43,7 +43,7 @@ TEST_CASE("a method of order k integrates polynomials of degree k - 1 exactly, a
   const double t = 1.0;
   for (const MultistepCoefficients& method : {ab2(), ab4(), abm4()}) {
     INFO(method.name);
-    std::vector<double> coefficients(static_cast<std::size_t>(method.order), 1.0);
+    std::vector<double> coefficients(method.order, 1.0);
     const auto error = [&] {
       double exact = 0.0;
       for (std::size_t k = 0; k < coefficients.size(); ++k) exact += 0.5 * coefficients[k] / double(k + 1);

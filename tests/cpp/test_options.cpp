@@ -10,15 +10,6 @@ using namespace support;
 
 namespace {
 
-Options options_of(const std::string& formulation, const std::string& form = "auto",
-                   const std::string& solver = "auto") {
-  Options options;
-  options.formulation = formulation;
-  options.matrix_form = form;
-  options.linear_solver = solver;
-  return options;
-}
-
 std::string code(const Options& options) {
   return error_code([&] { resolve(options); });
 }

@@ -11,9 +11,7 @@ TEST_CASE("the change of velocities is -M^-1 D^T S^-1 (D v + Phi_t), whatever th
   const Model model = random_chain(random, 4, "universal");
   const MatrixXd M = dense_M(model);
   for (const char* formulation : {"standard", "augmented_lagrangian"}) {
-    Options options;
-    options.formulation = formulation;
-    Dynamics dynamics(model, options);
+    Dynamics dynamics(model, options_of(formulation));
     VectorXd y = dynamics.initial_y();
     dynamics.evaluate(0.0, y);
     const MatrixXd D = dense_D(dynamics.system(), dynamics.evaluation());

@@ -3,7 +3,7 @@
 #include <Eigen/SVD>
 
 #include "linkwork/constraints/rank.hpp"
-#include "support.hpp"
+#include "mechanisms.hpp"
 
 using namespace support;
 
@@ -26,30 +26,6 @@ void check_rank(const Model& model) {
   for (const int row : report.dependent_rows) D.row(row).setZero();
   const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(D).singularValues();
   CHECK((sigma.array() > 1e-9 * sigma[0]).count() == report.rank);
-}
-
-Body at(const Vec3<double>& position) {
-  Body body;
-  body.position = position;
-  return body;
-}
-
-void add_in_space(Model& model, const std::string& kind, const std::string& name, int i, int j, const Vec3<double>& P) {
-  const Mat3<double> I = Mat3<double>::Identity();
-  model.add_joint(kind, name, i, j, place(model, i, j, P, P, I, I));
-}
-
-/// A planar four-bar with hinges about z: 18 velocities, 20 rows, of which 3 are redundant.
-Model four_bar() {
-  Model model;
-  model.add_body("crank", at({0.0, 0.5, 0.0}));
-  model.add_body("coupler", at({1.0, 1.25, 0.0}));
-  model.add_body("rocker", at({2.0, 0.75, 0.0}));
-  add_in_space(model, "revolute", "A", ground, 0, {0, 0, 0});
-  add_in_space(model, "revolute", "B", 0, 1, {0, 1, 0});
-  add_in_space(model, "revolute", "C", 1, 2, {2, 1.5, 0});
-  add_in_space(model, "revolute", "D", 2, ground, {2, 0, 0});
-  return model;
 }
 
 }  // namespace
@@ -104,9 +80,9 @@ TEST_CASE("a hinge that is there twice repeats five rows, each of one of the two
 
 TEST_CASE("a slider on two rails along the axes of space repeats three rotations and two shifts") {
   Model model;
-  model.add_body("slider", at({0, 0, 1}));
-  add_in_space(model, "translational", "rail", ground, 0, {0, 0, 0});
-  add_in_space(model, "translational", "second rail", ground, 0, {0, 0, 0});
+  model.add_body("slider", body_at({0, 0, 1}));
+  join(model, "translational", "rail", ground, 0, {0, 0, 0});
+  join(model, "translational", "second rail", ground, 0, {0, 0, 0});
   const System system(model);
   CHECK(rank_of_constraints(system, evaluate_initially(system)).dependent_rows.size() == 5);
   check_rank(model);
@@ -114,9 +90,9 @@ TEST_CASE("a slider on two rails along the axes of space repeats three rotations
 
 TEST_CASE("a hinge and a slider along the same axis leave nothing free") {
   Model model;
-  model.add_body("block", at({0, 0, 1}));
-  add_in_space(model, "revolute", "hinge", ground, 0, {0, 0, 0});
-  add_in_space(model, "translational", "rail", ground, 0, {0, 0, 0});
+  model.add_body("block", body_at({0, 0, 1}));
+  join(model, "revolute", "hinge", ground, 0, {0, 0, 0});
+  join(model, "translational", "rail", ground, 0, {0, 0, 0});
   const System system(model);
   CHECK(rank_of_constraints(system, evaluate_initially(system)).degrees_of_freedom == 0);
   check_rank(model);
@@ -127,13 +103,13 @@ TEST_CASE("the rank does not change with the units of mass and length") {
     Model model;
     const Model original = four_bar();
     for (int body = 0; body < 3; ++body) {
-      Body b = original.bodies()[static_cast<std::size_t>(body)];
+      Body b = original.bodies()[body];
       b.position *= length;
       b.inertia *= length * length;
       model.add_body("b" + std::to_string(body), b);
     }
     for (int joint = 0; joint < 4; ++joint) {
-      Element element = original.joints()[static_cast<std::size_t>(joint)];
+      Element element = original.joints()[joint];
       element.at.s_i *= length;
       element.at.s_j *= length;
       model.add_joint("revolute", std::to_string(joint), element.i, element.j, element.at);
@@ -182,20 +158,6 @@ TEST_CASE("the rank does not change with masses, however thin the rods") {
   }
 }
 
-/// A door of this size on two hinges; on the ground the upper one is off by this part of the size. Both hold at first
-/// if `placed`, else the door is made for hinges that are not off.
-Model door(double size, const Vec3<double>& off, bool placed) {
-  Model model;
-  Body body = at({0.5 * size, 0, 0.5 * size});
-  body.inertia *= size * size;
-  model.add_body("door", body);
-  const Mat3<double> I = Mat3<double>::Identity();
-  const Vec3<double> low{0, 0, 0}, high{0, 0, size}, on_ground = high + size * off;
-  model.add_joint("revolute", "low", ground, 0, place(model, ground, 0, low, low, I, I));
-  model.add_joint("revolute", "high", ground, 0, place(model, ground, 0, on_ground, placed ? on_ground : high, I, I));
-  return model;
-}
-
 TEST_CASE("hinges out of line lock a door of any size, those that are off by less than anybody knows do not") {
   for (const double size : {1e-6, 1.0, 1e6})
     for (const auto& [off, rank] : {std::pair{1e-12, 5}, {1e-10, 5}, {1e-8, 6}, {1e-4, 6}}) {
@@ -209,14 +171,14 @@ TEST_CASE("what is left of a door's residual is not told from its rank") {
     for (const double off : {1e-12, 1e-10, 1e-9, 1e-8})
       for (const Vec3<double>& direction : {Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}}) {
         INFO(size, " ", off);
-        CHECK(examine_rank(System(door(size, off * direction, false))).rank == 5);
+        CHECK(examine_rank(System(door(size, off * direction))).rank == 5);
       }
 }
 
 TEST_CASE("joints that contradict each other leave a rank of at most six for each body") {
   for (const double off : {1e-4, 1e-2})
     for (const Vec3<double>& direction : {Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}})
-      CHECK(examine_rank(System(door(1.0, off * direction, false))).rank <= 6);
+      CHECK(examine_rank(System(door(1.0, off * direction))).rank <= 6);
 }
 
 TEST_CASE("a universal joint whose axes are parallel has a dependent row, at the end of a branch too") {
@@ -234,19 +196,6 @@ TEST_CASE("a universal joint whose axes are parallel has a dependent row, at the
 void add_rod(Model& model, int i, int j, const Vec3<double>& P_i, const Vec3<double>& P_j) {
   const Mat3<double> I = Mat3<double>::Identity();
   model.add_joint("distance", "rod", i, j, place(model, i, j, P_i, P_j, I, I), {{(P_i - P_j).norm(), -1}});
-}
-
-/// The four-bar with all bars along x: it can go on in two ways.
-Model flat_four_bar() {
-  Model model;
-  model.add_body("crank", at({0.5, 0.0, 0.0}));
-  model.add_body("coupler", at({2.0, 0.0, 0.0}));
-  model.add_body("rocker", at({2.5, 0.0, 0.0}));
-  add_in_space(model, "revolute", "A", ground, 0, {0, 0, 0});
-  add_in_space(model, "revolute", "B", 0, 1, {1, 0, 0});
-  add_in_space(model, "revolute", "C", 1, 2, {3, 0, 0});
-  add_in_space(model, "revolute", "D", 2, ground, {2, 0, 0});
-  return model;
 }
 
 TEST_CASE("a planar four-bar repeats three equations in every pose, those of the joint that closes it") {
@@ -286,7 +235,7 @@ TEST_CASE("a group is dependent, and no longer without any one of its rows") {
 }
 
 TEST_CASE("a flat four-bar has the rank of others, and a singular pose") {
-  const System system(flat_four_bar());
+  const System system(four_bar(true));
   const RankReport report = examine_rank(system);
   CHECK(rank_of_constraints(system, evaluate_initially(system)).rank == 16);
   CHECK(report.rank == 17);
@@ -296,8 +245,8 @@ TEST_CASE("a flat four-bar has the rank of others, and a singular pose") {
 
 TEST_CASE("a dead center that cannot be left has no redundant rows") {
   Model model;
-  model.add_body("crank", at({0.5, 0.0, 0.0}));
-  add_in_space(model, "revolute", "hinge", ground, 0, {0, 0, 0});
+  model.add_body("crank", body_at({0.5, 0.0, 0.0}));
+  join(model, "revolute", "hinge", ground, 0, {0, 0, 0});
   add_rod(model, 0, ground, {1, 0, 0}, {3, 0, 0});
   const System system(model);
   const RankReport report = examine_rank(system);
@@ -308,11 +257,11 @@ TEST_CASE("a dead center that cannot be left has no redundant rows") {
 
 TEST_CASE("a planar loop stretched into a dead center repeats three equations, and has one that is singular") {
   Model model;
-  model.add_body("a", at({0.5, 0.0, 0.0}));
-  model.add_body("b", at({1.5, 0.0, 0.0}));
-  add_in_space(model, "revolute", "A", ground, 0, {0, 0, 0});
-  add_in_space(model, "revolute", "B", 0, 1, {1, 0, 0});
-  add_in_space(model, "revolute", "C", 1, ground, {2, 0, 0});
+  model.add_body("a", body_at({0.5, 0.0, 0.0}));
+  model.add_body("b", body_at({1.5, 0.0, 0.0}));
+  join(model, "revolute", "A", ground, 0, {0, 0, 0});
+  join(model, "revolute", "B", 0, 1, {1, 0, 0});
+  join(model, "revolute", "C", 1, ground, {2, 0, 0});
   const RankReport report = examine_rank(System(model));
   CHECK(rank_of_constraints(System(model), evaluate_initially(System(model))).rank == 11);
   CHECK(report.rank == 12);
@@ -339,11 +288,11 @@ TEST_CASE("what an initial pose hides by its errors is redundant all the same") 
 
 TEST_CASE("only the joints of the loop have reactions that do not follow") {
   Model model = four_bar();
-  model.add_body("weight", at({3, 0, 0}));
-  model.add_body("side", at({-1, 0, 0}));
-  add_in_space(model, "spherical", "hook", 2, 3, {2.5, 0, 0});
-  add_in_space(model, "spherical", "left", ground, 4, {-2, 0, 0});
-  add_in_space(model, "spherical", "right", ground, 4, {-1, 1, 0});
+  model.add_body("weight", body_at({3, 0, 0}));
+  model.add_body("side", body_at({-1, 0, 0}));
+  join(model, "spherical", "hook", 2, 3, {2.5, 0, 0});
+  join(model, "spherical", "left", ground, 4, {-2, 0, 0});
+  join(model, "spherical", "right", ground, 4, {-1, 1, 0});
   add_rod(model, 3, 4, {3, 0, 0}, {-1, 0, 1});
   CHECK(examine_rank(System(model)).unique == std::vector<char>{0, 0, 0, 0, 1, 0, 0, 1});
 }
@@ -352,13 +301,13 @@ TEST_CASE("many loops in one component repeat as many rows as each alone") {
   Model model;
   const int loops = 300;  // above the size up to which the kernel is written out
   for (int k = 0; k <= loops; ++k) {
-    model.add_body("post " + std::to_string(k), at({1.0 * k, 0.5, 0.0}));
-    add_in_space(model, "revolute", "pin " + std::to_string(k), ground, k, {1.0 * k, 0, 0});
+    model.add_body("post " + std::to_string(k), body_at({1.0 * k, 0.5, 0.0}));
+    join(model, "revolute", "pin " + std::to_string(k), ground, k, {1.0 * k, 0, 0});
   }
   for (int k = 0; k < loops; ++k) {
-    const int beam = model.add_body("beam " + std::to_string(k), at({k + 0.5, 1.0, 0.0}));
-    add_in_space(model, "revolute", "left " + std::to_string(k), k, beam, {1.0 * k, 1, 0});
-    add_in_space(model, "revolute", "right " + std::to_string(k), k + 1, beam, {k + 1.0, 1, 0});
+    const int beam = model.add_body("beam " + std::to_string(k), body_at({k + 0.5, 1.0, 0.0}));
+    join(model, "revolute", "left " + std::to_string(k), k, beam, {1.0 * k, 1, 0});
+    join(model, "revolute", "right " + std::to_string(k), k + 1, beam, {k + 1.0, 1, 0});
   }
   const RankReport report = examine_rank(System(model));
   CHECK(report.redundant_rows.size() == 3 * loops);

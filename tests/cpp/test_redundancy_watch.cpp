@@ -8,40 +8,6 @@ using namespace support;
 
 namespace {
 
-void hinge(Model& model, const std::string& name, int i, int j, const Vec3<double>& P, const Vec3<double>& on_ground) {
-  const Mat3<double> I = Mat3<double>::Identity();
-  auto placed = place(model, i, j, P, P, I, I);
-  if (i == ground) placed.s_i = on_ground;
-  model.add_joint("revolute", name, i, j, placed);
-}
-
-/// On two hinges about z; the upper one is `off` on the ground, in sizes of the door.
-Model door(double size, const Vec3<double>& off) {
-  Model model;
-  Body body = body_at({0.5 * size, 0, 0.5 * size});
-  body.inertia *= size * size;
-  model.add_body("door", body);
-  const Vec3<double> low{0, 0, 0}, high{0, 0, size};
-  hinge(model, "low", ground, 0, low, low);
-  hinge(model, "high", ground, 0, high, high + size * off);
-  return model;
-}
-
-/// Hinges about z at these corners; all bars along x where `flat`.
-Model four_bar(bool flat) {
-  const Vec3<double> A{0, 0, 0}, B = flat ? Vec3<double>{1, 0, 0} : Vec3<double>{0, 1, 0},
-                                 C = flat ? Vec3<double>{3, 0, 0} : Vec3<double>{2, 1.5, 0}, D{2, 0, 0};
-  Model model;
-  model.add_body("crank", body_at(0.5 * (A + B)));
-  model.add_body("coupler", body_at(0.5 * (B + C)));
-  model.add_body("rocker", body_at(0.5 * (C + D)));
-  hinge(model, "A", ground, 0, A, A);
-  hinge(model, "B", 0, 1, B, B);
-  hinge(model, "C", 1, 2, C, C);
-  hinge(model, "D", ground, 2, D, D);
-  return model;
-}
-
 RedundancyExamination examine(const System& system, const VectorXd& q, const std::vector<int>& redundant) {
   const VectorXd history = system.initial_history();
   return examine_redundancy(system, {0.0, q, history}, redundant);
@@ -62,7 +28,7 @@ struct Watched {
 }  // namespace
 
 TEST_CASE("off the constraints by a little, the redundant rows of a loop stay as many as they are") {
-  const System system(four_bar(false));
+  const System system(four_bar());
   const std::vector<int> redundant = examine_rank(system).redundant_rows;
   REQUIRE(redundant.size() == 3);
   Random random(200);
@@ -83,7 +49,7 @@ TEST_CASE("rows that depended on the others in a dead center only are taken in a
   const RankReport dead_center = examine_rank(System(four_bar(true)));
   REQUIRE(dead_center.redundant_rows.size() == 3);
   REQUIRE(dead_center.singular_rows.size() == 1);
-  const System system(four_bar(false));
+  const System system(four_bar());
   std::vector<int> rows = dead_center.redundant_rows;
   rows.push_back(dead_center.singular_rows.front());
   const RedundancyExamination found = examine(system, system.model().initial_q(), rows);
@@ -127,7 +93,7 @@ TEST_CASE("what a dropped row is off while the others hold is noticed in parts o
 }
 
 TEST_CASE("drift of the rows that are kept explains as much of the others") {
-  const System system(four_bar(false));
+  const System system(four_bar());
   const std::vector<int> redundant = examine_rank(system).redundant_rows;
   Random random(201);
   for (const double drift : {1e-7, 1e-5, 1e-3}) {

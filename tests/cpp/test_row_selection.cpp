@@ -47,6 +47,6 @@ TEST_CASE("the rows to leave out belong to a joint that closes a loop, and leave
   const LoopPose perturbed(system, loops, {0.0, found.q, history}, tolerance);
   const Places rows = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
   REQUIRE(rows.size() == 3);
-  for (const int place : rows) CHECK(loops.closing(model.joint_of_row(loops.rows()[static_cast<std::size_t>(place)])));
+  for (const int place : rows) CHECK(loops.closing(model.joint_of_row(loops.rows()[place])));
   CHECK(condition(without(assembled.D, rows)) > 1e-2);
 }

@@ -58,7 +58,7 @@ TEST_CASE("every kept step of a run is judged, and belongs to a part of it") {
   CHECK(errors.resolved < 1.1);  // a smooth motion in short steps: Richardson has it right
   double steps = 0.0;
   for (std::size_t k = 0; k < errors.steps.size(); ++k) {
-    const RunPart& part = errors.parts[static_cast<std::size_t>(errors.part_of[k])];
+    const RunPart& part = errors.parts[errors.part_of[k]];
     CHECK(errors.steps[k].t >= part.t);
     CHECK(errors.steps[k].t < part.t + part.seconds);
     CHECK(errors.steps[k].end.position < 1e-8);

@@ -5,30 +5,11 @@
 #include "linkwork/constraints/rank.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
-#include "support.hpp"
+#include "mechanisms.hpp"
 
 using namespace support;
 
 namespace {
-
-/// A planar four-bar with hinges about z; 3 of its 20 rows are redundant.
-Model four_bar() {
-  Model model;
-  const Mat3<double> I = Mat3<double>::Identity();
-  const auto add = [&](const char* name, int i, int j, const Vec3<double>& P) {
-    model.add_joint("revolute", name, i, j, place(model, i, j, P, P, I, I));
-  };
-  for (const Vec3<double>& position : {Vec3<double>(0, 0.5, 0), Vec3<double>(1, 1.25, 0), Vec3<double>(2, 0.75, 0)}) {
-    Body body;
-    body.position = position;
-    model.add_body("bar " + std::to_string(model.bodies().size()), body);
-  }
-  add("A", ground, 0, {0, 0, 0});
-  add("B", 0, 1, {0, 1, 0});
-  add("C", 1, 2, {2, 1.5, 0});
-  add("D", 2, ground, {2, 0, 0});
-  return model;
-}
 
 /// Smallest singular value of D without some rows, relative to the largest.
 double condition(const System& system, const std::vector<int>& without) {

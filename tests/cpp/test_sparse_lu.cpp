@@ -99,7 +99,7 @@ TEST_CASE("pivots that have become small are refused until others are chosen") {
   bool refused = false;
   for (const int place : {0, 1}) {  // one of them is the pivot
     std::vector<double> other = values;
-    other[static_cast<std::size_t>(place)] = 1e-6;
+    other[place] = 1e-6;
     refused = refused || !lu.refactorize(other);
     CHECK(lu.factorize(other));
     REQUIRE(lu.factorize(values));

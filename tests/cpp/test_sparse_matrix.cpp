@@ -15,16 +15,14 @@ const std::vector<BlockIndex> pattern = {{3, 1}, {0, 0}, {1, 1}, {0, 2}, {2, 0},
 
 int first_row(int block) {
   int first = 0;
-  for (int k = 0; k < block; ++k) first += sizes[static_cast<std::size_t>(k)];
+  for (int k = 0; k < block; ++k) first += sizes[k];
   return first;
 }
 
 MatrixXd to_dense(const SparseMatrix& A) {
   MatrixXd dense = MatrixXd::Zero(A.size, A.size);
   for (int column = 0; column < A.size; ++column)
-    for (int k = A.column_begin[static_cast<std::size_t>(column)];
-         k < A.column_begin[static_cast<std::size_t>(column) + 1]; ++k)
-      dense(A.row[static_cast<std::size_t>(k)], column) += A.value[static_cast<std::size_t>(k)];
+    for (int k = A.column_begin[column]; k < A.column_begin[column + 1]; ++k) dense(A.row[k], column) += A.value[k];
   return dense;
 }
 
@@ -33,7 +31,7 @@ MatrixXd fill(BlockMatrix& matrix, Storage storage, Random& random) {
   MatrixXd dense = MatrixXd::Zero(15, 15);
   for (const BlockIndex& at : pattern) {
     if (storage == Storage::upper && at.row > at.column) continue;
-    const auto rows = sizes[static_cast<std::size_t>(at.row)], columns = sizes[static_cast<std::size_t>(at.column)];
+    const auto rows = sizes[at.row], columns = sizes[at.column];
     const MatrixXd values = random.matrix(rows, columns);
     matrix.block(matrix.find(at.row, at.column)) = values;
     dense.block(first_row(at.row), first_row(at.column), rows, columns) = values;
@@ -66,8 +64,7 @@ TEST_CASE("rows of every column ascend and columns end where the next begins") {
   CHECK(A.column_begin.size() == 16);
   CHECK(A.column_begin.back() == static_cast<int>(A.row.size()));
   for (std::size_t column = 0; column < 15; ++column)
-    for (int k = A.column_begin[column] + 1; k < A.column_begin[column + 1]; ++k)
-      CHECK(A.row[static_cast<std::size_t>(k) - 1] < A.row[static_cast<std::size_t>(k)]);
+    for (int k = A.column_begin[column] + 1; k < A.column_begin[column + 1]; ++k) CHECK(A.row[k - 1] < A.row[k]);
 }
 
 TEST_CASE("find gives every block another place") {

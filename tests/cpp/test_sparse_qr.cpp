@@ -31,7 +31,7 @@ std::vector<int> dependent(const MatrixXd& A, MatrixXd& dense, const std::vector
 }
 
 std::vector<int> each_alone(const MatrixXd& A) {
-  std::vector<int> groups(static_cast<std::size_t>(A.cols()));
+  std::vector<int> groups(A.cols());
   std::iota(groups.begin(), groups.end(), 0);
   return groups;
 }

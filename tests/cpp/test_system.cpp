@@ -155,13 +155,13 @@ TEST_CASE("the blocks of joints and of bodies list every block once for each") {
     std::vector<int> by_joint(system.blocks().size()), by_body(system.blocks().size());
     for (int joint = 0; joint < system.joint_count(); ++joint)
       for (const int block : system.joint_blocks(joint)) {
-        CHECK(system.blocks()[static_cast<std::size_t>(block)].joint == joint);
-        by_joint[static_cast<std::size_t>(block)] += 1;
+        CHECK(system.blocks()[block].joint == joint);
+        by_joint[block] += 1;
       }
     for (int body = 0; body < system.body_count(); ++body)
       for (const int block : system.body_blocks(body)) {
-        CHECK(system.blocks()[static_cast<std::size_t>(block)].body == body);
-        by_body[static_cast<std::size_t>(block)] += 1;
+        CHECK(system.blocks()[block].body == body);
+        by_body[block] += 1;
       }
     CHECK(by_joint == std::vector<int>(system.blocks().size(), 1));
     CHECK(by_body == by_joint);
@@ -245,7 +245,7 @@ TEST_CASE("massless bodies are listed, and their massless directions span the ke
   const std::vector<int> dimensions = {0, 3, 1, 6};
   for (int body = 0; body < 4; ++body) {
     const MatrixXd kernel = system.massless_directions(body);
-    CHECK(kernel.cols() == dimensions[static_cast<std::size_t>(body)]);
+    CHECK(kernel.cols() == dimensions[body]);
     if (kernel.cols() == 0) continue;
     CHECK((dense_M(model).block<6, 6>(6 * body, 6 * body) * kernel).norm() < 1e-14);
     CHECK((kernel.transpose() * kernel - MatrixXd::Identity(kernel.cols(), kernel.cols())).norm() < 1e-14);

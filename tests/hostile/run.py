@@ -20,29 +20,24 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import attacks
 import linkwork as lw
 import numpy as np
+from children import Failure
 from linkwork import mechanisms
 
-FIELDS = ("q", "v", "vdot", "lambda", "kinetic", "potential", "work", "violation", "history")
-PAIRS = ("bs32", "dopri5", "tsit5", "dop853")
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
+
+from recorded import FIELDS, PAIRS, bits_after
+
 SMALL = ("pendulum", "four_bar", "bricard", "flyball_governor", "heavy_top", "bennett", "watt_six_bar")
 
-Part = Callable[[random.Random, Path], None]
-
-
-class Failure(Exception):
-    """A promise that does not hold."""
+#: Tries once, or as often as it returns.
+Part = Callable[[random.Random, Path], int | None]
 
 
 def simulate(model: lw.Model, t_end: float, **choices: Any) -> lw.Result:
     return lw.simulate(model, t_end, progress=False, on_inaccurate="pass", **choices)
-
-
-def bits_after(result: lw.Result, t: float) -> dict[str, bytes]:
-    later = result.t > t * (1 + 1e-12)
-    fields = {"t": result.t, **{name: result.recorded(name) for name in FIELDS}}
-    return {name: np.ascontiguousarray(field[later]).tobytes() for name, field in fields.items()}
 
 
 def random_choices(rng: random.Random, t_end: float) -> dict[str, Any]:
@@ -206,20 +201,25 @@ def value(rng: random.Random, folder: Path) -> None:
         raise Failure(f"{where} = {hostile!r}: frames that are not finite")
 
 
-PARTS: dict[str, Part] = {part.__name__: part for part in (resume, interrupt, damage, model_file, value)}
+OWN = (resume, interrupt, damage, model_file, value)
+OTHERS = (
+    attacks.kill, attacks.end, attacks.disk, attacks.writers, attacks.zeros, attacks.structure, attacks.allocation,
+    attacks.memory_limit, attacks.cycles, attacks.threads, attacks.fork, attacks.callbacks, attacks.not_a_number,
+)  # fmt: skip
+PARTS: dict[str, Part] = {part.__name__: part for part in (*OWN, *OTHERS)}
 
 
-def attempt(name: str, seed: int) -> str:
-    """What failed, "" where nothing did."""
+def attempt(name: str, seed: int) -> tuple[int, str]:
+    """How many trials it was, and what failed, "" where nothing did."""
     with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
-            PARTS[name](random.Random(f"{name} {seed}"), Path(folder))
+            count = PARTS[name](random.Random(f"{name} {seed}"), Path(folder))
         except Failure as failure:
-            return str(failure)
+            return 1, str(failure)
         except Exception as error:
-            return f"{type(error).__name__}: {error}"
-    return ""
+            return 1, f"{type(error).__name__}: {error}"
+    return (1 if count is None else count), ""
 
 
 def table(tried: dict[str, int], failed: dict[str, int], seconds: float) -> str:
@@ -233,19 +233,21 @@ def main() -> int:
     parser.add_argument("--minutes", type=float, default=5.0)
     parser.add_argument("--seed", type=int, default=1, help="of the first trial of each part")
     parser.add_argument("--part", choices=list(PARTS), action="append", help="only these")
-    parser.add_argument("--trials", type=int, default=10**9, help="the most of each part")
+    parser.add_argument("--trials", type=int, default=10**9, help="the most turns of each part")
     given = parser.parse_args()
     os.environ.setdefault("OMP_NUM_THREADS", "1")
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # which what runs in the background else ignores
     names = given.part or list(PARTS)
     tried, failed = dict.fromkeys(names, 0), dict.fromkeys(names, 0)
-    spent = dict.fromkeys(names, 0.0)
+    spent, turns = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0)
     begun = time.monotonic()
-    while time.monotonic() - begun < 60 * given.minutes and min(tried.values()) < given.trials:
-        name = min((it for it in names if tried[it] < given.trials), key=spent.__getitem__)
-        seed, started = given.seed + tried[name], time.monotonic()
-        what = attempt(name, seed)
+    while time.monotonic() - begun < 60 * given.minutes and min(turns.values()) < given.trials:
+        name = min((it for it in names if turns[it] < given.trials), key=spent.__getitem__)
+        seed, started = given.seed + turns[name], time.monotonic()
+        count, what = attempt(name, seed)
         spent[name] += time.monotonic() - started
-        tried[name] += 1
+        tried[name] += count
+        turns[name] += 1
         if what:
             failed[name] += 1
             print(f"{name}, seed {seed}: {what:.300}", flush=True)

@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 from linkwork import mechanisms
 from linkwork.arrays import Floats
-from linkwork.integrators import METHODS, EmbeddedPair
 from linkwork.validation import Series
+from recorded import PAIRS
 from small_mechanisms import driven_pendulum, slider_crank, spherical_pendulum, two_body_loop
 
-PAIRS = [name for name, method in METHODS.items() if isinstance(method, EmbeddedPair)]
 MECHANISMS = [spherical_pendulum, slider_crank, two_body_loop, driven_pendulum]
 
 

@@ -8,9 +8,9 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import functions
+from recorded import PAIRS
 from scipy.interpolate import CubicSpline, PPoly
 
-PAIRS = ("bs32", "dopri5", "tsit5", "dop853")
 MASS = 2.0
 
 

@@ -36,8 +36,17 @@ def mended(row: str) -> str:
     return "|".join(["", equation, what, *places, ""])
 
 
-def rows() -> list[str]:
+def all_rows() -> list[str]:
     return [line for line in MAP.read_text(encoding="utf-8").splitlines() if line.startswith("| (12.")]
+
+
+def rows() -> list[str]:
+    """Of the equations that code computes."""
+    return [row for row in all_rows() if PLACE.search(row)]
+
+
+def numbers(rows: list[str]) -> list[str]:
+    return [number for row in rows for number in NUMBER.findall(row.split("|")[1])]
 
 
 def test_places_of_the_map_are_those_of_the_equations() -> None:
@@ -48,13 +57,17 @@ def test_places_of_the_map_are_those_of_the_equations() -> None:
     assert not wrong, "python tests/python/test_equation_map.py writes the lines as they are"
 
 
+def test_the_map_has_every_equation_of_the_chapter_once() -> None:
+    assert sorted(numbers(all_rows())) == sorted(f"(12.{k})" for k in range(1, 19))
+
+
 def test_equations_named_in_the_code_are_in_the_map() -> None:
     named = {
         number
         for path in (ROOT / "cpp" / "linkwork").rglob("*.?pp")
         for number in NUMBER.findall(path.read_text(encoding="utf-8"))
     }
-    assert named - {number for row in rows() for number in NUMBER.findall(row.split("|")[1])} == set()
+    assert named - set(numbers(rows())) == set()
 
 
 if __name__ == "__main__":

@@ -10,11 +10,10 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import mechanisms
-from linkwork.integrators import METHODS, EmbeddedPair
+from recorded import PAIRS
 from scipy.special import ellipk
 
 GRAVITY = 9.81
-PAIRS = [name for name, method in METHODS.items() if isinstance(method, EmbeddedPair)]
 
 
 def run(model: lw.Model, t_end: float, *events: lw.Event, rtol: float = 1e-10, **options: Any) -> lw.Result:

@@ -13,8 +13,8 @@ Z = (0.0, 0.0, 1.0)
 
 def only_careful(monkeypatch: pytest.MonkeyPatch) -> None:
     """Frames are found one by one, as near singular poses."""
-    monkeypatch.setattr("linkwork.analyses.kinematics._FastFollower.start", lambda self: False)
-    monkeypatch.setattr("linkwork.analyses.kinematics._FastFollower.resume", lambda self: None)
+    monkeypatch.setattr("linkwork.analyses.kinematics._CompiledContinuation.start", lambda self: False)
+    monkeypatch.setattr("linkwork.analyses.kinematics._CompiledContinuation.resume", lambda self: None)
 
 
 @pytest.fixture(params=("compiled", "dense", "sparse"))

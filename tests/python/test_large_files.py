@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import cProfile
+import pstats
 import tracemalloc
 from pathlib import Path
 
@@ -46,3 +48,44 @@ def test_a_file_takes_no_more_than_forty_times_its_size(name: str, tmp_path: Pat
         tracemalloc.stop()
     assert peak <= 40 * path.stat().st_size + 50e6
     assert len(caught.value.faults) <= 22 and len(str(caught.value)) < 20_000
+
+
+def link(name: str) -> str:
+    return f"<link name='{name}'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial></link>"
+
+
+def chain(count: int, kind: str) -> str:
+    """Of URDF; from its end to its beginning, which is the worst order to read it in."""
+    joints = [
+        f"<joint name='j{k}' type='{kind}'><parent link='l{k}'/><child link='l{k + 1}'/></joint>"
+        for k in reversed(range(count))
+    ]
+    return f"<robot name='a'>{''.join(link(f'l{k}') for k in range(count + 1))}{''.join(joints)}</robot>"
+
+
+def bodies(count: int) -> str:
+    """Of MJCF."""
+    body = "<body name='b%d'><joint type='hinge'/><geom type='sphere' size='1'/></body>"
+    return f"<mujoco><worldbody>{''.join(body % k for k in range(count))}</worldbody></mujoco>"
+
+
+GROWING = {
+    "fixed.urdf": lambda count: chain(count, "fixed"),
+    "moving.urdf": lambda count: chain(count, "continuous"),
+    "bodies.xml": bodies,
+}
+
+
+@pytest.mark.parametrize("name", GROWING)
+def test_four_times_the_file_takes_four_times_the_work(name: str, tmp_path: Path) -> None:
+    path = tmp_path / name
+    read = lw.import_mjcf if path.suffix == ".xml" else lw.import_urdf
+
+    def calls(count: int) -> int:
+        path.write_text(GROWING[name](count))
+        profile = cProfile.Profile()
+        profile.runcall(read, path)
+        return pstats.Stats(profile).total_calls  # type: ignore[attr-defined, no-any-return]
+
+    calls(5)  # what is imported at the first time
+    assert calls(240) < 4.4 * calls(60)

@@ -16,20 +16,11 @@ from hypothesis import strategies as st
 from linkwork import mechanisms
 from random_mechanisms import Mechanism, examples
 from random_mechanisms import mechanisms as mechanisms_of
-
-PAIRS = ("bs32", "dopri5", "tsit5", "dop853")
-FIELDS = ("q", "v", "vdot", "lambda", "kinetic", "potential", "work", "violation", "history")
+from recorded import PAIRS, bits_after
 
 
 def run(model: lw.Model, t_end: float, **choices: Any) -> lw.Result:
     return lw.simulate(model, t_end, progress=False, on_inaccurate="pass", **choices)
-
-
-def bits_after(result: lw.Result, t: float) -> dict[str, bytes]:
-    """Of all frames after t."""
-    later = result.t > t * (1 + 1e-12)
-    fields = {"t": result.t, **{name: result.recorded(name) for name in FIELDS}}
-    return {name: np.ascontiguousarray(field[later]).tobytes() for name, field in fields.items()}
 
 
 def assert_goes_on(model: lw.Model, first_end: float, t_end: float, **choices: Any) -> lw.Result:

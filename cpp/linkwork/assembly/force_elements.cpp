@@ -8,9 +8,7 @@
 namespace linkwork {
 
 ForceElement::ForceElement(const System& system, int element)
-    : system_(system),
-      element_(system.model().forces()[static_cast<std::size_t>(element)]),
-      signals_(system.model().signals().size()) {
+    : system_(system), element_(system.model().forces()[element]), signals_(system.model().signals().size()) {
   const Model& model = system.model();
   const auto first = model.force_parameters().begin() + static_cast<std::ptrdiff_t>(element_.first_parameter);
   const auto count = static_cast<std::ptrdiff_t>(force_kinds()[element_.kind].info.parameters.size());

@@ -104,8 +104,11 @@ void System::compile_joints() {
     }
     const int row = model_.joint_rows()[joint], rows = joint_info(element.kind).rows;
     append_joint(model_, element, row, D_size_, joints_[place[element.kind]].batch);
-    if (element.i != ground) blocks_.push_back({joint, element.i, row, rows, D_size_});
-    if (element.j != ground) blocks_.push_back({joint, element.j, row, rows, D_size_ + velocity_size * rows});
+    if (element.i != ground)
+      blocks_.push_back({.joint = joint, .body = element.i, .row = row, .rows = rows, .offset = D_size_});
+    if (element.j != ground)
+      blocks_.push_back(
+          {.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_size_ + velocity_size * rows});
     D_size_ += 2 * velocity_size * rows;
   }
   for (CompiledJoints& joints : joints_) {
@@ -122,11 +125,13 @@ void System::compile_special_joint(int joint, const SpecialJoint& special) {
   const Element& element = model_.joints()[joint];
   const KindInfo& info = joint_info(element.kind);
   const int row = model_.joint_rows()[joint];
-  special_joints_.push_back({&special, joint, row, info.rows, D_size_, history_size()});
+  special_joints_.push_back(
+      {.special = &special, .joint = joint, .row = row, .rows = info.rows, .D = D_size_, .history = history_size()});
   add_history(special.history_kind(), true, joint, special.history_size());
   most_bodies_ = std::max(most_bodies_, special.bodies().size());
   for (const int body : special.bodies()) {
-    if (body != ground) blocks_.push_back({joint, body, row, info.rows, D_size_});
+    if (body != ground)
+      blocks_.push_back({.joint = joint, .body = body, .row = row, .rows = info.rows, .offset = D_size_});
     D_size_ += velocity_size * info.rows;
   }
   for (std::size_t p = 0; p < info.parameters.size(); ++p)
@@ -147,7 +152,7 @@ void System::compile_forces() {
     batch.history.push_back(history_size());
     batch.switches.push_back(static_cast<std::ptrdiff_t>(switches_.size()));
     const int contact = kind.history == HistoryKind::onset ? history_size() : -1;
-    switches_.insert(switches_.end(), static_cast<std::size_t>(kind.switches), contact);
+    switches_.insert(switches_.end(), kind.switches, contact);
     const auto first = model_.force_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
     batch.parameters.insert(batch.parameters.end(), first,
                             first + static_cast<std::ptrdiff_t>(kind.info.parameters.size()));
@@ -161,7 +166,7 @@ void System::compile_forces() {
 }
 
 void System::add_history(HistoryKind kind, bool joint, int element, int count) {
-  history_owners_.insert(history_owners_.end(), static_cast<std::size_t>(count), {kind, joint, element});
+  history_owners_.insert(history_owners_.end(), count, {kind, joint, element});
 }
 
 std::string System::history_name(int variable) const {
@@ -176,7 +181,7 @@ void System::begin_history() {
   initial_history_ = blank_history();
   if (initial_history_.size() == 0) return;
   const std::vector<double>& given = model_.initial_history();
-  if (!given.empty() && given.size() != static_cast<std::size_t>(history_size()))
+  if (!given.empty() && std::ssize(given) != history_size())
     throw ModelError("history", "the initial state of the model has " + std::to_string(given.size()) +
                                     " history variables, but its springs, stops, contacts and couplers have " +
                                     std::to_string(history_size()) +

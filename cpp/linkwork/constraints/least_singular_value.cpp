@@ -6,8 +6,9 @@
 namespace linkwork {
 namespace {
 
-constexpr int first_iterations = 4, more_iterations = 2;
-constexpr double news = 0.1;  // part of a vector in any direction
+constexpr int least_iterations = 2, most_iterations = 8;
+constexpr double settled = 0.1;  // relative change of the value
+constexpr double news = 0.1;     // part of a vector in any direction
 
 }  // namespace
 
@@ -22,11 +23,13 @@ LeastSingularValue::LeastSingularValue(const System& system, const VectorXd& del
 
 // The last u may be without any part of a vector that has become the least one: a little of all is added.
 double LeastSingularValue::of(SaddleSolver& saddle) {
-  const bool begins = u_.size() == 0;
-  if (begins) u_.setZero(scale_.size());
+  if (u_.size() == 0) u_.setZero(scale_.size());
   u_ += some_;
-  double quotient = 0.0;
-  for (int k = 0; k < (begins ? first_iterations : more_iterations); ++k) quotient = iterate(saddle);
+  double quotient = iterate(saddle), last = INFINITY;
+  for (int k = 1; k < most_iterations && (k < least_iterations || quotient < (1.0 - settled) * last); ++k) {
+    last = quotient;
+    quotient = iterate(saddle);
+  }
   if (u_.allFinite() && std::isfinite(quotient)) return std::sqrt(std::max(quotient, 0.0));
   u_.resize(0);
   return 0.0;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 
 namespace linkwork {
@@ -20,9 +21,9 @@ Vec3<double> point(const Body& body, const Vec3<double>& s) {
 }
 
 /// Lengths of the bodies that joints connect, by one of these bodies.
-class Clusters {
+class ConnectedBodies {
  public:
-  explicit Clusters(const System& system)
+  explicit ConnectedBodies(const System& system)
       : model_(system.model()),
         parent_(system.body_count()),
         arm_(parent_.size(), 0.0),
@@ -86,9 +87,10 @@ class Clusters {
 }  // namespace
 
 VectorXd characteristic_lengths(const System& system) {
-  Clusters clusters(system);
+  look_for_interruption();
+  ConnectedBodies connected(system);
   VectorXd lengths(system.body_count());
-  for (int body = 0; body < system.body_count(); ++body) lengths[body] = clusters.length(body);
+  for (int body = 0; body < system.body_count(); ++body) lengths[body] = connected.length(body);
   return lengths;
 }
 

@@ -68,6 +68,7 @@ MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::un
 }
 
 bool MassWeightedLeastSquares::factorize(const Evaluation& at, const VectorXd& e) {
+  meter_.add(system_->body_count());
   try {
     saddle_->factorize(at, e);
   } catch (const SingularSystemError&) {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "linkwork/linear/saddle_solver.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 
@@ -31,6 +32,7 @@ class MassWeightedLeastSquares {
   std::unique_ptr<System> regularized_;
   const System* system_;
   std::unique_ptr<SaddleSolver> saddle_;
+  InterruptionMeter meter_;
 };
 
 }  // namespace linkwork

@@ -9,6 +9,7 @@
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/constraints/row_selection.hpp"
 #include "linkwork/linear/column_rank.hpp"
+#include "linkwork/math/names.hpp"
 
 namespace linkwork {
 namespace {
@@ -153,16 +154,13 @@ std::string describe(const Model& model, const DependentGroup& group) {
   const std::string row = model.describe_row(group.row) + ", ";
   if (group.others.empty()) return row + "holds nothing";
   const int own = model.joint_of_row(group.row);
-  std::vector<int> joints;
-  for (const int other : group.others)
-    if (const int joint = model.joint_of_row(other); joint != own && (joints.empty() || joints.back() != joint))
-      joints.push_back(joint);
+  std::vector<std::string> joints;
+  for (int last = own; const int other : group.others)
+    if (const int joint = model.joint_of_row(other); joint != own && joint != last)
+      joints.push_back(model.joint_name(last = joint));
   if (joints.empty()) return row + "repeats what the joint's other equations already fix";
-  std::string names;
-  for (std::size_t k = 0; k < std::min(joints.size(), joints_in_text); ++k)
-    names += (k ? ", '" : "'") + model.joint_name(joints[k]) + "'";
-  if (joints.size() > joints_in_text) names += " and " + std::to_string(joints.size() - joints_in_text) + " more";
-  return row + "repeats what " + names + (joints.size() > 1 ? " already fix" : " already fixes");
+  return row + "repeats what " + quoted(joints, ", ", joints_in_text) +
+         (joints.size() > 1 ? " already fix" : " already fixes");
 }
 
 // ker M and ker D meet iff D K has dependent columns, K a basis of ker M: per massless body the directions without

@@ -105,16 +105,16 @@ Directions axes_below(const Eigen::SelfAdjointEigenSolver<Mat3<double>>& eigen, 
 }
 
 /// The smallest moment that joints feel, and what is to be added to the inertia.
-struct Shortage {
+struct AddedInertia {
   double smallest = 1.0;
   Mat3<double> inertia = Mat3<double>::Zero();
 };
 
 /// What vanishes is regularized in any case, what is tiny where joints feel it: else nothing comes of it, and a
 /// rotation that its own inertia decides keeps it.
-Shortage shortage_of(const System& system, const Evaluation& typical, int body, double natural) {
+AddedInertia added_inertia(const System& system, const Evaluation& typical, int body, double natural) {
   const Mat3<double> J = system.inertia(body);
-  Shortage out;
+  AddedInertia out;
   if (J.isDiagonal(0.0) && J.diagonal().minCoeff() >= of_interest * natural) return out;
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(J);
   const Directions small_ones = felt_by_joints(system, typical, body, axes_below(eigen, of_interest * natural));
@@ -136,12 +136,12 @@ RegularizedInertia::RegularizedInertia(const System& system, const Evaluation& t
   for (int body = 0; body < system.body_count(); ++body) {
     lengths_[body] = natural.length(body);
     const bool no_mass = system.mass(body) == 0.0;
-    const Shortage shortage = shortage_of(system, typical, body, natural.inertia(body));
-    smallest_ = no_mass ? 0.0 : std::min(smallest_, shortage.smallest);
-    if (!no_mass && shortage.inertia.isZero(0.0)) continue;
+    const AddedInertia added = added_inertia(system, typical, body, natural.inertia(body));
+    smallest_ = no_mass ? 0.0 : std::min(smallest_, added.smallest);
+    if (!no_mass && added.inertia.isZero(0.0)) continue;
     if (bodies.empty()) bodies = system.model().bodies();
     Body& own = bodies[body];
-    own.inertia += shortage.inertia;
+    own.inertia += added.inertia;
     if (no_mass) own.mass += fill * natural.mass(body);
   }
   if (!bodies.empty()) regularized_ = std::make_unique<System>(system.model().with_masses(bodies));

@@ -7,6 +7,7 @@
 
 #include "linkwork/constraints/constraint_kernel.hpp"
 #include "linkwork/linear/column_rank.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 namespace {
@@ -158,6 +159,7 @@ class Selection {
       VectorXd n_d = VectorXd::Zero(kernel.size());
       for (const Places& places : order)
         if (k < places.size()) n_d[places[k]] = 1.0;
+      look_for_interruption();
       const VectorXd n = kernel.vector(n_d);
       for (std::size_t c = 0; c < rows_.size(); ++c)
         if (k < order[c].size())
@@ -165,6 +167,7 @@ class Selection {
             out[c].kernel(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(k)) = n[rows_[c][r]];
     }
     for (ComponentPose& component : out) {
+      look_for_interruption();
       MatrixXd& N = component.kernel;
       if (!kernel.regular()) N.resize(N.rows(), 0);
       if (N.cols() > 0) N = Eigen::HouseholderQR<MatrixXd>(N).householderQ() * MatrixXd::Identity(N.rows(), N.cols());
@@ -176,6 +179,7 @@ class Selection {
   /// degenerate only where the loops do.
   Places redundant_rows(std::size_t c, const ComponentPose& generic, const ComponentPose* other) {
     if (generic.dependent.empty()) return {};
+    look_for_interruption();
     std::vector<MatrixXd> bases;
     for (const ComponentPose* pose : {&generic, other})
       if (pose && pose->kernel.cols() > 0) bases.push_back(pose->kernel);
@@ -207,6 +211,7 @@ class Selection {
 
   /// Rows of a closing joint; ascending.
   Places repeated_in_loop(int joint, const Places& own, bool both) {
+    look_for_interruption();
     Places rows = own;
     for (const int other : loops_.loop_of(joint, longest_loop))
       if (other != joint)
@@ -220,7 +225,7 @@ class Selection {
     preferred.head(static_cast<Eigen::Index>(own.size())).setOnes();
     Places out;
     for (const int k : choose_rows(static_cast<int>(count), preferred, bases))
-      if (static_cast<std::size_t>(k) < own.size()) out.push_back(own[k]);
+      if (k < std::ssize(own)) out.push_back(own[k]);
     std::sort(out.begin(), out.end());
     return out;
   }
@@ -255,7 +260,7 @@ class Selection {
   Places rows_of(int joint) const {
     const auto& first = solver_.system().model().joint_rows();
     const int row = first[joint], count = first[joint + 1] - row;
-    Places out(static_cast<std::size_t>(count));
+    Places out(count);
     std::iota(
         out.begin(), out.end(),
         static_cast<int>(std::lower_bound(loops_.rows().begin(), loops_.rows().end(), row) - loops_.rows().begin()));
@@ -297,7 +302,9 @@ Places dependent_rows(const SparseRows& A, double tolerance) {
 LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance)
     : at(system.make_evaluation()) {
   system.evaluate_constraints(pose.t, pose.q, VectorXd::Zero(system.v_size()), pose.history, at);
+  look_for_interruption();
   D = loops.scaled_D(at);
+  look_for_interruption();
   dependent = dependent_rows(D, tolerance);
 }
 

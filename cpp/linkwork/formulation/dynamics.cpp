@@ -5,26 +5,20 @@
 
 #include "linkwork/constraints/least_constrained_motion.hpp"
 #include "linkwork/formulation/not_finite.hpp"
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
+#include "linkwork/math/names.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
 namespace {
 
 constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
-constexpr int polled_bodies = 1000;  // below, an evaluation is too short to be worth interrupting
 constexpr int large_model = 10000;   // bodies from which memory counts
 constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
 constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
 constexpr int most_refinements = 20;
-constexpr auto poll_interval = std::chrono::milliseconds(50);
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
 
 /// The matrix of the formulation: as asked for, or one that suits the linear solver.
 std::string choose_form(const FormulationInfo& info, const Options& options, bool redundant) {
@@ -98,6 +92,8 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   if (system_.body_count() > large_model) return_free_memory();
 }
 
+Dynamics::~Dynamics() = default;
+
 void Dynamics::check_masses() const {
   if (system_.massless_bodies().empty()) return;
   const std::vector<int> free = free_massless_bodies(system_, at_);
@@ -146,23 +142,23 @@ VectorXd Dynamics::initial_y() const {
 }
 
 FactorizationCost Dynamics::factorization_cost() const {
-  if (system_.row_count() == 0) return {0, 0, 0.0, 0};
+  if (system_.row_count() == 0) return {.flops = 0.0, .bytes = 0};
   const SaddleSolver& saddle = formulation_->saddle();
   std::int64_t kkt_nonzeros = 21 * std::int64_t{system_.body_count()};  // half of [M D^T; D 0] by blocks
   for (const ConstraintBlock& block : system_.blocks()) kkt_nonzeros += 6 * std::int64_t{block.rows};
-  return {saddle.matrix_nonzeros().value_or(kkt_nonzeros), saddle.factor_nonzeros(), saddle.flops(),
-          saddle.factor_bytes()};
+  return {.matrix_nonzeros = saddle.matrix_nonzeros().value_or(kkt_nonzeros),
+          .factor_nonzeros = saddle.factor_nonzeros(),
+          .flops = saddle.flops(),
+          .bytes = saddle.factor_bytes()};
 }
+
+const IterationStatistics& Dynamics::iterations() const { return formulation_->formulation().iterations(); }
+
+const SingularWatch& Dynamics::watch() const { return formulation_->watch(); }
+
+const DroppedRows& Dynamics::dropped() const { return formulation_->dropped(); }
 
 double Dynamics::assemble_time() const { return formulation_->saddle().assemble_time(); }
-
-void Dynamics::poll() {
-  if (!interrupt_ || system_.body_count() < polled_bodies) return;
-  const auto now = std::chrono::steady_clock::now();
-  if (now - last_poll_ < poll_interval) return;
-  last_poll_ = now;
-  interrupt_();
-}
 
 /// How many evaluations the time of this one stands for.
 int Dynamics::evaluations_on_the_clock() const {
@@ -171,7 +167,7 @@ int Dynamics::evaluations_on_the_clock() const {
 }
 
 void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
-  poll();
+  meter_.add(system_.body_count());
   observe_now();
   now_.t = t;
   now_.stage = stage;
@@ -186,6 +182,10 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   formulation_->begin();
   if (!sides_.empty()) look_for_switches();
   if (traces_) look_for_nan(false);
+}
+
+void Dynamics::require_accuracy(double relative) {
+  if (system_.row_count() > 0) formulation_->require_accuracy(relative);
 }
 
 void Dynamics::factorize() {
@@ -215,6 +215,10 @@ void Dynamics::keep(Archive& archive) {
   archive(now_.history, sides_, switched_, held_, held_u_, first_part_, *formulation_);
 }
 
+Dynamics::Place Dynamics::place() const {
+  return {.t = now_.t, .y = now_.y, .factorized = formulation_->factorized(), .fallback = formulation_->fallback()};
+}
+
 void Dynamics::return_to(const Place& place) {
   formulation_->look(true);
   evaluate(place.t, place.y);
@@ -224,7 +228,7 @@ void Dynamics::return_to(const Place& place) {
 }
 
 void Dynamics::take_sides() {
-  sides_.resize(static_cast<std::size_t>(at_.switches.size()), 0);
+  sides_.resize(at_.switches.size(), 0);
   for (std::size_t k = 0; k < sides_.size(); ++k)
     if (const double value = at_.switches[static_cast<Eigen::Index>(k)]; value != 0.0) sides_[k] = value > 0.0;
 }
@@ -336,6 +340,10 @@ Busy::Busy(const Dynamics& dynamics) : dynamics_(dynamics) {
                     "this System is at work, in another thread or for a function that calls it: it works for one "
                     "caller at a time, so make a System for each");
 }
+
+Unwatched::Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.formulation().watch_evaluations(false); }
+
+Unwatched::~Unwatched() { dynamics_.formulation().watch_evaluations(true); }
 
 void Dynamics::look_for_nan(bool accelerations) const {
   bool finite = now_.y.allFinite() && at_.g.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite() &&

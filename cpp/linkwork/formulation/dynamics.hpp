@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -10,11 +9,18 @@
 #include <string>
 #include <utility>
 
+#include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/constraints/rank.hpp"
+#include "linkwork/formulation/instant.hpp"
+#include "linkwork/formulation/options.hpp"
+#include "linkwork/formulation/singular_watch.hpp"
 #include "linkwork/formulation/stabilization.hpp"
-#include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
+
+class WatchedFormulation;
+struct IterationStatistics;
 
 /// What a run cost. Times in s; of small mechanisms estimated from a part of the evaluations.
 struct DynamicsStatistics {
@@ -38,12 +44,13 @@ struct FactorizationCost {
 class Dynamics {
  public:
   Dynamics(const Model& model, const Options& options);
+  ~Dynamics();
 
   const System& system() const { return system_; }
   const Options& options() const { return options_; }  ///< as chosen: no "auto" left
   const Evaluation& evaluation() const { return at_; }
   DynamicsStatistics statistics() const;
-  const IterationStatistics& iterations() const { return formulation_->formulation().iterations(); }
+  const IterationStatistics& iterations() const;
   FactorizationCost factorization_cost() const;  ///< of the last one
   double assemble_time() const;                  ///< part of the factorize_time; see SaddleSolver
   int y_size() const { return system_.q_size() + system_.v_size() + 1; }
@@ -63,7 +70,7 @@ class Dynamics {
   /// The sides of the state where this is evaluated are those of the step that begins there; what is zero keeps its
   /// side.
   void take_sides();
-  void set_side(int which, bool positive) { sides_[static_cast<std::size_t>(which)] = positive; }
+  void set_side(int which, bool positive) { sides_[which] = positive; }
   const std::vector<char>& sides() const { return sides_; }
   /// Whether an evaluation since the last call had one on another side.
   bool take_switched() { return std::exchange(switched_, false); }
@@ -71,8 +78,8 @@ class Dynamics {
   /// What solves: redundant rows, singular poses.
   WatchedFormulation& formulation() { return *formulation_; }
   const WatchedFormulation& formulation() const { return *formulation_; }
-  const SingularWatch& watch() const { return formulation_->watch(); }
-  const DroppedRows& dropped() const { return formulation_->dropped(); }
+  const SingularWatch& watch() const;
+  const DroppedRows& dropped() const;
 
   /// Evaluates at (t, y): everything below refers to this state. Redundant rows are zero in the D of the `evaluation`.
   /// `stage` of a step, from 1 on, is for errors.
@@ -80,9 +87,7 @@ class Dynamics {
   /// Looks for values that are not finite in every evaluation from here on: a NotFiniteError names the first.
   void trace() { traces_ = true; }
   /// Roundoff in solutions must not show where only relative errors of this size are tolerated.
-  void require_accuracy(double relative) {
-    if (system_.row_count() > 0) formulation_->require_accuracy(relative);
-  }
+  void require_accuracy(double relative);
   /// Factorizes ahead of the first solution, which else does both.
   void factorize();
 
@@ -100,7 +105,7 @@ class Dynamics {
   };
   /// What evaluations and solutions from here on depend on beside t and y, with a step to begin.
   void keep(Archive& archive);
-  Place place() const { return {now_.t, now_.y, formulation_->factorized(), formulation_->fallback()}; }
+  Place place() const;
   void return_to(const Place& place);
 
   /// Accelerations and multipliers of the mechanism itself, without stabilization. The multipliers of redundant
@@ -135,9 +140,6 @@ class Dynamics {
   /// y_dot at the current state for accelerations and multipliers that were found otherwise.
   void rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const;
 
-  /// Called now and then inside long evaluations; may throw to end the run.
-  void set_interrupt(std::function<void()> interrupt) { interrupt_ = std::move(interrupt); }
-
  private:
   friend class Busy;
   void look_for_switches();
@@ -145,7 +147,6 @@ class Dynamics {
   void check_masses() const;
   void check_kkt() const;
   Gains gains_or(Gains defaults) const;
-  void poll();
   int evaluations_on_the_clock() const;
   void look_for_nan(bool accelerations) const;
 
@@ -165,8 +166,7 @@ class Dynamics {
   int clocked_ = 1;
   bool traces_ = false, held_ = false;
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0
-  std::function<void()> interrupt_;
-  std::chrono::steady_clock::time_point last_poll_ = std::chrono::steady_clock::now();
+  InterruptionMeter meter_;
   mutable std::atomic_flag busy_;
 };
 
@@ -187,8 +187,8 @@ class Busy {
 /// While it is there the watch does not look at evaluations.
 class Unwatched {
  public:
-  explicit Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.formulation().watch_evaluations(false); }
-  ~Unwatched() { dynamics_.formulation().watch_evaluations(true); }
+  explicit Unwatched(Dynamics& dynamics);
+  ~Unwatched();
   Unwatched(const Unwatched&) = delete;
   Unwatched& operator=(const Unwatched&) = delete;
 

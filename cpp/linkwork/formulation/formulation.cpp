@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 
 namespace linkwork {
 
@@ -22,12 +22,7 @@ const std::vector<FormulationInfo>& formulations() {
 }
 
 const FormulationInfo& formulation_info(const std::string& name) {
-  const auto& all = formulations();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& info) { return info.name == name; });
-  if (found != all.end()) return *found;
-  std::string known;
-  for (const FormulationInfo& info : all) known += (known.empty() ? "" : ", ") + info.name;
-  throw OptionError("unknown_formulation", "formulation '" + name + "' does not exist; there are: " + known);
+  return find_named(formulations(), name, "formulation", "unknown_formulation");
 }
 
 namespace {

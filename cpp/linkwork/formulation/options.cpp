@@ -4,7 +4,7 @@
 
 #include "linkwork/formulation/formulation.hpp"
 #include "linkwork/formulation/stabilization.hpp"
-#include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 
 namespace linkwork {
 namespace {
@@ -18,12 +18,6 @@ using Words = std::vector<std::string>;
 template <class... Name>
 Words names(Name... name) {
   return {name...};
-}
-template <class Info>
-Words names_of(const std::vector<Info>& infos) {
-  Words out;
-  for (const Info& info : infos) out.emplace_back(info.name);
-  return out;
 }
 Words auto_or(Words others) {
   others.insert(others.begin(), "auto");
@@ -39,18 +33,12 @@ constexpr const char* type_name<int> = "whole";
 template <>
 constexpr const char* type_name<Limits> = "limits";
 
-std::string quoted(const Words& names, const char* between) {
-  std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "'" : between + std::string("'")) + name + "'";
-  return out;
-}
-
 [[noreturn]] void conflict(const std::string& message) { throw OptionError("conflict", message); }
 
 void check(const char* what, const std::string& given, const Words& names) {
   if (std::find(names.begin(), names.end(), given) == names.end())
     throw OptionError("unknown_option",
-                      std::string(what) + " '" + given + "' does not exist; choose from " + quoted(names, ", "));
+                      std::string(what) + " '" + given + "' does not exist; choose from " + quoted(names));
 }
 
 /// Infinite is a limit like others.

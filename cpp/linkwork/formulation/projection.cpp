@@ -5,6 +5,7 @@
 
 #include "linkwork/constraints/displacement.hpp"
 #include "linkwork/constraints/length_scale.hpp"
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {

@@ -1,7 +1,7 @@
 #include "linkwork/formulation/right_hand_side_times.hpp"
 
 #include "linkwork/constraints/redundancy_watch.hpp"
-
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {

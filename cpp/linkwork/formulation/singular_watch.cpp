@@ -24,8 +24,7 @@ constexpr std::size_t most_crossings = 100;
 Places kept_places(const ClosedLoops& loops, const std::vector<int>& rows) {
   Places out;
   for (int place = 0; place < loops.row_count(); ++place)
-    if (!std::binary_search(rows.begin(), rows.end(), loops.rows()[static_cast<std::size_t>(place)]))
-      out.push_back(place);
+    if (!std::binary_search(rows.begin(), rows.end(), loops.rows()[place])) out.push_back(place);
   return out;
 }
 
@@ -34,8 +33,7 @@ std::vector<int> near_rows(const ClosedLoops& loops, const SparseRows& D, const 
                            double near) {
   const Places kept = kept_places(loops, redundant);
   std::vector<int> out;
-  for (const int k : dependent_rows(select_rows(D, kept), near))
-    out.push_back(loops.rows()[static_cast<std::size_t>(kept[static_cast<std::size_t>(k)])]);
+  for (const int k : dependent_rows(select_rows(D, kept), near)) out.push_back(loops.rows()[kept[k]]);
   return out;
 }
 
@@ -56,12 +54,12 @@ std::vector<int> involved_joints(MassWeightedLeastSquares& solver, const ClosedL
   if (!kernel.regular()) return joints_of(model, near);
   VectorXd n_d(kernel.size());
   for (Eigen::Index k = 0; k < n_d.size(); ++k)
-    n_d[k] = std::binary_search(near.begin(), near.end(), kernel.dependent()[static_cast<std::size_t>(k)]) ? 1.0 : 0.0;
+    n_d[k] = std::binary_search(near.begin(), near.end(), kernel.dependent()[k]) ? 1.0 : 0.0;
   const VectorXd n = kernel.vector(n_d);
   const double least = involved * n.cwiseAbs().maxCoeff();
   std::vector<int> rows;
   for (Eigen::Index place = 0; place < n.size(); ++place)
-    if (std::abs(n[place]) > least) rows.push_back(loops.rows()[static_cast<std::size_t>(place)]);
+    if (std::abs(n[place]) > least) rows.push_back(loops.rows()[place]);
   return joints_of(model, rows);
 }
 
@@ -70,11 +68,11 @@ std::vector<int> choose_here(MassWeightedLeastSquares& solver, const ClosedLoops
                              const std::vector<int>& redundant) {
   const std::size_t present = static_cast<std::size_t>(loops.row_count()) - kept_places(loops, redundant).size();
   if (present == 0 || pose.dependent.size() != present) return {};
-  const std::vector<char> all(static_cast<std::size_t>(loops.component_count()), 1);
+  const std::vector<char> all(loops.component_count(), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
   for (const int place : redundant_rows(solver, loops, pose, pose, found, rank_tolerance, false))
-    rows.push_back(loops.rows()[static_cast<std::size_t>(place)]);
+    rows.push_back(loops.rows()[place]);
   for (const int row : redundant)
     if (!std::binary_search(loops.rows().begin(), loops.rows().end(), row)) rows.push_back(row);
   std::sort(rows.begin(), rows.end());
@@ -168,7 +166,8 @@ std::optional<SingularWatch::Sample> SingularWatch::sample(double t, double with
 void SingularWatch::keep(double t, double pivot, std::vector<int> joints, bool rows_changed) {
   if (level_ == 0.0) raise(1.0);
   if (crossings_.size() > most_crossings) crossings_.pop_back();
-  crossings_.push_back({t, std::max(pivot, 0.0) / level_, std::move(joints), rows_changed, 0});
+  crossings_.push_back(
+      {.t = t, .pivot = std::max(pivot, 0.0) / level_, .joints = std::move(joints), .rows_changed = rows_changed});
 }
 
 void SingularWatch::go_on(double pivot) { open_ = pivot < recovered * suspicious_; }

@@ -1,6 +1,6 @@
 #include "linkwork/formulation/stabilization.hpp"
 
-#include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 
 namespace linkwork {
 
@@ -24,12 +24,7 @@ const std::vector<StabilizationInfo>& stabilizations() {
 }
 
 const StabilizationInfo& stabilization_info(const std::string& name) {
-  std::string known;
-  for (const StabilizationInfo& info : stabilizations()) {
-    if (name == info.name) return info;
-    known += (known.empty() ? "" : ", ") + std::string(info.name);
-  }
-  throw OptionError("unknown_stabilization", "stabilization '" + name + "' does not exist; there are: " + known);
+  return find_named(stabilizations(), name, "stabilization", "unknown_stabilization");
 }
 
 }  // namespace linkwork

@@ -10,7 +10,8 @@ namespace {
 /// Lagrange multipliers: the system as it stands, or for the multipliers first,
 ///   [M  D^T] {  v_dot }   {a}
 ///   [D   0 ] {-lambda } = {b}                                                      (12.3)
-///   (D M^-1 D^T) lambda = b - D M^-1 a,   v_dot = M^-1 (a + D^T lambda)            (12.5), (12.6)
+///   (D M^-1 D^T) lambda = b - D M^-1 a                                             (12.5)
+///   v_dot = M^-1 (a + D^T lambda)                                                  (12.4), (12.6)
 /// Where bodies have very small inertias the matrix is that of RegularizedInertia, and Refinement goes on from there.
 class Standard final : public DirectFormulation {
  public:

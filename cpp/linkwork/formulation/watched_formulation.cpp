@@ -10,8 +10,8 @@ namespace linkwork {
 namespace {
 
 constexpr double crossed_pivot = 1e-6;  // in a singular pose that is known to some 1e-4 rad
-constexpr double well_chosen = 0.1;     // root of the smallest pivot, relative to the usual one
-constexpr double better = 1.5;          // times the root of the smallest pivot, for other redundant rows
+constexpr double well_chosen = 0.1;     // least singular value, relative to the usual one
+constexpr double better = 1.5;          // times the least singular value, for other redundant rows
 constexpr double broken = -1.0;         // for a pivot of a factorization that broke down
 
 }  // namespace
@@ -135,7 +135,9 @@ double WatchedFormulation::least_singular_value() {
   } catch (const SingularSystemError&) {
     return 0.0;
   }
-  return least_singular_value_.of(saddle());
+  const double least = least_singular_value_.of(saddle());
+  usual_least_ = std::max(usual_least_, least);
+  return least;
 }
 
 void WatchedFormulation::leave_out(std::vector<int> rows) {
@@ -160,21 +162,21 @@ void WatchedFormulation::change_redundant_rows(std::vector<int> rows, std::vecto
   fallback_ = false;
 }
 
-/// Takes the choice where it makes the root of the smallest pivot at least so large.
-bool WatchedFormulation::choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root) {
+/// Takes the choice where it makes the least singular value at least so large.
+bool WatchedFormulation::choose_rows(std::vector<int> rows, std::vector<int> joints, double least) {
   const std::vector<int> before = dropped_.rows();
   if (rows.empty() || rows == before) return false;
   const double pivot = saddle().smallest_pivot();
-  const auto root_with = [this](std::vector<int> choice) {
+  const auto least_with = [this](std::vector<int> choice) {
     try {
       leave_out(std::move(choice));
-      return root_of_pivot();
+      return least_singular_value_.of(saddle());
     } catch (const SingularSystemError&) {
       return -1.0;  // either may be singular, in a singular pose
     }
   };
-  if (!(root_with(std::move(rows)) >= least_root)) {
-    factorized_ = root_with(before) >= 0.0;
+  if (!(least_with(std::move(rows)) >= least)) {
+    factorized_ = least_with(before) >= 0.0;
     return false;
   }
   watch_.change_rows(now_.t, pivot, std::move(joints));
@@ -189,7 +191,7 @@ bool WatchedFormulation::improve_rows() {
     if (!std::binary_search(rows.begin(), rows.end(), row))
       if (const int joint = system_.model().joint_of_row(row); joints.empty() || joints.back() != joint)
         joints.push_back(joint);
-  if (!choose_rows(std::move(rows), std::move(joints), better * root_of_pivot())) return false;
+  if (!choose_rows(std::move(rows), std::move(joints), better * least_singular_value())) return false;
   watch_.forget_trend();
   return true;
 }
@@ -198,7 +200,7 @@ bool WatchedFormulation::cross(const VectorXd& q, double pivot) {
   PoseExamination found =
       examine_pose(system_, {now_.t, q, now_.history}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
   if (found.rows.empty()) return false;
-  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * watch_.root_of_level())) return false;
+  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * usual_least_)) return false;
   if (!found.singular) return false;
   watch_.cross(now_.t, pivot, std::move(found.joints));
   return true;

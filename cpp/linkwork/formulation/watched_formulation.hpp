@@ -8,18 +8,11 @@
 #include "linkwork/constraints/least_singular_value.hpp"
 #include "linkwork/constraints/minimum_norm.hpp"
 #include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/instant.hpp"
 #include "linkwork/formulation/rank_tolerant.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
 
 namespace linkwork {
-
-/// Of the last evaluation.
-struct Instant {
-  double t = 0.0;
-  VectorXd y;
-  VectorXd history;
-  int stage = 1;
-};
 
 /// Where rows were left out last, other than those that are at first: what solves was analyzed there.
 struct RowChoice {
@@ -79,11 +72,12 @@ class WatchedFormulation final : public Formulation {
   void distribute(MutableVector lambda);
   /// Of the constraint matrix here, see LeastSingularValue; 0 where it has no factorization.
   double least_singular_value();
+  double usual_least_singular_value() const { return usual_least_; }  ///< the largest of all looks
   /// At a pose that was stepped over, at positions q: whether it is singular. It is listed then; and where it only
   /// seemed to be because the wrong redundant rows are left out, others are from here on.
   bool cross(const VectorXd& q, double pivot);
-  /// Where pivots are small: whether other redundant rows serve better at the present state; they are left out from
-  /// here on.
+  /// Where the least singular value is small: whether it is larger with other redundant rows at the present state; they
+  /// are left out from here on.
   bool improve_rows();
   /// Leaves out these rows from here on: others have become redundant in the course of the motion. `joints` of them are
   /// reported, see SingularityCrossing::rows_changed.
@@ -94,7 +88,7 @@ class WatchedFormulation final : public Formulation {
   /// The present state is that where these rows were left out.
   void repeat_choice(const std::vector<int>& rows);
   void keep(Archive& archive) {
-    archive(watch_, least_singular_value_, pivot_);
+    archive(watch_, least_singular_value_, usual_least_, pivot_);
     saddle().keep(archive);
   }
 
@@ -108,7 +102,7 @@ class WatchedFormulation final : public Formulation {
   bool inspect();
   void leave_out(std::vector<int> rows);
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
-  bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least_root);
+  bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least);
   Formulation& active() { return fallback_ ? *tolerant_ : *formulation_; }
 
   const System& system_;
@@ -123,7 +117,7 @@ class WatchedFormulation final : public Formulation {
   SingularWatch watch_;
   RowChoice choice_;
   VectorXd kept_b_;
-  double pivot_ = 1.0, smallest_pivot_ = 1.0;
+  double pivot_ = 1.0, smallest_pivot_ = 1.0, usual_least_ = 0.0;
   std::int64_t factorizations_ = 0;
   bool rank_needed_ = false, watched_ = false, watching_ = true, looking_ = false;
   bool factorized_ = false, fallback_ = false;

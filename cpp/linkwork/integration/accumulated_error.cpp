@@ -46,7 +46,7 @@ std::vector<KnownPart> known_parts(const RunErrors& errors) {
     if (errors.steps[k].failed) continue;
     const int part = errors.part_of[k];
     if (part == last) out.back().last = &errors.steps[k];
-    else out.emplace_back(errors.parts[static_cast<std::size_t>(part)], errors.steps[k]);
+    else out.emplace_back(errors.parts[part], errors.steps[k]);
     last = part;
   }
   for (KnownPart& part : out) part.weigh();

@@ -18,13 +18,14 @@ constexpr double near_at_start = 0.1;  // the same before there is a usual one
 constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for runs that begin near a pose
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell where the pose is
-constexpr double closer = 0.4;         // of the usual root: nearer, pivots may hide a pose
-constexpr double look_part = 0.2;      // rad to the next look, of what the least singular value is to the usual root
+constexpr double look_part = 0.1;      // rad to the next look, where the least singular value is the usual one
 constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
 constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states that are looked at [rad]
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
+constexpr double short_steps = 4.0;                // of which a leap beside the pose is worth so many
+constexpr double least_beside = 0.4;               // of a usual leap
 constexpr double least_margin = 0.012;             // the same, where nothing better is found
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
@@ -100,22 +101,29 @@ double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) co
   return least;
 }
 
-/// Time until the pose by the trend of the pivots, infinite where they do not fall.
-double Crossing::foreseen(double t) const {
+/// Time until the pose by the trend of the pivots, infinite where they do not fall or did not lead to a leap.
+double Crossing::pivots_say(double t) {
   const auto trend = dynamics_.watch().trend();
-  if (!trend || trend->last.root > near * std::max(dynamics_.watch().root_of_level(), least_usual)) return INFINITY;
+  if (!trend || declined_before(trend->last.root, declined_root_)) return INFINITY;
+  if (trend->last.root > near * std::max(dynamics_.watch().root_of_level(), least_usual)) return INFINITY;
   const double interval = trend->last.t - trend->other.t;
   const double fall = (trend->other.root - trend->last.root) * (interval > 0.0 ? 1.0 : -1.0);
   if (!(fall > 0.0)) return INFINITY;
   return trend->last.t + trend->last.root * std::abs(interval) / fall - t;
 }
 
-/// The same by the least singular values, of which the last is that of the state before.
-double Crossing::foreseen_by_least(double t) const {
-  const double interval = t - poses_.last(), fall = poses_.last_root() - least_.root;
-  const double level = std::max(dynamics_.watch().root_of_level(), least_usual);
-  if (!(least_.root < near * level && fall > 0.0 && interval < INFINITY)) return INFINITY;
-  return least_.root * interval / fall;
+/// The same by the least singular values at the last two looks.
+double Crossing::looks_say(double t) {
+  return declined_before(least_.root, declined_least_) ? INFINITY : falls_to_ - t;
+}
+
+double Crossing::time_to_pose(double t) { return known_ > t ? known_ - t : std::min(pivots_say(t), looks_say(t)); }
+
+/// Whether there was nothing to leap over at about this value, and the motion has not left it since.
+bool Crossing::declined_before(double value, double& declined) {
+  const bool so = value > 0.5 * declined && value < 2.0 * declined;
+  if (!so) declined = 0.0;
+  return so;
 }
 
 /// Whether the first pivot is so small that the run may begin in a singular pose, which is listed then.
@@ -147,52 +155,67 @@ int Crossing::parts_to(double t) const {
   return turned > coarsest ? static_cast<int>(std::min(std::ceil(turned / coarsest), most_parts)) : 1;
 }
 
-/// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
-/// whenever the pivots have fallen to a part of what they were.
-void Crossing::keep_rows_good() {
-  const auto trend = dynamics_.watch().trend();
-  if (!trend) return;
-  const double root = trend->last.root, level = dynamics_.watch().root_of_level();
-  if (root > near * level) rows_good_ = near * level;
-  if (root > rows_good_) return;
-  rows_good_ = fallen * root;
-  dynamics_.formulation().improve_rows();
-}
-
 bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   most_step_ = INFINITY;
   if (!prepared_) return false;
   starting_ = std::exchange(fresh_, false) && starts_near(t, y);
   if (starting_) return true;
-  keep_rows_good();
   const System& system = dynamics_.system();
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
-  look_closer(t, h);
+  turned_ += fastest_ * (t - std::exchange(turned_until_, t));
+  const double usual = usual_length(v, VectorXd::Zero(v.size())), enough = near_enough(usual, h, adaptive);
+  keep_rows_good();
+  if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls_to_ - t <= enough) look(t);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
-  const bool known = known_ > t;
-  const double tau = known ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
-  if (!(tau >= -h && tau < INFINITY)) return false;
-  const auto trend = dynamics_.watch().trend();
-  const double root = trend ? trend->last.root : least_.root;
-  if (!known && declined_ > 0.0 && root > 0.5 * declined_ && root < 2.0 * declined_) return false;
-  declined_ = 0.0;
-  const double usual = usual_length(v, VectorXd::Zero(v.size()));
-  if (tau <= near_enough(usual, h, adaptive)) return true;
-  if (adaptive) most_step_ = tau - before_pose * usual;
-  return false;
+  const bool leaves = std::exchange(leaves_, false);
+  const double tau = time_to_pose(t);
+  beside_ = 0.0;
+  if (!(tau >= -h && tau < INFINITY)) {
+    if (leaves && short_steps * h < usual) beside_ = usual;
+    return beside_ > 0.0;
+  }
+  if (tau <= enough) return true;
+  if (!adaptive) return false;
+  most_step_ = tau - before_pose * usual;
+  if (!approached_ && most_step_ < usual && most_step_ > std::max(short_steps * h, least_beside * usual)) {
+    approached_ = true;
+    beside_ = most_step_;
+  }
+  return beside_ > 0.0;
 }
 
-/// The least singular value of long steps, and where pivots are small without falling to a pose: the smallest may be
-/// another one than that which vanishes. It is looked at again after a part of the way that it can be to zero.
-void Crossing::look_closer(double t, double h) {
-  least_ = {t, INFINITY};
+/// Where the pose is by the least singular value, which goes linearly to zero toward it, and when to look again. It
+/// costs two solutions; pivots, which cost nothing, hide some poses until they are a step away.
+void Crossing::look(double t) {
+  if (least_.at == t) return;
+  WatchedFormulation& formulation = dynamics_.formulation();
+  PivotSample before = std::exchange(least_, {t, formulation.least_singular_value()});
+  const double usual = formulation.usual_least_singular_value(), small = near * std::max(usual, least_usual);
+  if (rows_turn_bad(small, least_.root, highest_)) {
+    least_.root = formulation.least_singular_value();
+    before = {};
+  }
+  const double fall = before.root - least_.root;
+  const bool falls = least_.root < small && fall > 0.0 && before.at < t;
+  falls_to_ = falls ? t + least_.root * (t - before.at) / fall : INFINITY;
+  next_look_ = look_part * std::min(least_.root / usual, 1.0);
+  turned_ = 0.0;
+}
+
+/// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
+/// whenever a measure of them has fallen to a part of the highest since. True where others are left out now.
+bool Crossing::rows_turn_bad(double small, double measure, double& highest) {
+  highest = std::max(highest, measure);
+  if (measure > std::min(small, fallen * highest)) return false;
+  highest = measure;
+  return dynamics_.formulation().improve_rows();
+}
+
+/// By the pivots.
+void Crossing::keep_rows_good() {
   const auto trend = dynamics_.watch().trend();
-  const double level = dynamics_.watch().root_of_level();
-  const bool small = trend && trend->last.root < closer * level && t >= next_look_ && !(known_ > t);
-  if (!small && !(fastest_ * h > coarse)) return;
-  least_.root = dynamics_.formulation().least_singular_value();
-  if (fastest_ > 0.0 && level > 0.0) next_look_ = t + look_part * std::min(least_.root / level, 1.0) / fastest_;
+  if (trend) rows_turn_bad(near * dynamics_.watch().root_of_level(), trend->last.root, highest_root_);
 }
 
 /// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them.
@@ -241,17 +264,19 @@ double Crossing::allowed_length(const Search& search, double h) {
 }
 
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
-  const auto trend = dynamics_.watch().trend();
-  declined_ = trend ? trend->last.root : 0.0;
   limited_ = false;
+  const double foreseen = time_to_pose(t);
+  const auto trend = dynamics_.watch().trend();
+  declined_root_ = trend ? trend->last.root : 0.0;
+  declined_least_ = least_.root;
   if (starting_) begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
-  const double trend_says = known_ > t ? known_ - t : std::min(foreseen(t), foreseen_by_least(t));
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
-  const bool beside = std::abs(trend_says) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
+  const bool beside = std::abs(foreseen) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
   if (!starting_ && !begin(t, y, beside)) return false;
+  if (beside_ > 0.0) return leap_beside(most);
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
-  const double pose = starting_ ? 0.0 : trend_says;
+  const double pose = starting_ ? 0.0 : foreseen;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   search.base = search.least;
   search.too_far = too_far * near_enough(usual, h, !(grid > 0.0)) + h;
@@ -260,16 +285,33 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
     if (known_ > t && !(grid > 0.0)) most_step_ = known_ - t - before_pose * usual;
     return false;
   }
-  declined_ = 0.0;
   leap_ = std::move(search.best);
   leap_.followed = leap_.h;
   dynamics_.formulation().watch().forget_trend();
+  forget_looks();
+  leaves_ = !(grid > 0.0);
   return true;
+}
+
+/// Near a pose explicit steps become short, as what their stages violate counts by 1 / sigma: up to where the leap over
+/// it begins well, and away from it, there is one more on each side, in which no pose is.
+bool Crossing::leap_beside(double most) {
+  leap_.h = leap_.followed = beside_;
+  return beside_ <= most && attempt().good() && poses_in_leap(0.0).empty();
+}
+
+void Crossing::forget_looks() {
+  declined_root_ = declined_least_ = 0.0;
+  approached_ = leaves_ = false;
+  least_ = {};
+  falls_to_ = INFINITY;
+  next_look_ = 0.0;
 }
 
 void Crossing::keep(Archive& archive, bool leaping) {
   archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
-  archive(rows_good_, declined_, known_, known_rate_, next_look_, poses_);
+  archive(falls_to_, next_look_, turned_, turned_until_, highest_, highest_root_, declined_least_, declined_root_);
+  archive(known_, known_rate_, approached_, leaves_, poses_);
   if (leaping) archive(leap_);
 }
 
@@ -506,7 +548,11 @@ std::vector<double> Crossing::poses_in_leap(double beyond_it) {
     const PivotSample &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
     if (!(b.root <= a.root && b.root < c.root)) continue;
     const PivotSample least = least_root(a, b, c, root);
-    if (vanishes(a, least, c) && (found.empty() || least.at > found.back() + apart)) found.push_back(least.at);
+    if (!vanishes(a, least, c)) continue;
+    const auto earlier = other_zero(least, samples[std::max<std::size_t>(k, 2) - 2], root);
+    const auto later = other_zero(least, samples[std::min(k + 2, samples.size() - 1)], root);
+    for (const auto& zero : {earlier, std::optional(least), later})
+      if (zero && (found.empty() || zero->at > found.back() + apart)) found.push_back(zero->at);
   }
   const PivotSample &before = *(samples.end() - 2), &end = samples.back();
   const double fall = (before.root - end.root) / (end.at - before.at), beyond = end.root / fall;
@@ -516,11 +562,13 @@ std::vector<double> Crossing::poses_in_leap(double beyond_it) {
 
 bool Crossing::look_back(double t, double h, const VectorXd& y) {
   if (!prepared_ || poses_.last() >= t - same_time * h) return false;
-  if (least_.at == t && least_.root < INFINITY) return poses_.pass(t, least_.root, y, parts_to(t));
+  const bool looked = least_.at == t;
+  if (looked && fastest_ * h > coarse) return poses_.pass(t, least_.root, y, parts_to(t));
   const auto sample = dynamics_.watch().sample(t, same_time * h);
   if (!sample) return false;
-  const bool close = sample->root < looked_at * dynamics_.watch().root_of_level();
-  return poses_.pass(t, close ? poses_.root_at(t, y) : sample->root, y) || close;
+  if (!(sample->root < looked_at * dynamics_.watch().root_of_level())) return poses_.pass(t, sample->root, y);
+  const double least = looked ? least_.root : poses_.root_at(t, y);
+  return poses_.pass(t, least, y) || !looked;
 }
 
 void Crossing::look_into_leap(double until) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linkwork/formulation/projection.hpp"
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/gauss_collocation.hpp"
 #include "linkwork/integration/interpolant.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"
@@ -47,7 +48,8 @@ class Crossing final : public Interpolant {
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() {
     fresh_ = true;
-    known_ = next_look_ = -INFINITY;
+    known_ = -INFINITY;
+    forget_looks();
     poses_.restart();
   }
 
@@ -112,11 +114,15 @@ class Crossing final : public Interpolant {
     bool any_converged = false, ahead = false, done = false;
   };
 
-  void look_closer(double t, double h);
+  void look(double t);
+  bool rows_turn_bad(double small, double measure, double& highest);
+  void forget_looks();
+  double pivots_say(double t);
+  double looks_say(double t);
+  double time_to_pose(double t);
+  static bool declined_before(double value, double& declined);
   bool starts_near(double t, const VectorXd& y);
   bool in_singular_pose(double t, const VectorXd& y) const;
-  double foreseen(double t) const;
-  double foreseen_by_least(double t) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
   void allocate(double t, const VectorXd& y);
   bool begin(double t, const VectorXd& y, bool beside);
@@ -131,6 +137,7 @@ class Crossing final : public Interpolant {
   void keep_rows_good();
   double largest_rate(const ConstVector& v) const;
   int parts_to(double t) const;
+  bool leap_beside(double most);
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, Quality quality);
   static double near_enough(double usual, double h, bool adaptive);
@@ -155,14 +162,18 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;   ///< or in it
   bool fresh_ = true;      ///< no step was looked at yet
   bool limited_ = false;
-  double next_look_ = -INFINITY;  ///< at the least singular value, where pivots are small
-  PivotSample least_ = {};        ///< singular value before the step, infinite where it was not looked for
+  bool approached_ = false, leaves_ = false;  ///< a leap beside the pose: there was one before it; is to be, after it
+  double beside_ = 0.0;                       ///< length of the one that is due, else 0
+  PivotSample least_ = {};                    ///< singular value, when it was looked at last
+  double falls_to_ = INFINITY;                ///< time of the pose to which it falls
+  double next_look_ = 0.0;                    ///< at it, when the fastest body has turned so far since [rad]
+  double turned_ = 0.0, turned_until_ = 0.0;
+  double highest_ = 0.0, highest_root_ = 0.0;          ///< of it and of pivots, since the redundant rows were looked at
+  double declined_least_ = 0.0, declined_root_ = 0.0;  ///< at which there was nothing to leap over
   double most_step_ = INFINITY;
   double fastest_ = 0.0;      ///< motion before the step [rad/s]
-  double rows_good_ = 0.0;    ///< root of the pivot from which on the redundant rows are looked at
   double known_ = -INFINITY;  ///< time of a pose that a leap found too far ahead
   double known_rate_ = 0.0;   ///< `fastest_` when it was found
-  double declined_ = 0.0;     ///< root of the pivot at which there was nothing to leap over
   Leap leap_;
   double correction_ = 0.0, jump_ = 0.0;
   double energy_before_ = 0.0;

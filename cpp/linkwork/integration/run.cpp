@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/math/names.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -92,14 +95,9 @@ void Run::stop_at_singular_pose() const {
   const SingularityCrossing& crossing = dynamics_.watch().crossings().back();
   ErrorDetails details;
   details.time = crossing.t;
-  std::string names;
-  for (const int joint : crossing.joints) {
-    details.joints.push_back(dynamics_.system().model().joint_name(joint));
-    if (details.joints.size() <= listed) names += (names.empty() ? "'" : ", '") + details.joints.back() + "'";
-  }
-  if (crossing.joints.size() > listed) names += " and " + std::to_string(crossing.joints.size() - listed) + " more";
+  for (const int joint : crossing.joints) details.joints.push_back(dynamics_.system().model().joint_name(joint));
   throw SingularSystemError("singular_pose",
-                            "singular pose: the equations of " + names +
+                            "singular pose: the equations of " + quoted(details.joints, ", ", listed) +
                                 " depend on each other for a moment, where the motion may go on in several ways; "
                                 "on_singular 'pass' or 'warn' goes on",
                             details);
@@ -164,17 +162,12 @@ void Run::note_contradiction(double t, std::vector<int> joints, bool certainly) 
   const Model& model = dynamics_.system().model();
   ErrorDetails details;
   details.time = t;
-  std::string names;
-  for (const int joint : joints) {
-    details.joints.push_back(model.joint_name(joint));
-    if (details.joints.size() <= listed) names += (names.empty() ? "'" : ", '") + details.joints.back() + "'";
-  }
-  if (joints.size() > listed) names += " and " + std::to_string(joints.size() - listed) + " more";
+  for (const int joint : joints) details.joints.push_back(model.joint_name(joint));
   if (!details.joints.empty()) details.residuals = {{details.joints.front(), excess.Phi}};
   char size[96];
   std::snprintf(size, sizeof size, "by %.2g (m or 1), and by %.2g of the speed", excess.Phi, excess.velocity);
   throw ViolationError("contradiction",
-                       "joints or drivers " + names + " contradict each other " + size +
+                       "joints or drivers " + quoted(details.joints, ", ", listed) + " contradict each other " + size +
                            ": no pose near satisfies them all; drive what is free once only, or by motions that "
                            "agree; where it is drift, use a smaller step or another stabilization",
                        details);

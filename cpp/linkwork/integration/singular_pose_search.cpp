@@ -2,20 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
 
-constexpr double passed = 0.9;       // of the usual root: a pose was passed only if the least is below
-constexpr double away = 1e-3;        // of the usual root: as far the motion has been from the last pose
-constexpr double vanishing = 0.1;    // root of the pivot in the pose, part of the least around it
-constexpr double found = 1e-6;       // the same, for the search to end
-constexpr double at_rest = 1e-4;     // of the usual root: at the end of the motion
-constexpr double same_pose = 1e-2;   // relative to the time between states
-constexpr double golden = 0.381966;  // part of the larger side of a bracket
-constexpr double no_zero = 0.7;      // a guess that lowers the least by no more finds no zero
+constexpr double passed = 0.9;         // of the usual root: a pose was passed only if the least is below
+constexpr double away = 1e-3;          // of the usual root: as far the motion has been from the last pose
+constexpr double vanishing = 0.1;      // root of the pivot in the pose, part of the least around it
+constexpr double found = 1e-6;         // the same, for the search to end
+constexpr double at_rest = 1e-4;       // of the usual root: at the end of the motion
+constexpr double same_pose = 1e-2;     // relative to the time between states
+constexpr double golden = 0.381966;    // part of the larger side of a bracket
+constexpr double near_part = 1.0 / 6;  // of the way from a pose: where another may be that is near
+constexpr double no_zero = 0.7;        // a guess that lowers the least by no more finds no zero
 constexpr int most_guesses = 24, few_guesses = 4;
 
 /// |log| of the ratio of two slopes.
@@ -50,6 +53,25 @@ PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::f
 
 bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c) {
   return least.root <= vanishing * std::min(a.root, c.root);
+}
+
+// With its sign, what vanishes is about s x + c x^2 over the way: with one or the other sign at the end, of which one
+// fits better what is in the middle.
+std::optional<PivotSample> other_zero(const PivotSample& zero, const PivotSample& end,
+                                      const std::function<double(double)>& root_at) {
+  const auto at = [&](double part) { return zero.at + part * (end.at - zero.at); };
+  for (const double scale : {1.0, near_part}) {
+    const double first = root_at(at(scale / 8.0)), middle = root_at(at(scale / 2.0));
+    const double last = scale == 1.0 ? end.root : root_at(at(scale));
+    const double same = (64.0 * first - last) / 7.0, other = (64.0 * first + last) / 7.0;  // s
+    if (std::abs(std::abs(other - last) / 4.0 - middle) > std::abs((same + last) / 4.0 - middle)) continue;
+    const double part = scale * other / (other + last);
+    const PivotSample turn{at(0.5 * part), root_at(at(0.5 * part))}, found{at(part), root_at(at(part))};
+    const PivotSample beyond{at(scale), last};
+    const auto& [a, c] = turn.at < beyond.at ? std::tie(turn, beyond) : std::tie(beyond, turn);
+    if (const PivotSample least = least_root(a, found, c, root_at); vanishes(a, least, c)) return least;
+  }
+  return {};
 }
 
 void SingularPoseSearch::restart() {
@@ -95,17 +117,34 @@ void SingularPoseSearch::search_around() {
   const auto sample = [&](const Mark& mark) { return PivotSample{mark.t, root_at(mark.t, mark.y)}; };
   const PivotSample from = sample(a), middle = sample(b), to = sample(c);
   if (middle.root <= std::min(from.root, to.root)) search(from, middle, to);
-  else if (!search_between(a, b)) search_between(b, c);
+  else if (!search_single(from, middle)) search_single(middle, to);
 }
 
-/// Of states that follow each other; true where a pose was listed.
+PivotSample SingularPoseSearch::sample_between(const PivotSample& a, const PivotSample& c, double part) {
+  const double t = a.at + (c.at - a.at) * part;
+  interpolate(t, y_);
+  return {t, root_at(t, y_)};
+}
+
+/// A zero that is the only one between; true where a pose was listed.
+bool SingularPoseSearch::search_single(const PivotSample& a, const PivotSample& c) {
+  if (!(a.root > 0.0 && c.root > 0.0)) return false;
+  const PivotSample b = sample_between(a, c, a.root / (a.root + c.root));
+  return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
+}
+
+/// The same of states that follow each other: at some places, and at that of a single zero.
 bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
   const PivotSample a{before.t, root_at(before.t, before.y)}, c{after.t, root_at(after.t, after.y)};
-  if (!(a.root > 0.0 && c.root > 0.0)) return false;
-  const double t = a.at + (c.at - a.at) * a.root / (a.root + c.root);
-  interpolate(t, y_);
-  const PivotSample b{t, root_at(t, y_)};
-  return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
+  const auto between = [&](double part) { return sample_between(a, c, part); };
+  std::array<PivotSample, 6> samples = {a, a, between(0.25), between(0.5), between(0.75), c};
+  if (a.root > 0.0 && c.root > 0.0) samples[1] = between(a.root / (a.root + c.root));
+  std::sort(samples.begin(), samples.end(), [](const PivotSample& a, const PivotSample& b) { return a.at < b.at; });
+  bool listed = false;
+  for (std::size_t k = 1; k + 1 < samples.size(); ++k)
+    if (samples[k].root < samples[k - 1].root && samples[k].root < samples[k + 1].root)
+      listed = search(samples[k - 1], samples[k], samples[k + 1]) || listed;
+  return listed;
 }
 
 double SingularPoseSearch::look_to(double t, const VectorXd& y, int parts) {
@@ -144,10 +183,18 @@ bool SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
   };
   const PivotSample least = least_root(a, b, c, root);
   if (!vanishes(a, least, c) || least.at <= last_listed_ + same_pose * (c.at - a.at)) return false;
-  const double there = root(least.at);
-  if (!dynamics_.formulation().cross(y_.head(dynamics_.system().q_size()), there * there)) return false;
+  const auto before = other_zero(least, a, root), after = other_zero(least, c, root);
+  bool listed = before && before->at > last_listed_ && list_zero(*before);
+  listed = list_zero(least) || listed;
+  return (after && list_zero(*after)) || listed;
+}
+
+bool SingularPoseSearch::list_zero(const PivotSample& zero) {
+  interpolate(zero.at, y_);
+  const double root = root_at(zero.at, y_);
+  if (!dynamics_.formulation().cross(y_.head(dynamics_.system().q_size()), root * root)) return false;
   highest_ = marks_[2].root;
-  last_listed_ = least.at;
+  last_listed_ = zero.at;
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "linkwork/formulation/dynamics.hpp"
 
@@ -10,7 +11,7 @@ namespace linkwork {
 
 /// A time on the way, and the least singular value there.
 struct PivotSample {
-  double at = 0.0, root = 0.0;
+  double at = INFINITY, root = 0.0;
 };
 
 /// Where in a bracket, b lower than a and c, the root is least: in a singular pose it comes down to zero like |t|.
@@ -18,6 +19,10 @@ struct PivotSample {
 PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::function<double(double)>& root_at);
 /// Whether that is a zero.
 bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c);
+
+/// Between a zero and the end of a way from it, the other one of a motion that turns round beside the pose.
+std::optional<PivotSample> other_zero(const PivotSample& zero, const PivotSample& end,
+                                      const std::function<double(double)>& root_at);
 
 /// Lists the singular poses that a motion passes, each once.
 ///
@@ -42,7 +47,6 @@ class SingularPoseSearch {
 
   /// Time of the last state, -infinity where there is none.
   double last() const { return count_ > 0 ? marks_[2].t : -INFINITY; }
-  double last_root() const { return marks_[2].root; }
   double last_listed() const { return last_listed_; }  ///< time of the last pose, or -infinity
   /// The least singular value. Leaves `dynamics` evaluated there.
   double root_at(double t, const VectorXd& y);
@@ -59,8 +63,11 @@ class SingularPoseSearch {
   bool pass(Mark mark);
   bool worth_a_search(double root) const;
   void search_around();
+  PivotSample sample_between(const PivotSample& a, const PivotSample& c, double part);
+  bool search_single(const PivotSample& a, const PivotSample& c);
   bool search_between(const Mark& before, const Mark& after);
   bool search(PivotSample a, PivotSample b, PivotSample c);
+  bool list_zero(const PivotSample& zero);
   void interpolate(double t, VectorXd& y) const;
   void interpolate(const Mark& from, const Mark& to, double t, VectorXd& y) const;
 

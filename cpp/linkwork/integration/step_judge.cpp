@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/runge_kutta.hpp"
 #include "linkwork/math/error.hpp"
 

@@ -40,7 +40,7 @@ void ViolationMonitor::look(int level, double t, const VectorXd& violation) {
   if (!open_[k]) return;
   if (!before) {
     count_ += 1;
-    if (excesses_.size() < most_excesses) excesses_.push_back({level, t, 0.0, 0});
+    if (excesses_.size() < most_excesses) excesses_.push_back({.level = level, .t = t});
     else excesses_.back() = {level, t, 0.0, 0};
     place_[k] = excesses_.size() - 1;
   }

@@ -25,9 +25,9 @@ double largest_column(const ColumnMatrix& A) {
 
 /// Columns with one entry are eliminated with its row, one after the other: the first rows of R, without arithmetic.
 /// What is left of A is a matrix of its own.
-class Reduction {
+class SingletonElimination {
  public:
-  Reduction(const ColumnMatrix& A, double tolerance)
+  SingletonElimination(const ColumnMatrix& A, double tolerance)
       : A_(A), tolerance_(tolerance), by_rows_(A), row_left_(A.rows(), 1), column_left_(A.cols(), 1), count_(A.cols()) {
     for (int column = 0; column < A.cols(); ++column) {
       count(column) = A.outerIndexPtr()[column + 1] - A.outerIndexPtr()[column];
@@ -155,9 +155,9 @@ std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<in
 std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
                                    const std::vector<int>& groups) {
   const double least = tolerance * largest_column(A);
-  const Reduction reduction(A, least);
-  std::vector<int> dead = reduction.dead(), columns;
-  RowMatrix rest = reduction.rest(columns);
+  const SingletonElimination singletons(A, least);
+  std::vector<int> dead = singletons.dead(), columns;
+  RowMatrix rest = singletons.rest(columns);
   if (!columns.empty())
     for (const int k : dead_columns(rest, groups_of(columns, groups), least)) dead.push_back(columns[k]);
   std::sort(dead.begin(), dead.end());

@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
-#include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 
 namespace linkwork {
-namespace {
-
-std::string joined_available() {
-  std::string names;
-  for (const LinearSolverInfo& solver : linear_solvers())
-    if (solver.available()) names += (names.empty() ? "" : ", ") + solver.name;
-  return names;
-}
-
-}  // namespace
 
 #define LINKWORK_SOLVER(NAME) LinearSolverInfo NAME##_solver();
 #include "linkwork/linear/solvers.def"
@@ -30,17 +20,12 @@ const std::vector<LinearSolverInfo>& linear_solvers() {
 }
 
 const LinearSolverInfo& linear_solver_info(const std::string& name) {
-  const auto& solvers = linear_solvers();
-  const auto found = std::find_if(solvers.begin(), solvers.end(), [&](const auto& s) { return s.name == name; });
-  if (found == solvers.end()) {
-    std::string known;
-    for (const LinearSolverInfo& solver : solvers) known += (known.empty() ? "" : ", ") + solver.name;
-    throw OptionError("unknown_linear_solver", "linear solver '" + name + "' does not exist; there are: " + known);
-  }
-  if (!found->available())
-    throw OptionError("linear_solver_not_built", "linear solver '" + name + "' is not in this build: " +
-                                                     found->missing + "; choose from: " + joined_available());
-  return *found;
+  const LinearSolverInfo& found = find_named(linear_solvers(), name, "linear solver", "unknown_linear_solver");
+  if (found.available()) return found;
+  std::vector<LinearSolverInfo> others = linear_solvers();
+  std::erase_if(others, [](const LinearSolverInfo& info) { return !info.available(); });
+  throw OptionError("linear_solver_not_built", "linear solver '" + name + "' is not in this build: " + found.missing +
+                                                   "; choose from: " + joined(names_of(others)));
 }
 
 std::string first_available(std::initializer_list<const char*> names) {

@@ -2,24 +2,20 @@
 
 #include <cstdio>
 
-#include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 
 namespace linkwork {
 
 const std::vector<MatrixForm>& matrix_forms() {
-  static const std::vector<MatrixForm> all = {{"kkt", false, true, true, &detail::make_kkt},
-                                              {"schur", true, false, true, &detail::make_schur},
-                                              {"normal", true, true, false, &detail::make_normal}};
+  static const std::vector<MatrixForm> all = {
+      {.name = "kkt", .definite = false, .velocities = true, .multipliers = true, .make = &detail::make_kkt},
+      {.name = "schur", .definite = true, .velocities = false, .multipliers = true, .make = &detail::make_schur},
+      {.name = "normal", .definite = true, .velocities = true, .multipliers = false, .make = &detail::make_normal}};
   return all;
 }
 
 const MatrixForm& matrix_form(const std::string& name) {
-  std::string known;
-  for (const MatrixForm& form : matrix_forms()) {
-    if (form.name == name) return form;
-    known += (known.empty() ? "" : ", ") + std::string(form.name);
-  }
-  throw OptionError("unknown_matrix_form", "matrix_form '" + name + "' does not exist; there are: " + known);
+  return find_named(matrix_forms(), name, "matrix_form", "unknown_matrix_form");
 }
 
 bool can_solve(const std::string& name, const LinearSolverInfo& solver) {

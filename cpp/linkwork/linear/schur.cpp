@@ -5,7 +5,7 @@ namespace linkwork::detail {
 namespace {
 
 /// S = D M^-1 D^T + E by blocks: joints k and l couple through each body b that they share, S_kl += D_kb M_b^-1 D_lb^T.
-///   S lambda = b - D M^-1 a,   x = M^-1 (a + D^T lambda)                                        (12.5), (12.6)
+///   S lambda = b - D M^-1 a,   x = M^-1 (a + D^T lambda)                            (12.5), (12.4), (12.6)
 class SchurSolver final : public AssembledSolver {
  public:
   using AssembledSolver::AssembledSolver;
@@ -39,7 +39,7 @@ class SchurSolver final : public AssembledSolver {
     lambda = right_hand_side_.col(0);
     acceleration_ = a;
     system_->add_D_transposed(*at_, lambda, acceleration_);
-    system_->multiply_inverse_mass(acceleration_, x);  // (12.6)
+    system_->multiply_inverse_mass(acceleration_, x);  // (12.4), (12.6)
   }
 
  private:

@@ -40,24 +40,23 @@ void BlockMatrix::build_columns(const std::vector<BlockIndex>& blocks) {
   std::size_t nonzeros = 0;
   matrix_.column_begin = {0};
   for (std::size_t column = 0; column < columns; ++column) {
-    const auto begin = static_cast<std::size_t>(block_column_begin_[column]);
-    const auto end = static_cast<std::size_t>(block_column_begin_[column + 1]);
+    const int begin = block_column_begin_[column], end = block_column_begin_[column + 1];
     std::vector<int> rows;
-    for (std::size_t b = begin; b < end; ++b)
+    for (int b = begin; b < end; ++b)
       for (int r = first_[blocks[b].row]; r < first_[blocks[b].row + 1]; ++r) rows.push_back(r);
     const int stride = static_cast<int>(rows.size()), width = first_[column + 1] - first_[column];
     int above = 0;
-    for (std::size_t b = begin; b < end; ++b) {
-      const auto row = static_cast<std::size_t>(blocks[b].row);
-      const int height = first_[row + 1] - first_[row];
-      block_row_.push_back(blocks[b].row);
-      places_.push_back({nonzeros + static_cast<std::size_t>(above), height, width, stride});
+    for (int b = begin; b < end; ++b) {
+      const int row = blocks[b].row, height = first_[row + 1] - first_[row];
+      block_row_.push_back(row);
+      places_.push_back(
+          {.offset = nonzeros + static_cast<std::size_t>(above), .rows = height, .columns = width, .stride = stride});
       above += height;
     }
     for (int c = 0; c < width; ++c) {
       matrix_.row.insert(matrix_.row.end(), rows.begin(), rows.end());
       nonzeros += rows.size();
-      if (nonzeros > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+      if (nonzeros > std::size_t{std::numeric_limits<int>::max()})
         throw ModelError("too_large", "a sparse matrix of this model has more than 2^31 - 1 entries");
       matrix_.column_begin.push_back(static_cast<int>(nonzeros));
     }
@@ -71,8 +70,8 @@ void BlockMatrix::build_mirror(const std::vector<BlockIndex>& blocks) {
 }
 
 int BlockMatrix::find(int row, int column) const {
-  const auto c = static_cast<std::size_t>(column);
-  const auto begin = block_row_.begin() + block_column_begin_[c], end = block_row_.begin() + block_column_begin_[c + 1];
+  const auto begin = block_row_.begin() + block_column_begin_[column];
+  const auto end = block_row_.begin() + block_column_begin_[column + 1];
   return static_cast<int>(std::lower_bound(begin, end, row) - block_row_.begin());
 }
 

@@ -2,7 +2,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 #include "linkwork/model/force_kind.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/special_joint.hpp"
@@ -35,9 +35,9 @@ int find_kind(const std::vector<Kind>& kinds, const std::string& name, const cha
   const auto same = [&](const Kind& kind) { return info_of(kind).name == name; };
   const auto found = std::find_if(kinds.begin(), kinds.end(), same);
   if (found != kinds.end()) return static_cast<int>(found - kinds.begin());
-  std::string known;
-  for (const Kind& kind : kinds) known += (known.empty() ? "" : ", ") + info_of(kind).name;
-  throw OptionError("unknown_kind", std::string(what) + " '" + name + "' does not exist; there are: " + known);
+  std::vector<std::string> known;
+  for (const Kind& kind : kinds) known.push_back(info_of(kind).name);
+  throw OptionError("unknown_kind", std::string(what) + " '" + name + "' does not exist; there are: " + joined(known));
 }
 
 }  // namespace

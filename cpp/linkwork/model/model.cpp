@@ -143,7 +143,7 @@ int Model::add_bodies(const Names& names, const std::vector<Body>& bodies) {
   std::vector<Body>& list = bodies_.own();
   const int first = static_cast<int>(list.size());
   list.insert(list.end(), bodies.begin(), bodies.end());
-  for (std::size_t k = static_cast<std::size_t>(first); k < list.size(); ++k) list[k].orientation.normalize();
+  for (int k = first; k < std::ssize(list); ++k) list[k].orientation.normalize();
   return first;
 }
 

@@ -96,7 +96,6 @@ class Model {
   const std::vector<JointForce>& joint_forces() const { return *joint_forces_; }
   /// Nothing that acts or drives depends on time, nor is it computed by functions of the user's own.
   bool autonomous() const;
-  bool has_forces() const { return !forces_->empty() || !user_forces_.empty() || !joint_forces_->empty(); }
   const std::vector<Limited>& limited() const { return *limited_; }
   const std::vector<int>& joint_rows() const { return *joint_rows_; }  ///< first row of each joint, and the total
   int row_count() const { return joint_rows_->back(); }

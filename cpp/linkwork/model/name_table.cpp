@@ -34,7 +34,7 @@ void NameTable::throw_taken(const std::string& name) const {
 void NameTable::add(const std::string& name) {
   check_free(name);
   index_.emplace(name, static_cast<int>(groups_.size()));
-  groups_.push_back({name, size_, 1, true});
+  groups_.push_back({.prefix = name, .first = size_, .count = 1, .single = true});
   if (name.back() == ']') bracketed_.push_back(name);
   size_ += 1;
 }
@@ -44,7 +44,7 @@ void NameTable::add_group(const std::string& prefix, int count) {
   for (const std::string& name : bracketed_)
     if (const int k = number_in(name, prefix); k >= 0 && k < count) throw_taken(name);
   index_.emplace(prefix, static_cast<int>(groups_.size()));
-  groups_.push_back({prefix, size_, count, false});
+  groups_.push_back({.prefix = prefix, .first = size_, .count = count, .single = false});
   size_ += count;
 }
 

@@ -198,9 +198,9 @@ class Sum final : public TimeFunction {
   std::vector<TimeFunctionPtr> terms_;
 };
 
-class Broken final : public TimeFunction {
+class WithBreaks final : public TimeFunction {
  public:
-  Broken(TimeFunctionPtr function, std::vector<double> times)
+  WithBreaks(TimeFunctionPtr function, std::vector<double> times)
       : function_(std::move(function)), times_(std::move(times)) {
     if (!std::all_of(times_.begin(), times_.end(), [](double t) { return std::isfinite(t); }))
       throw ModelError("breaks", "breaks must be finite times [s]");
@@ -259,7 +259,7 @@ TimeFunctionPtr cycloidal(double rise, double start, double duration) {
 TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms) { return std::make_shared<Sum>(std::move(terms)); }
 
 TimeFunctionPtr with_breaks(TimeFunctionPtr function, std::vector<double> times) {
-  return std::make_shared<Broken>(std::move(function), std::move(times));
+  return std::make_shared<WithBreaks>(std::move(function), std::move(times));
 }
 
 TimeFunctionPtr characteristic(TimeFunctionPtr function) {

@@ -104,13 +104,13 @@ class Differences:
             )
         q, v = motion.q[places], motion.v[places]
         return cls(
-            motion.t[places],
-            _farthest(q[:, :, :3] - exact.q[:, :, :3]),
-            _angle(q[:, :, 3:], exact.q[:, :, 3:]).max(axis=1, initial=0.0),
-            _farthest(v[:, :, :3] - exact.v[:, :, :3]),
-            _farthest(v[:, :, 3:] - exact.v[:, :, 3:]),
-            _farthest(motion.force[places] - exact.force),
-            _farthest(motion.torque[places] - exact.torque),
+            t=motion.t[places],
+            position=_farthest(q[:, :, :3] - exact.q[:, :, :3]),
+            rotation=_angle(q[:, :, 3:], exact.q[:, :, 3:]).max(axis=1, initial=0.0),
+            velocity=_farthest(v[:, :, :3] - exact.v[:, :, :3]),
+            omega=_farthest(v[:, :, 3:] - exact.v[:, :, 3:]),
+            force=_farthest(motion.force[places] - exact.force),
+            torque=_farthest(motion.torque[places] - exact.torque),
         )
 
     def pose(self, scales: Scales) -> Floats:

@@ -208,9 +208,11 @@ def without_steps(
     energy, _ = energies.error()
     error = max(energy, violation, before)
     said = f"{_percent(error)} off" if error > GOOD else f"right to {_figure(error)}"
-    sentence = f"energy and constraints are {said}; {why}"
-    return Verdict(_level(error), sentence, error, None, None, None, energy, violation, left_out=why,
-                   before=before, **_counts(statistics))  # fmt: skip
+    return Verdict(
+        level=_level(error), sentence=f"energy and constraints are {said}; {why}", error=error, state=None,
+        local_error=None, reactions=None, energy=energy, violation=violation, left_out=why, before=before,
+        **_counts(statistics),
+    )  # fmt: skip
 
 
 def verified(verdict: Verdict, state: float, method: Method) -> Verdict:

@@ -306,8 +306,11 @@ class _Search:
         kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > NEUTRAL * unit))]
         scale = max(scale, PRELOAD * unit * eq.length)
         words = "" if np.isnan(softest) else eq.motion(motion)
-        return Equilibrium(at_rest, shift, angle, multipliers, self._size(r) / scale, softest, words, kind,
-                           self.steps, eq.dynamics)  # fmt: skip
+        return Equilibrium(
+            at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=self._size(r) / scale,
+            softest=softest, softest_motion=words, stability=kind, iterations=self.steps,
+            _dynamics=eq.dynamics,
+        )  # fmt: skip
 
     def _fail(self, q: Floats, r: Floats, turning: int | None = None) -> None:
         eq = self.eq

@@ -107,27 +107,27 @@ def kinematics(
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     checks.check_bodies(model)
     checks.check_tables(model, float(t[-1]))
-    follower = _Follower(Equations(model), float(t[-1]))
-    follower.prepare()
+    continuation = _Continuation(Equations(model), float(t[-1]))
+    continuation.prepare()
     frames = _Frames(model)
-    fast = _FastFollower(follower, frames)
+    fast = _CompiledContinuation(continuation, frames)
     if not fast.start():
-        follower.begin()
+        continuation.begin()
     try:
-        previous, k = follower.at, 0
+        previous, k = continuation.at, 0
         while k < len(t):
             if not (taken := fast.follow(t[k:])):
-                follower.go_to(float(t[k]))
-                _watch(follower, previous, on_singular)
-                frames.add(follower)
+                continuation.go_to(float(t[k]))
+                _watch(continuation, previous, on_singular)
+                frames.add(continuation)
                 fast.resume()
-            previous, k = follower.at, k + (taken or 1)
+            previous, k = continuation.at, k + (taken or 1)
     except LinkworkError as error:
-        error.result = frames.result(follower, t, began, failed=True) if frames.rows else None
-        error.state = Snapshot(follower.at.t, follower.at.q.reshape(-1, 7), follower.at.v.reshape(-1, 6),
-                               follower.at.history)  # fmt: skip
+        error.result = frames.result(continuation, t, began, failed=True) if frames.rows else None
+        at = continuation.at
+        error.state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
         raise
-    return frames.result(follower, t, began)
+    return frames.result(continuation, t, began)
 
 
 def _times(times: ArrayLike) -> Floats:
@@ -145,7 +145,7 @@ def _times(times: ArrayLike) -> Floats:
 
 
 @dataclass(frozen=True)
-class _Moment:
+class _MotionState:
     """The mechanism at one time; omega and its rate in body axes in v and a, inertial in x_dot and x_ddot."""
 
     t: float
@@ -169,12 +169,12 @@ class _Moment:
 
 
 @dataclass
-class _Follower:
+class _Continuation:
     """Follows the motion in steps that the predictor can answer for."""
 
     equations: Equations
     t_end: float
-    at: _Moment = field(init=False)
+    at: _MotionState = field(init=False)
     unit: float = 1.0  # of singular values
     beside: bool = False  # a singular pose, which is left on both of its sides
     crossings: list[dict[str, Any]] = field(default_factory=list)
@@ -186,9 +186,9 @@ class _Follower:
     def freedoms(self) -> int:
         return 6 * self.equations.core.body_count
 
-    def _accept(self, moment: _Moment) -> None:
-        self.at = moment
-        self.equations.dynamics.history = moment.history
+    def _accept(self, state: _MotionState) -> None:
+        self.at = state
+        self.equations.dynamics.history = state.history
 
     def _constraints(self, D: Sparse) -> AnyConstraints:
         self.counts["factorizations"] += 1
@@ -197,7 +197,7 @@ class _Follower:
     def jump(self, t: float, q: Floats, v: Floats, a: Floats, history: Floats) -> None:
         """To where the motion has been found to go."""
         terms, constraints = self.equations.terms, self._constraints
-        self._accept(_Moment(t, q, v, a, lambda: constraints(terms(t, q).D), history))
+        self._accept(_MotionState(t, q, v, a, lambda: constraints(terms(t, q).D), history))
 
     def prepare(self) -> None:
         """ModelError: freedoms are left. SingularSystemError: a large model in a singular pose."""
@@ -217,7 +217,7 @@ class _Follower:
         q = self._corrected(0.0, q0, start)
         if q is None:
             raise self._no_start()
-        self._accept(self._moment(0.0, q, None))
+        self._accept(self._state(0.0, q, None))
 
     def go_to(self, t: float) -> None:
         """NotConvergedError: there is no way to go on."""
@@ -235,7 +235,7 @@ class _Follower:
                 self.counts["steps"] += 1
                 h *= 2
 
-    def soon_after(self, first: _Moment, t: float) -> _Moment | None:
+    def soon_after(self, first: _MotionState, t: float) -> _MotionState | None:
         """The mechanism soon after `first`, without going there."""
         kept = self.at
         self._accept(first)
@@ -247,7 +247,7 @@ class _Follower:
         finally:
             self._accept(kept)
 
-    def _step(self, t: float) -> _Moment | None:
+    def _step(self, t: float) -> _MotionState | None:
         """q + h v + h^2 v_dot / 2, corrected; None: the step is too long for the predictor to be trusted."""
         at, h = self.at, t - self.at.t
         length = self.equations.length
@@ -259,12 +259,12 @@ class _Follower:
         q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * moved, 1e-9))
         if q is None:
             return None
-        moment = self._moment(t, q, at)
-        if moment.constraints.rank == self.freedoms:
-            return moment
+        state = self._state(t, q, at)
+        if state.constraints.rank == self.freedoms:
+            return state
         if self.beside or at.constraints.rank < self.freedoms:
             return None  # singular poses one after the other: no step, however short, leaves them
-        return self._singular(moment, h) if h > 1e-6 * max(t, 1e-3 * self.t_end) else moment
+        return self._singular(state, h) if h > 1e-6 * max(t, 1e-3 * self.t_end) else state
 
     def _rolled(self, t: float) -> Floats:
         """q at t by integration of D v = -Phi_t, where joints restrict velocities only."""
@@ -280,7 +280,7 @@ class _Follower:
         found = solve_ivp(rate, (self.at.t, t), self.at.q, "DOP853", **options)
         return displaced(found.y[:, -1], np.zeros(self.freedoms))
 
-    def _singular(self, moment: _Moment, h: float) -> _Moment | None:
+    def _singular(self, state: _MotionState, h: float) -> _MotionState | None:
         """The same, with the velocity and acceleration that it leaves open from both sides of it.
 
         Hermite's interpolation: f(t) = (f_1 + f_2) / 2 + (t_2 - t_1) (f_1' - f_2') / 8 in the middle.
@@ -288,17 +288,17 @@ class _Follower:
         d = NEARBY * h
         self.beside = True
         try:
-            before = self.soon_after(self.at, moment.t - d)
+            before = self.soon_after(self.at, state.t - d)
             if before is None:
                 return None
-            after = self.soon_after(before, moment.t + d) if moment.t + d <= self.t_end else None
+            after = self.soon_after(before, state.t + d) if state.t + d <= self.t_end else None
         finally:
             self.beside = False
         if after is None:
-            return self._moment(moment.t, moment.q, before)
+            return self._state(state.t, state.q, before)
         x_ddot = (before.x_ddot + after.x_ddot) / 2
         x_dot = (before.x_dot + after.x_dot) / 2 + d / 4 * (before.x_ddot - after.x_ddot)
-        return self._completed(moment.t, moment.q, x_dot, x_ddot)
+        return self._completed(state.t, state.q, x_dot, x_ddot)
 
     # Newton's method with the D of the last moment, renewed where it converges slowly
     def _corrected(
@@ -328,13 +328,13 @@ class _Follower:
         """Whether redundant equations hold as well as the others."""
         return bool(self.equations.violation(Phi) < CLOSED + self.equations.rounding)
 
-    def _moment(self, t: float, q: Floats, last: _Moment | None) -> _Moment:
+    def _state(self, t: float, q: Floats, last: _MotionState | None) -> _MotionState:
         """With velocities and accelerations; what a singular pose leaves open goes on as before."""
         if last is None:
             return self._completed(t, q, np.zeros(self.freedoms), np.zeros(self.freedoms))
         return self._completed(t, q, last.x_dot + (t - last.t) * last.x_ddot, last.x_ddot)
 
-    def _completed(self, t: float, q: Floats, x_dot: Floats, x_ddot: Floats) -> _Moment:
+    def _completed(self, t: float, q: Floats, x_dot: Floats, x_ddot: Floats) -> _MotionState:
         """With the velocities and accelerations nearest to these."""
         terms = self.equations.terms(t, q)
         constraints = self._constraints(terms.D)
@@ -343,7 +343,7 @@ class _Follower:
         a = to_body_axes(q, x_ddot - constraints.solve(terms.D @ x_ddot - gamma))
         self.counts["evaluations"] += 2
         history = self.equations.dynamics.advanced_history(t, q, v)
-        return _Moment(t, q, v, a, lambda: constraints, history)
+        return _MotionState(t, q, v, a, lambda: constraints, history)
 
     # --- what cannot be done ---
 
@@ -392,28 +392,30 @@ class _Follower:
         )
 
 
-class _FastFollower:
+class _CompiledContinuation:
     """The same in compiled code while poses are regular, joints restrict positions, and steps are trusted."""
 
-    def __init__(self, follower: _Follower, frames: _Frames) -> None:
-        eq = follower.equations
-        self.follower, self.frames, self.ready = follower, frames, False
+    def __init__(self, continuation: _Continuation, frames: _Frames) -> None:
+        eq = continuation.equations
+        self.continuation, self.frames, self.ready = continuation, frames, False
         self.motion = None
-        if eq.holonomic.all() and eq.core.row_count >= follower.freedoms:
+        if eq.holonomic.all() and eq.core.row_count >= continuation.freedoms:
             dynamics = frames.system.compiled()
-            self.motion = _core.DrivenMotion(dynamics, eq.length, eq.row_lengths, eq.rounding, follower.unit)
+            self.motion = _core.DrivenMotion(
+                dynamics, eq.length, eq.row_lengths, eq.rounding, continuation.unit
+            )
 
     def start(self) -> bool:
-        """Onto the constraints at t = 0, with the follower; False: that needs a closer look."""
-        core, dynamics = self.follower.equations.core, self.frames.system.compiled()
+        """Onto the constraints at t = 0, with the continuation; False: that needs a closer look."""
+        core, dynamics = self.continuation.equations.core, self.frames.system.compiled()
         if self.motion is not None and self.motion.start(core.q0, dynamics.initial_history):
             self.ready = True
-            self.follower.jump(*self.motion.state)
+            self.continuation.jump(*self.motion.state)
         return self.ready
 
     def resume(self) -> None:
-        """From where the follower is."""
-        at = self.follower.at
+        """From where the continuation is."""
+        at = self.continuation.at
         self.ready = self.motion is not None and self.motion.begin(at.t, at.q, at.v, at.a, at.history)
 
     def follow(self, t: Floats) -> int:
@@ -422,30 +424,30 @@ class _FastFollower:
             return 0
         count, found, costs = self.motion.follow(list(t), PIECE)
         for name, cost in costs.items():
-            self.follower.counts[name] += cost
+            self.continuation.counts[name] += cost
         self.ready = count > 0
         if count:
             self.frames.extend(found)
-        self.follower.jump(*self.motion.state)
+        self.continuation.jump(*self.motion.state)
         return int(count)
 
 
-def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
+def _watch(continuation: _Continuation, first: _MotionState, on_singular: str) -> None:
     """Note a singular pose between two frames, or at the second one."""
-    eq, second, count = follower.equations, follower.at, follower.freedoms
-    values = [moment.constraints.smallest(count) for moment in (first, second)]
+    eq, second, count = continuation.equations, continuation.at, continuation.freedoms
+    values = [state.constraints.smallest(count) for state in (first, second)]
     crossed = first is not second and first.constraints.orientation(second.constraints) < 0
-    found: _Moment | None = None
+    found: _MotionState | None = None
     if values[1] < SINGULAR:
         found = second
     elif crossed and values[0] >= SINGULAR:
-        found = _crossing(follower, first, second)
+        found = _crossing(continuation, first, second)
     if found is None:
         return
     rows = found.constraints.weakest_rows(count)
     names = eq.joints(rows)
     pivot = found.constraints.smallest(count)
-    follower.crossings.append(
+    continuation.crossings.append(
         {"t": found.t, "joints": names[:16], "pivot": pivot, "rows_changed": False,
          "fallback_evaluations": int(found is second)}
     )  # fmt: skip
@@ -453,22 +455,22 @@ def _watch(follower: _Follower, first: _Moment, on_singular: str) -> None:
         return
     message = (
         f"kinematics: singular pose at t = {found.t:.6g} s: the equations of {_named(names)} depend on each "
-        "other for a moment, where the motion could go on in several ways"
+        "other for a state, where the motion could go on in several ways"
     )
     if on_singular == "stop":
         raise SingularSystemError(message, code="singular_pose", joints=names, time=found.t)
     warn(message)
 
 
-def _crossing(follower: _Follower, first: _Moment, second: _Moment) -> _Moment:
+def _crossing(continuation: _Continuation, first: _MotionState, second: _MotionState) -> _MotionState:
     """The pose between two moments where D comes nearest to losing its rank, by bisection of the time."""
     low, high, best = first, second, second
     for _ in range(40):
-        middle = follower.soon_after(low, (low.t + high.t) / 2)
+        middle = continuation.soon_after(low, (low.t + high.t) / 2)
         if middle is None:
             break
         best = middle
-        if middle.constraints.smallest(follower.freedoms) < SINGULAR:
+        if middle.constraints.smallest(continuation.freedoms) < SINGULAR:
             break
         crossed = low.constraints.orientation(middle.constraints) < 0
         low, high = (low, middle) if crossed else (middle, high)
@@ -493,25 +495,26 @@ class _Frames:
         self.system = System(model)
         self.rows: dict[str, list[Any]] = {}
 
-    def add(self, follower: _Follower) -> None:
-        self.extend({name: [value] for name, value in self._values(follower.at).items()})
+    def add(self, continuation: _Continuation) -> None:
+        self.extend({name: [value] for name, value in self._values(continuation.at).items()})
 
     def extend(self, found: Mapping[str, ArrayLike]) -> None:
         """With frames (k, ...) of each."""
         for name, values in found.items():
             self.rows.setdefault(name, []).append(values)
 
-    def result(self, follower: _Follower, t: Floats, began: float, failed: bool = False) -> Result:
+    def result(self, continuation: _Continuation, t: Floats, began: float, failed: bool = False) -> Result:
         fields, dynamics = self._fields(), self.system.compiled()
         given = {"times": f"{t[0]:g} to {t[-1]:g} s, {len(t)}"}
         facts = manifest(self.model, given, {"analysis": "kinematics", "integrator": "kinematics"})
         header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)
-        crossings = follower.crossings
-        statistics = {**follower.counts, "singular_poses": len(crossings), "singularity_crossings": crossings,
-                      "seconds": time.perf_counter() - began, "failed": failed}  # fmt: skip
+        crossings = continuation.crossings
+        statistics = {**continuation.counts, "singular_poses": len(crossings),
+                      "singularity_crossings": crossings, "seconds": time.perf_counter() - began,
+                      "failed": failed}  # fmt: skip
         return Result(fields, header, statistics)
 
-    def _values(self, it: _Moment) -> dict[str, Any]:
+    def _values(self, it: _MotionState) -> dict[str, Any]:
         dynamics = self.system.compiled()
         found = dynamics.evaluate(it.t, it.q, it.v, it.history)
         D = self._matrix(found["D"])
@@ -554,7 +557,7 @@ class _Frames:
         return np.stack([force, np.einsum("nij,nj->ni", core.inertia, parts[:, 1])], axis=1).ravel()
 
 
-def _multipliers(dynamics: _core.Dynamics, it: _Moment) -> Floats:
+def _multipliers(dynamics: _core.Dynamics, it: _MotionState) -> Floats:
     """Those that the motion needs, of least norm; zero where they are not found, to be corrected."""
     try:
         multipliers: Floats = dynamics.accelerations(it.t, it.q, it.v, it.history)[1]

@@ -13,19 +13,23 @@ import os
 import sys
 import warnings
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import partial
-from typing import Any
+from typing import Any, NoReturn
 
 import click
 
 from linkwork.cli import base, shells
 from linkwork.cli.commands import linkwork
 from linkwork.errors import LinkworkError
-from linkwork.running.interrupts import Terminated
+from linkwork.running.interrupts import Terminated, honor_termination
 
 __all__ = ["main"]
 
 log = logging.getLogger(__name__)
+
+#: Exit codes by ctrl-C and by SIGTERM.
+INTERRUPTED = (130, 143)
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -38,9 +42,22 @@ def main(arguments: Sequence[str] | None = None) -> None:
     words = list(sys.argv[1:] if arguments is None else arguments)
     debug = "--debug" in words
     base.replace_files("--force" in words)
+    honor_termination()
     warnings.showwarning = _show_warning
     logging.getLogger("matplotlib").setLevel(logging.ERROR)  # its remarks on fonts and caches
-    sys.exit(run([word for word in words if word not in ("--debug", "--force")], debug))
+    code = run([word for word in words if word not in ("--debug", "--force")], debug)
+    if code in INTERRUPTED:
+        _leave(code)
+    sys.exit(code)
+
+
+def _leave(code: int) -> NoReturn:
+    """At once: what a large model takes up is not given back piece by piece."""
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):
+            stream.flush()
+    logging.shutdown()
+    os._exit(code)
 
 
 def run(words: list[str], debug: bool) -> int:
@@ -55,7 +72,7 @@ def run(words: list[str], debug: bool) -> int:
     except click.ClickException as error:
         return tell(_sentence(error), 2)
     except (KeyboardInterrupt, click.Abort) as stop:
-        return tell(str(stop) or "interrupted", 143 if isinstance(stop, Terminated) else 130)
+        return tell(str(stop) or "interrupted", INTERRUPTED[isinstance(stop, Terminated)])
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
@@ -78,7 +95,8 @@ def _complain(
     if as_json:
         from linkwork.cli.output import print_json
 
-        usual = {"type": "UsageError" if code == 2 else "Error", "code": "usage" if code == 2 else "failed"}
+        word = {2: "usage", **dict.fromkeys(INTERRUPTED, "interrupted")}.get(code, "failed")
+        usual = {"type": "UsageError" if code == 2 else "Error", "code": word}
         print_json({"error": {**usual, "message": message, **(facts or {}), "exit_code": code}})
     for line in message.splitlines() or [""]:
         print("error:", " ".join(line.split()), file=sys.stderr)

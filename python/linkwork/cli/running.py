@@ -42,9 +42,9 @@ def simulate_and_show(
     try:
         result = lw.simulate(model, **settings, output=output, overwrite=may_replace())
     except KeyboardInterrupt as stop:
-        raise type(stop)(
-            f"interrupted; '{output}' has the frames so far" if output else "interrupted"
-        ) from stop
+        begun = output and getattr(stop, "result", None) is not None
+        kept = f"; '{output}' has the frames so far" if begun else ""
+        raise type(stop)(f"interrupted{kept}") from stop
     if plot is not None:
         result.plot(plot)
     files = {"result": output, "picture": plot}

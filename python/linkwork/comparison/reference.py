@@ -173,8 +173,11 @@ def _made(result: Result, description: str, tighter: Result | None) -> Reference
     joints = [
         name for name, unique in zip(result.joint_names, result.unique_reactions, strict=True) if unique
     ]
-    return Reference(motion, scales, description, error, result.statistics.get("steps"),
-                     result.statistics.get("driver_seconds"), joints, len(result.joint_names))  # fmt: skip
+    return Reference(
+        motion, scales, description, error, steps=result.statistics.get("steps"),
+        seconds=result.statistics.get("driver_seconds"), unique_joints=joints,
+        joint_count=len(result.joint_names),
+    )  # fmt: skip
 
 
 def _of_both(*results: Result) -> float:

@@ -186,17 +186,26 @@ def _grouped(
             merge(WORLD, name)
             description.note("base", f"link '{name}'", "the base is the ground")
     fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
-    changed = True
-    while changed:
-        changed = False
-        for joint in fixed:
-            pair = groups[find(joint.parent)], groups[find(joint.child)]
-            world = groups[find(WORLD)]
-            ends = [group for group in pair if group is world or group.is_light]
-            if pair[0] is not pair[1] and (ends or merge_fixed):
-                _note_merger(description, pair, world, joint)
-                merge(joint.parent, joint.child)
-                changed = True
+    at_link: dict[str, list[JointDescription]] = {name: [] for name in leader}
+
+    def fasten(joint: JointDescription) -> None:
+        """Make one body of what the joint fixes, where one is the world or cannot move by itself."""
+        pair = groups[find(joint.parent)], groups[find(joint.child)]
+        world = groups[find(WORLD)]
+        ends = [group for group in pair if group is world or group.is_light]
+        if pair[0] is not pair[1] and (ends or merge_fixed):
+            _note_merger(description, pair, world, joint)
+            merge(joint.parent, joint.child)
+
+    for joint in fixed:
+        fasten(joint)
+        for link in (joint.parent, joint.child):
+            at_link[link].append(joint)
+    # No group becomes light by merging: what is not one by now becomes so only where it reaches the world.
+    reached = groups[find(WORLD)].links
+    for link in reached:  # which grows meanwhile
+        for joint in at_link[link]:
+            fasten(joint)
     return {name: groups[find(name)] for name in leader}
 
 

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
+from itertools import dropwhile
 from typing import TypeVar, Unpack
 
 import numpy as np
@@ -241,12 +242,9 @@ class _Robot(RobotFile):
             if joint.child in parent_of:
                 self._reader.add(node, f"joint '{name}' child", f"link '{joint.child}' has two parents")
             parent_of.setdefault(joint.child, joint.parent)
+        ring = _in_rings(parent_of)
         for name, joint in joints.items():
-            seen, link = {joint.child}, joint.parent
-            while link in parent_of and link not in seen:
-                seen.add(link)
-                link = parent_of[link]
-            if link == joint.child:
+            if joint.child in ring and parent_of[joint.child] == joint.parent:
                 self._reader.add(
                     by_name[name], f"joint '{name}'", "is part of a ring of joints; a URDF is a tree"
                 )
@@ -265,6 +263,22 @@ def _colors(root: Node) -> Iterator[tuple[str, str]]:
 def _color(node: Node) -> str:
     """ModelError: no four numbers."""
     return hex_of(numbers(node.attributes.get("rgba"), 4, "color"))
+
+
+def _in_rings(parent_of: Mapping[str, str]) -> set[str]:
+    """Links that are their own ancestors. Every link is passed once."""
+    passed: set[str] = set()
+    rings: set[str] = set()
+    for start in parent_of:
+        way: dict[str, None] = {}
+        link = start
+        while link in parent_of and link not in passed:
+            passed.add(link)
+            way[link] = None
+            link = parent_of[link]
+        if link in way:
+            rings.update(dropwhile(lambda it, first=link: it != first, way))
+    return rings
 
 
 def _planar(normal: Floats) -> tuple[Motion, ...]:

@@ -38,6 +38,7 @@ def numbers(result: Result) -> dict[str, Any]:
         "projections": int(result.statistics.get("projections", 0)),
         "singular_poses": int(result.statistics.get("singular_poses", 0)),
         "finished": result.finished,
+        "status": result.status,
         "verdict": _verdict(result),
     }
 

@@ -26,7 +26,7 @@ from linkwork.errors import FileError, cause
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import MODEL_NAMES, Header
 from linkwork.motion.records import Checkpoint, Occurrence
-from linkwork.results import checkpoints, digests
+from linkwork.results import checkpoints, digests, heaps
 from linkwork.results.shapes import read_shapes
 from linkwork.results.writing import FORMAT, MODEL_ARRAYS, VERSION
 
@@ -112,7 +112,7 @@ def read(path: str | os.PathLike[str], *, trusted: bool = False) -> StoredRun:
     FileError: no such file, one of another kind, or one that is damaged before the first frame.
     """
     path = Path(path)
-    with _failures(path), _damaged(path), _open(path) as file:
+    with _failures(path), _damaged(path), _looked_through(path, trusted), _open(path) as file:
         has_digests = _check_kind(path, file)
         size = path.stat().st_size
         if has_digests and not trusted:
@@ -304,6 +304,14 @@ def _chunk_end(dataset: h5py.Dataset, start: int) -> float:
     except RuntimeError:
         return math.inf
     return math.inf if chunk.byte_offset is None else float(chunk.byte_offset + chunk.size)
+
+
+@contextmanager
+def _looked_through(path: Path, trusted: bool) -> Iterator[None]:
+    """ValueError: HDF5 would not come to an end with what is in the file."""
+    if not trusted:
+        heaps.check(path)
+    yield
 
 
 @contextmanager

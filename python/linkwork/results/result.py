@@ -92,6 +92,13 @@ class Result:
         return bool(self.statistics) and not self.statistics.get("failed", False) and not self.missing
 
     @property
+    def status(self) -> Literal["finished", "failed", "interrupted"]:
+        """How the run ended; "interrupted" also where a file does not say how, see `missing`."""
+        if self.finished:
+            return "finished"
+        return "failed" if self.statistics.get("failed", False) else "interrupted"
+
+    @property
     def missing(self) -> tuple[str, ...]:
         """What a file had lost when it was read; its digests tell. The frames that are there are whole."""
         return tuple(self._header.manifest.get("missing", ()))
@@ -183,7 +190,13 @@ class Result:
         i = self._place("body", name)
         q, v, vdot = (self._field(field, np.s_[:, i]) for field in ("q", "v", "vdot"))
         return BodyResult(
-            self.body_names[i], q[:, :3], q[:, 3:], v[:, :3], v[:, 3:], vdot[:, :3], vdot[:, 3:]
+            name=self.body_names[i],
+            position=q[:, :3],
+            orientation=q[:, 3:],
+            velocity=v[:, :3],
+            omega=v[:, 3:],
+            acceleration=vdot[:, :3],
+            angular_acceleration=vdot[:, 3:],
         )
 
     # --- joints ---

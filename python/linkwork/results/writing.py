@@ -12,6 +12,9 @@
     /checkpoint  what the run can go on from to the last bit, see `checkpoints`
     /digests   of all this, see `digests`; not in files of versions 1 to 3
 
+Nothing is left to HDF5 that can fail, as it does not survive that: the head is made in memory and written as
+bytes, and room for whatever follows is reserved before HDF5 is told of it.
+
 The frames that count are those with a time: every other field is written and flushed *before* `t` grows, so
 a run that is killed leaves whole frames only. Room on the disk is reserved before a frame is written; when
 there is none the file is closed with what it has. The reactions are stored, not recomputed: what was recorded
@@ -29,7 +32,7 @@ import os
 import shutil
 import time
 import uuid
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import ModuleType, TracebackType
@@ -121,6 +124,11 @@ class ResultWriter:
         with self._failures():
             self._begin(run or uuid.uuid4().hex)
 
+    @property
+    def run(self) -> str:
+        """The identity of what is written."""
+        return self._run
+
     def write(self, chunk: Mapping[str, ArrayLike]) -> None:
         """Append frames: the arrays of `Simulation.advance`, reactions included or to be computed here."""
         t = np.asarray(chunk["t"], dtype=float)
@@ -131,12 +139,10 @@ class ResultWriter:
         recorded = record_reactions(self._header, chunk)
         values = {name: np.reshape(recorded[name], (len(t), *it[1:])) for name, it in self._chunks.items()}
         start, end = self._frames, self._frames + len(t)
-        try:
-            self._reserve(start, end)
-        except FileError as error:
-            self._failure = error
-            self.close()
-            raise
+        self._reserve_or_end(
+            (-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8
+            for chunk in self._chunks.values()
+        )
         with self._failures():
             for name, dataset in self._fields.items():
                 if name != "t":
@@ -152,11 +158,19 @@ class ResultWriter:
         """Append events; like that of frames, their `t` grows last."""
         if not occurrences:
             return
+        if self._failure is not None:
+            raise self._failure
+        fields = _event_fields(self._header.body_count)
+        sizes = {name: _event_bytes(shape) for name, (shape, _) in fields.items()}
+        self._reserve_or_end(
+            max(len(occurrences) * size, CHUNK_BYTES[0]) + max(size, CHUNK_BYTES[0]) for size in sizes.values()
+        )
         with self._failures():
             group = self._file.require_group("events")
-            for name, (shape, kind) in _event_fields(self._header.body_count).items():
+            for name, (shape, kind) in fields.items():
                 if name not in group:
-                    group.create_dataset(name, (0, *shape), kind, maxshape=(None, *shape))
+                    chunk = max(1, CHUNK_BYTES[0] // sizes[name]), *shape
+                    group.create_dataset(name, (0, *shape), kind, maxshape=(None, *shape), chunks=chunk)
                 dataset = group[name]
                 start = len(dataset)
                 dataset.resize(start + len(occurrences), axis=0)
@@ -204,18 +218,27 @@ class ResultWriter:
         try:
             self.flush()
         except FileError:
-            self._file.close()
+            self._release()
             raise
         with self._failures():
-            self._write_checkpoint()
-            if statistics is not None:
-                _write_statistics(self._file, statistics, self._blocks.last)
-            self._file.flush()
-            size = self._file.id.get_filesize()
-            self._file.close()
-            if os.path.getsize(self.path) > size:
-                os.truncate(self.path, size)
+            try:
+                self._write_end(statistics)
+            finally:
+                self._release()
             checkpoints.beside(self._target).unlink(missing_ok=True)
+
+    def _write_end(self, statistics: Mapping[str, Any] | None) -> None:
+        self._write_checkpoint()
+        if statistics is not None:
+            text = json.dumps(dict(statistics), default=_plain)
+            self._reserve([2 * len(text)])
+            _write_statistics(self._file, text, self._blocks.last)
+        self._file.flush()
+        os.ftruncate(self._descriptor, self._file.id.get_filesize())
+
+    def _release(self) -> None:
+        self._file.close()
+        os.close(self._descriptor)
 
     def _write_checkpoint(self) -> None:
         """Where there is room for it."""
@@ -225,10 +248,11 @@ class ResultWriter:
         needed = self._file.id.get_filesize() + 2 * len(checkpoint.state) + MARGIN_BYTES
         if needed > self._reserved:
             try:
-                self._check_room(needed - os.stat(self.path).st_blocks * 512)
-                _allocate(self.path, self._reserved, needed)
+                self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
+                _allocate(self._descriptor, self._reserved, needed)
             except (FileError, OSError):
                 return
+            self._reserved = needed
         checkpoints.write(self._file, checkpoint, self._run)
 
     def __enter__(self) -> Self:
@@ -256,21 +280,36 @@ class ResultWriter:
             )
         self._target, self._run = target, run
         checkpoints.beside(target).unlink(missing_ok=True)
+        head, digest = self._head(run)
         begun = target.with_name(f".{target.name}.{run}.begun")
+        self._descriptor = os.open(begun, os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
         try:
-            self._file = h5py.File(begun, "w")
-            self._write_header(run)
-            self._file.flush()
-            self._inode = os.stat(begun).st_ino
+            _write_whole(self._descriptor, head)
+            self._reserved = len(head) + MARGIN_BYTES
+            _allocate(self._descriptor, len(head), self._reserved)
+            self._file = h5py.File(begun, "r+")
+            self._fields = {name: self._file["frames"][name] for name in self._chunks}
             os.replace(begun, target)
+        except BaseException:
+            os.close(self._descriptor)
+            raise
         finally:
             begun.unlink(missing_ok=True)
+        self._blocks = digests.Blocks(digest, list(self._fields))
 
-    def _write_header(self, run: str) -> None:
+    def _head(self, run: str) -> tuple[bytes, int]:
+        """The file before its first frame, and its digest."""
+        with h5py.File(f"{run}.head", "w", driver="core", backing_store=False) as file:
+            digest = self._write_header(file, run)
+            file.flush()
+            return file.id.get_file_image(), digest
+
+    def _write_header(self, file: h5py.File, run: str) -> int:
+        """Its digest."""
         attributes = {"format": FORMAT, "version": VERSION, "run": run}
-        self._file.attrs.update(attributes)
-        self._file.attrs["manifest"] = json.dumps(dict(self._header.manifest), default=_plain)
-        model = self._file.create_group("model")
+        file.attrs.update(attributes)
+        file.attrs["manifest"] = json.dumps(dict(self._header.manifest), default=_plain)
+        model = file.create_group("model")
         for name in MODEL_ARRAYS:
             model[name] = getattr(self._header, name)
             _name_unit(model[name], name)
@@ -279,54 +318,55 @@ class ResultWriter:
         write_shapes(model, self._header.shapes)
         for joint, line in self._header.curves.items():
             model[f"curves/{joint}"] = line
-        frames = self._file.create_group("frames")
+        frames = file.create_group("frames")
         for name, shape in self._header.frame_shapes().items():
             if math.prod(shape):
                 chunk = (_chunk_frames(shape, self._header.expected_frames), *shape)
                 self._chunks[name] = chunk
-                self._fields[name] = frames.create_dataset(
+                frames.create_dataset(
                     name, (0, *shape), "f8", maxshape=(None, *shape), chunks=chunk, fillvalue=math.nan
                 )
                 _name_unit(frames[name], name)
-        checkpoints.make_place(self._file, self._header.body_count)
+        checkpoints.make_place(file, self._header.body_count)
         rows = digests.CHUNK_ROWS, digests.COLUMNS
-        self._file.create_dataset(digests.BLOCKS, (0, rows[1]), "u8", maxshape=(None, rows[1]), chunks=rows)
-        start = self._file.attrs[digests.DIGEST] = digests.head(self._file)
-        self._file.attrs.update({"statistics": "", digests.CLOSING: 0})
-        self._blocks = digests.Blocks(start, list(self._fields))
+        file.create_dataset(digests.BLOCKS, (0, rows[1]), "u8", maxshape=(None, rows[1]), chunks=rows)
+        digest = file.attrs[digests.DIGEST] = digests.head(file)
+        file.attrs.update({"statistics": "", digests.CLOSING: 0})
+        return digest
 
-    def _reserve(self, start: int, end: int) -> None:
-        """Make sure of the room for the frames start..end before HDF5 is touched.
+    def _reserve_or_end(self, sizes: Iterable[int]) -> None:
+        """FileError, with the file closed: there is no room for so much [bytes]."""
+        try:
+            self._reserve(sizes)
+        except FileError as error:
+            self._failure = error
+            self.close()
+            raise
+
+    def _reserve(self, sizes: Iterable[int]) -> None:
+        """Make sure of the room for chunks of these sizes [bytes] before HDF5 is touched.
 
         Its own failure to write would leave the file half changed, and comes late: HDF5 holds chunks back.
         """
-        new = [
-            (-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8
-            for chunk in self._chunks.values()
-        ]
         with self._failures():
-            self._size = max(self._size, self._file.id.get_filesize()) + sum(new)
+            self._size = max(self._size, self._file.id.get_filesize()) + sum(sizes)
             needed = (
                 self._size + self._size // 50 + MARGIN_BYTES
             )  # a chunk's entry in the index takes less than 2 %
             if needed > self._reserved:
                 self._check_mine()
-                self._check_room(needed - os.stat(self.path).st_blocks * 512)
-                _allocate(self.path, self._reserved, needed)
+                self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
+                _allocate(self._descriptor, self._reserved, needed)
                 self._reserved = needed
 
     def _check_mine(self) -> None:
-        """FileError: what has the name of the output by now is another file."""
+        """FileError: the output was removed, or what has its name by now is another file."""
         try:
-            mine = os.stat(self.path).st_ino == self._inode
+            found = os.stat(self.path)
         except FileNotFoundError:
-            mine = False
-        if not mine:
-            raise FileError(
-                f"output '{self.path}': was removed, or replaced by another file, during the run: its frames "
-                "are lost; give each run an output of its own",
-                code="replaced",
-            )
+            raise replaced(self.path, "was removed") from None
+        if not os.path.samestat(found, os.fstat(self._descriptor)):
+            raise replaced(self.path, "was replaced by another file")
 
     def _check_room(self, needed: int) -> None:
         with self._failures():
@@ -385,28 +425,48 @@ def save(
 def add_finer(path: str | os.PathLike[str], finer: Finer, statistics: Mapping[str, Any]) -> None:
     """To the file of a run that was verified, with what is known by then. FileError."""
     finer.result.reactions()
+    text = json.dumps(dict(statistics), default=_plain)
     try:
-        with h5py.File(path, "r+") as file:
-            group = file.create_group("finer")
-            for name in file["frames"]:
-                group.create_dataset(name, data=finer.result.recorded(name))
-            group.attrs["factor"] = finer.factor
-            digest = digests.of_finer(group, file.attrs[digests.DIGEST])
-            group.attrs[digests.DIGEST] = digest
-            _write_statistics(file, statistics, digests.last_row(file), digest)
+        with h5py.File(path, "r") as file:
+            found = {name: finer.result.recorded(name) for name in file["frames"]}
+        with _room(path, sum(field.nbytes for field in found.values()) + 2 * len(text) + MARGIN_BYTES):
+            with h5py.File(path, "r+") as file:
+                group = file.create_group("finer")
+                for name, field in found.items():
+                    group.create_dataset(name, data=field)
+                group.attrs["factor"] = finer.factor
+                digest = digests.of_finer(group, file.attrs[digests.DIGEST])
+                group.attrs[digests.DIGEST] = digest
+                _write_statistics(file, text, digests.last_row(file), digest)
+                file.flush()
+                end = file.id.get_filesize()
+            os.truncate(path, end)
     except OSError as error:
         raise unwritable("output", path, error) from error
 
 
-def _write_statistics(
-    file: h5py.File, statistics: Mapping[str, Any], last: digests.Row, finer: int = 0
-) -> None:
+@contextmanager
+def _room(path: str | os.PathLike[str], count: int) -> Iterator[None]:
+    """So many bytes more in a file; none where that fails. OSError: there is no room for them."""
+    before = os.path.getsize(path)
+    descriptor = os.open(path, os.O_RDWR | getattr(os, "O_BINARY", 0))
+    try:
+        _allocate(descriptor, before, before + count)
+        yield
+    except OSError:
+        if os.fstat(descriptor).st_size == before + count:  # nothing was written
+            os.ftruncate(descriptor, before)
+        raise
+    finally:
+        os.close(descriptor)
+
+
+def _write_statistics(file: h5py.File, text: str, last: digests.Row, finer: int = 0) -> None:
     """With the digest that makes them count.
 
     In the place that is kept for them: HDF5 would move other attributes to the end of the file to make room
     for new ones, and a cut file would lose those.
     """
-    text = json.dumps(dict(statistics), default=_plain)
     file.attrs.modify("statistics", text)
     closing = digests.closing(text, last, finer, checkpoints.digest_of(file))
     file.attrs.modify(digests.CLOSING, closing)
@@ -420,6 +480,19 @@ def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
         "name": ((), h5py.string_dtype()),
         "t": ((), "f8"),
     }
+
+
+def _event_bytes(shape: tuple[int, ...]) -> int:
+    """Of one field of one event; a name is counted with what HDF5 needs beside it."""
+    return 8 * math.prod(shape) if shape else 64
+
+
+def replaced(path: Path, what: str) -> FileError:
+    """The output of a run is not its own any more."""
+    return FileError(
+        f"output '{path}': {what} during the run: its frames are lost; give each run an output of its own",
+        code="replaced",
+    )
 
 
 def _name_unit(dataset: h5py.Dataset, name: str) -> None:
@@ -456,18 +529,22 @@ def _is_being_written(path: Path) -> bool:
     return False
 
 
-def _allocate(path: Path, start: int, end: int) -> None:
+def _allocate(descriptor: int, start: int, end: int) -> None:
     """Give the file its blocks from start to end: writing them cannot fail then, for a quota or a limit."""
     if not hasattr(os, "posix_fallocate"):
         return
-    descriptor = os.open(path, os.O_RDWR)
     try:
         os.posix_fallocate(descriptor, start, end - start)
     except OSError as error:
         if error.errno not in (errno.EOPNOTSUPP, errno.EINVAL):
             raise
-    finally:
-        os.close(descriptor)
+
+
+def _write_whole(descriptor: int, content: bytes) -> None:
+    """OSError: there is no room for it, or no leave."""
+    view = memoryview(content)
+    while view:
+        view = view[os.write(descriptor, view) :]
 
 
 def _encoded(names: Any) -> NDArray[np.bytes_]:

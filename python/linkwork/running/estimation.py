@@ -83,8 +83,8 @@ class ErrorEstimator:
         self._own_contents = callbacks.contents(self._own)
         t_start = start.t if start is not None else 0.0
         evaluations = plan.evaluations(method, t_start)
-        self._moments = pulses.moments(system.model, t_start, plan.t_end, evaluations)
-        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._moments)}))
+        self._pulses = pulses.pulses(system.model, t_start, plan.t_end, evaluations)
+        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._pulses)}))
 
     def look(self, frames: Mapping[str, Floats]) -> None:
         """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""
@@ -139,7 +139,7 @@ class ErrorEstimator:
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
         verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
-        return leaping(verdict, self._moments)
+        return leaping(verdict, self._pulses)
 
     def _strict(self, system: System) -> System:
         """One without loose tolerances or penalties, whose errors the parts of a step would share."""

@@ -15,15 +15,28 @@ from contextlib import contextmanager
 from types import FrameType, TracebackType
 from typing import Any, Self
 
-#: What Python does by itself: only that is replaced while a run goes on.
-BY_ITSELF: dict[signal.Signals, Any] = {
-    signal.SIGINT: signal.default_int_handler,
-    signal.SIGTERM: signal.SIG_DFL,
-}
 
 
 class Terminated(KeyboardInterrupt):
     """SIGTERM, as a scheduler or a shutting down machine sends it, ends a run like ctrl-C."""
+
+
+def terminate(number: int, frame: FrameType | None) -> None:
+    """What a program of ours does at SIGTERM, see `honor_termination`."""
+    raise Terminated
+
+
+def honor_termination() -> None:
+    """SIGTERM ends this process like ctrl-C from here on, whatever it does."""
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, terminate)
+
+
+#: What Python or a program of ours does by itself: only that is replaced while a run goes on.
+BY_ITSELF: dict[signal.Signals, tuple[Any, ...]] = {
+    signal.SIGINT: (signal.default_int_handler,),
+    signal.SIGTERM: (signal.SIG_DFL, terminate),
+}
 
 
 class Interrupts:
@@ -32,11 +45,12 @@ class Interrupts:
     def __init__(self) -> None:
         self._pressed: type[KeyboardInterrupt] | None = None
         self._computing = False
-        self._held: list[signal.Signals] = []
+        self._held: dict[signal.Signals, Any] = {}
 
     def __enter__(self) -> Self:
         if threading.current_thread() is threading.main_thread():
-            self._held = [number for number, usual in BY_ITSELF.items() if signal.getsignal(number) is usual]
+            before = {number: signal.getsignal(number) for number in BY_ITSELF}
+            self._held = {number: it for number, it in before.items() if it in BY_ITSELF[number]}
             for number in self._held:
                 signal.signal(number, self._handle)
         return self
@@ -44,20 +58,21 @@ class Interrupts:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
     ) -> None:
-        for number in self._held:
-            signal.signal(number, BY_ITSELF[number])
+        for number, usual in self._held.items():
+            signal.signal(number, usual)
         if error is None:
             self.check()
 
     @contextmanager
     def computing(self) -> Iterator[None]:
         """Where an interrupt may raise: nothing is being written."""
-        self.check()
+        before = self._computing
         self._computing = True
         try:
+            self.check()
             yield
         finally:
-            self._computing = False
+            self._computing = before
 
     def check(self) -> None:
         """KeyboardInterrupt, when the key was pressed; Terminated."""

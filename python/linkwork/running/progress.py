@@ -112,7 +112,10 @@ def reporting(
             step = (t - before[0]) / taken if taken > 0 and before[1] > 0 else None
             before = t, steps_done
             elapsed = time.monotonic() - started
-            info = ProgressInfo(t, t_end, steps_done, steps_total, elapsed, step, violation, t_start)
+            info = ProgressInfo(
+                t=t, t_end=t_end, steps_done=steps_done, steps_total=steps_total, elapsed=elapsed, step=step,
+                violation=violation, t_start=t_start,
+            )  # fmt: skip
             show(info.elapsed, info.fraction, lambda: describe(info))
             if callable(progress):
                 progress(info)

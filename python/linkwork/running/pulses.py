@@ -20,7 +20,7 @@ from linkwork.functions import Broken, Callback, Expression, Sum, TimeFunction
 from linkwork.modeling.model import Model
 from linkwork.running import callbacks
 
-__all__ = ["Moment", "moments"]
+__all__ = ["Pulse", "pulses"]
 
 #: Times at which a function is looked at: a share of the evaluations of the run, within bounds; and for how
 #: long at most [s].
@@ -36,14 +36,14 @@ FAR, NOTICEABLE = 20.0, 1e-3
 GOLDEN = 0.6180339887498949
 
 
-class Moment(NamedTuple):
+class Pulse(NamedTuple):
     """When a function does something that its neighbors do not tell."""
 
     t: float  #: [s]
     what: str  #: the function
 
 
-def moments(model: Model, t_start: float, t_end: float, evaluations: float) -> list[Moment]:
+def pulses(model: Model, t_start: float, t_end: float, evaluations: float) -> list[Pulse]:
     """Of all functions of time that are the user's own, in a run of about so many evaluations; by time."""
     looked_at = [(what, it) for what, it in model.signals if _own(it)]
     if not looked_at or not t_end > t_start:
@@ -51,7 +51,7 @@ def moments(model: Model, t_start: float, t_end: float, evaluations: float) -> l
     count = int(min(max(SHARE * evaluations, FEWEST), MOST))
     places = np.sort((GOLDEN * np.arange(1, count + 1)) % 1.0)
     times = t_start + (t_end - t_start) * places
-    found = [Moment(t, what) for what, it in looked_at for t in _far(it, times)]
+    found = [Pulse(t, what) for what, it in looked_at for t in _far(it, times)]
     return sorted(found)
 
 

@@ -6,7 +6,7 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, contextmanager
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -29,7 +29,7 @@ from linkwork.running.progress import Report
 if TYPE_CHECKING:
     from linkwork.running.estimation import ErrorEstimator
 
-__all__ = ["Checkpoints", "PythonStep", "Recorder", "frame_bytes", "pieces", "record", "recorder"]
+__all__ = ["Checkpoints", "PythonStep", "Recorder", "StopIterationIsError", "frame_bytes", "pieces", "record", "recorder"]
 
 Frames = Mapping[str, Floats]
 
@@ -127,15 +127,27 @@ class _File:
     def abandon(self) -> Result | None:
         try:
             self._writer.close()
+            return self._own()
         except FileError as error:
             if error.code == "replaced":
                 return None
             raise
-        return Result._read(self._writer.path, trusted=True)
 
     def result(self, statistics: Mapping[str, Any]) -> Result:
         self._writer.close(statistics)
-        return Result._read(self._writer.path, trusted=True)
+        return self._own()
+
+    def _own(self) -> Result:
+        """FileError: in the moment since it was closed, it was removed, or another run took its place."""
+        from linkwork.results.writing import replaced
+
+        try:
+            found = Result._read(self._writer.path, trusted=True)
+        except FileError as error:
+            raise replaced(self._writer.path, "was removed") if error.code == "not_found" else error
+        if found._run != self._writer.run:
+            raise replaced(self._writer.path, "was replaced by that of another run")
+        return found
 
 
 def recorder(output: str | os.PathLike[str] | None, header: Header, checkpoints: Checkpoints) -> Recorder:
@@ -158,33 +170,42 @@ def record(
     report: Report,
     labels: Sequence[str],
     estimator: ErrorEstimator,
-    checkpoints: Checkpoints,
+    interrupts: Interrupts,
     *,
     warns: bool = False,
 ) -> float:
-    """Write the pieces as they come, and close the file however the run ends; the time they took [s].
+    """Write the pieces as they come; the time they took [s].
 
     `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run
     has passed a singular pose. AccuracyError: `estimator` stops the run.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     violation: float | None = None
-    try:
-        for frames in pieces:
-            spent += time.perf_counter() - before
-            to.note(_occurrences(run, labels))
-            to.write(frames)
+    for frames in pieces:
+        spent += time.perf_counter() - before
+        to.note(_occurrences(run, labels))
+        to.write(frames)
+        with interrupts.computing():
             estimator.look(frames)
-            if len(frames["t"]):
-                violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
-            report(run.t, run.steps_done, violation)
-            if warns:
-                warned = _warn_of_singular_poses(run.statistics(), warned)
-            before = time.perf_counter()
+        if len(frames["t"]):
+            violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
+        report(run.t, run.steps_done, violation)
+        if warns:
+            warned = _warn_of_singular_poses(run.statistics(), warned)
+        before = time.perf_counter()
+    return spent
+
+
+@contextmanager
+def kept(
+    run: _core.Run, to: Recorder, labels: Sequence[str], checkpoints: Checkpoints
+) -> Iterator[None]:
+    """Close the file where the run, or what is said about it at the end, does not come to its end."""
+    try:
+        yield
     except BaseException as error:
         _abandon(run, to, labels, error, checkpoints)
         raise
-    return spent
 
 
 def _abandon(
@@ -196,6 +217,8 @@ def _abandon(
         to.write(run.take_frames())
     finally:
         result = to.abandon()
+        if isinstance(error, KeyboardInterrupt):
+            error.result = result  # type: ignore[attr-defined]
         if isinstance(error, LinkworkError):
             state = Snapshot.of(run.t, run.last_state, run.history)
             error.state, error.result = state.resumable(checkpoints.of_state(), run.work), result
@@ -237,12 +260,12 @@ def _compiled_pieces(run: _core.Run, interrupts: Interrupts, frame_bytes: int) -
     """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
     most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
     while not run.finished:
-        with interrupts.computing(), _Told():
+        with interrupts.computing(), StopIterationIsError():
             frames = run.advance(most_frames, PIECE_SECONDS)
         yield frames
 
 
-class _Told(AbstractContextManager[None]):
+class StopIterationIsError(AbstractContextManager[None]):
     """OptionError: StopIteration of a function of the user's, which would only end an iteration of ours."""
 
     def __exit__(
@@ -261,7 +284,7 @@ def _python_pieces(
     """The user's own integrator; meanwhile `system.derivative` has the sampled correction in it."""
     finished = False
     while not finished:
-        with interrupts.computing(), _Told():
+        with interrupts.computing(), StopIterationIsError():
             finished = _steps(run, step, system, time.perf_counter() + PIECE_SECONDS)
         yield run.take_frames()
 

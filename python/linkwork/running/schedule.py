@@ -251,7 +251,7 @@ def _fixed(
             code="step",
         )
     every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
-    return Fixed(t_end, step, int(every))
+    return Fixed(t_end=t_end, step=step, record_every=int(every))
 
 
 def _adaptive(
@@ -282,7 +282,14 @@ def _adaptive(
     if record_every is None and times is None:
         times = np.linspace(t_start, t_end, most_frames + 1)
     asked = np.zeros(0) if times is None else _checked_times(times, t_start, t_end)
-    return Adaptive(t_end, rtol, atol, math.inf if step is None else step, int(record_every or 0), asked)
+    return Adaptive(
+        t_end=t_end,
+        rtol=rtol,
+        atol=atol,
+        largest_step=math.inf if step is None else step,
+        record_every=int(record_every or 0),
+        times=asked,
+    )
 
 
 def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np.float64]:

@@ -116,20 +116,23 @@ def simulate(
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
-    checks.check_bodies(model)
-    for name in options:
-        check_option(name, TABLE)
-    t_start = checks.start_time(start)
-    plan = schedule.plan(t_end, step, rtol, atol, record_every, times, recording.frame_bytes(model), t_start)
-    check_progress(progress)
-    _check_choices(on_inaccurate, assemble=assemble, verify=verify)
-    given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
-             "record_every": record_every, "breaks": breaks, "assemble": assemble,
-             "on_inaccurate": on_inaccurate, **options}  # fmt: skip
-    prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
-    _check_output(output, overwrite)
-    duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
-    result, estimator = _carried_out(prepared, output, progress, started)
+    with Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError():
+        checks.check_bodies(model)
+        for name in options:
+            check_option(name, TABLE)
+        t_start = checks.start_time(start)
+        size = recording.frame_bytes(model)
+        plan = schedule.plan(t_end, step, rtol, atol, record_every, times, size, t_start)
+        check_progress(progress)
+        _check_choices(on_inaccurate, assemble=assemble, verify=verify)
+        given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
+                 "record_every": record_every, "breaks": breaks, "assemble": assemble,
+                 "on_inaccurate": on_inaccurate, **options}  # fmt: skip
+        prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
+        _check_output(output, overwrite)
+        duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
+    with Interrupts() as interrupts:
+        result, estimator = _carried_out(prepared, output, progress, started, interrupts)
     if verify:
         again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
                                  "start": start, "assemble": assemble}  # fmt: skip
@@ -227,31 +230,35 @@ def _prepared(
 
 
 def _carried_out(
-    it: _Prepared, output: str | os.PathLike[str] | None, progress: ProgressOption, started: float
+    it: _Prepared,
+    output: str | os.PathLike[str] | None,
+    progress: ProgressOption,
+    started: float,
+    interrupts: Interrupts,
 ) -> tuple[Result, estimation.ErrorEstimator]:
     """The result, with what the run took since `started` [s], and who can take steps of it again."""
     checkpoints = recording.Checkpoints(it.run, it.key)
-    recorder = recording.recorder(output, it.header(), checkpoints)
+    with interrupts.computing():
+        recorder = recording.recorder(output, it.header(), checkpoints)
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
-    with (
-        Interrupts() as interrupts,
-        reporting(progress, plan.t_end, run.steps_total, t_start) as report,
-    ):
+    with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
         pieces = recording.pieces(run, interrupts, it.method, it.system)
         labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
         estimator = estimation.ErrorEstimator(
             run, it.method, it.system, it.options, it.start, plan, breaks=it.breaks,
             stops=it.given["on_inaccurate"] == "stop",
         )  # fmt: skip
-        spent["driver_seconds"] = recording.record(
-            run, pieces, recorder, report, labels, estimator, checkpoints, warns=warns
-        )
-        statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
-        driven = time.perf_counter()
-        verdict = estimator.verdict(statistics)
-        spent["verdict_seconds"] = time.perf_counter() - driven
+        with recording.kept(run, recorder, labels, checkpoints):
+            spent["driver_seconds"] = recording.record(
+                run, pieces, recorder, report, labels, estimator, interrupts, warns=warns
+            )
+            statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
+            driven = time.perf_counter()
+            with interrupts.computing():
+                verdict = estimator.verdict(statistics)
+            spent["verdict_seconds"] = time.perf_counter() - driven
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     found = {"verdict": verdict.numbers()} if verdict is not None else {}

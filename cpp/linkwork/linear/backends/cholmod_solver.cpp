@@ -8,6 +8,7 @@
 #include <new>
 
 #include "linkwork/linear/backends/cholmod_view.hpp"
+#include "linkwork/linear/blas_buffer.hpp"
 #include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
@@ -35,6 +36,7 @@ class Cholmod final : public LinearSolver {
     cholmod_sparse A = view(pattern);
     factor_ = cholmod_analyze(&A, &common_);
     if (!factor_) throw std::bad_alloc();
+    if (factor_->is_super) reserve_blas_buffer();
   }
 
   Pivot factorize(const SparseMatrix& matrix) override {
@@ -49,7 +51,8 @@ class Cholmod final : public LinearSolver {
   void solve(Eigen::Ref<MatrixXd> x) override {
     const SharedState held;
     cholmod_dense B = dense_view(x);
-    cholmod_solve2(CHOLMOD_A, factor_, &B, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_, &common_);
+    if (!cholmod_solve2(CHOLMOD_A, factor_, &B, nullptr, &solution_, nullptr, &workspace_y_, &workspace_e_, &common_))
+      throw std::bad_alloc();
     x = Eigen::Map<const MatrixXd, 0, Eigen::OuterStride<>>(
         static_cast<const double*>(solution_->x), x.rows(), x.cols(),
         Eigen::OuterStride<>(static_cast<Eigen::Index>(solution_->d)));
@@ -131,7 +134,7 @@ std::unique_ptr<LinearSolver> make(Storage) {
 namespace linkwork {
 
 LinearSolverInfo cholmod_info(const std::string& name, const std::string& documentation, CholmodMode mode) {
-  LinearSolverInfo info{name, documentation, true};
+  LinearSolverInfo info{.name = name, .documentation = documentation, .positive_definite = true};
 #if LINKWORK_WITH_CHOLMOD
   info.make = mode == CholmodMode::automatic    ? make<CholmodMode::automatic>
               : mode == CholmodMode::simplicial ? make<CholmodMode::simplicial>

@@ -9,9 +9,9 @@ namespace linkwork {
 /// The same numbers as CHOLMOD and SPQR see a dense matrix.
 inline cholmod_dense dense_view(Eigen::Ref<MatrixXd> x) {
   cholmod_dense view{};
-  view.nrow = static_cast<std::size_t>(x.rows());
-  view.ncol = static_cast<std::size_t>(x.cols());
-  view.d = static_cast<std::size_t>(x.outerStride());
+  view.nrow = x.rows();
+  view.ncol = x.cols();
+  view.d = x.outerStride();
   view.nzmax = view.d * view.ncol;
   view.x = x.data();
   view.xtype = CHOLMOD_REAL;

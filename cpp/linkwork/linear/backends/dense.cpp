@@ -93,7 +93,10 @@ std::unique_ptr<LinearSolver> make(Storage storage) {
 }  // namespace
 
 LinearSolverInfo dense_solver() {
-  return {"dense", "Eigen's dense Cholesky or LU, for small systems and as a reference", false, make, true};
+  return {.name = "dense",
+          .documentation = "Eigen's dense Cholesky or LU, for small systems and as a reference",
+          .make = make,
+          .dense = true};
 }
 
 }  // namespace linkwork

@@ -60,8 +60,10 @@ class EigenLdlt final : public LinearSolver {
 }  // namespace
 
 LinearSolverInfo eigen_ldlt_solver() {
-  return {"eigen_ldlt", "Eigen's simplicial LDL^T", true,
-          [](Storage) -> std::unique_ptr<LinearSolver> { return std::make_unique<EigenLdlt>(); }};
+  return {.name = "eigen_ldlt",
+          .documentation = "Eigen's simplicial LDL^T",
+          .positive_definite = true,
+          .make = [](Storage) -> std::unique_ptr<LinearSolver> { return std::make_unique<EigenLdlt>(); }};
 }
 
 }  // namespace linkwork

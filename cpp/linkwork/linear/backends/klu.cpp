@@ -115,7 +115,8 @@ std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Klu>(); }
 namespace linkwork {
 
 LinearSolverInfo klu_solver() {
-  LinearSolverInfo info{"klu", "KLU's sparse LU, refactorized with the pivots kept while they serve", false, nullptr};
+  LinearSolverInfo info{.name = "klu",
+                        .documentation = "KLU's sparse LU, refactorized with the pivots kept while they serve"};
 #if LINKWORK_WITH_SUITESPARSE
   info.make = make;
 #else

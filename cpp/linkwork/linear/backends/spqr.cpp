@@ -6,6 +6,7 @@
 #include <new>
 
 #include "linkwork/linear/backends/cholmod_view.hpp"
+#include "linkwork/linear/blas_buffer.hpp"
 #include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
@@ -44,6 +45,7 @@ class Spqr final : public LinearSolver {
 
   void analyze(const SparseMatrix& pattern) override {
     const SharedState held;
+    reserve_blas_buffer();
     begin_.assign(pattern.column_begin.begin(), pattern.column_begin.end());
     row_.assign(pattern.row.begin(), pattern.row.end());
     SuiteSparseQR_free<double>(&qr_, &common_);
@@ -105,7 +107,7 @@ std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Spqr>(); }
 namespace linkwork {
 
 LinearSolverInfo spqr_solver() {
-  LinearSolverInfo info{"spqr", "SuiteSparseQR's rank-revealing sparse QR", false, nullptr};
+  LinearSolverInfo info{.name = "spqr", .documentation = "SuiteSparseQR's rank-revealing sparse QR"};
 #if LINKWORK_WITH_GPL
   info.make = make;
 #else

@@ -5,6 +5,7 @@
 
 #include <new>
 
+#include "linkwork/linear/blas_buffer.hpp"
 #include "linkwork/linear/shared_state.hpp"
 
 namespace linkwork {
@@ -22,6 +23,7 @@ class Umfpack final : public LinearSolver {
 
   void analyze(const SparseMatrix& pattern) override {
     const SharedState held;
+    reserve_blas_buffer();
     release();
     check(umfpack_di_symbolic(pattern.size, pattern.size, pattern.column_begin.data(), pattern.row.data(), nullptr,
                               &symbolic_, control_, info_));
@@ -86,7 +88,7 @@ std::unique_ptr<LinearSolver> make(Storage) { return std::make_unique<Umfpack>()
 namespace linkwork {
 
 LinearSolverInfo umfpack_solver() {
-  LinearSolverInfo info{"umfpack", "UMFPACK's multifrontal sparse LU", false, nullptr};
+  LinearSolverInfo info{.name = "umfpack", .documentation = "UMFPACK's multifrontal sparse LU"};
 #if LINKWORK_WITH_GPL
   info.make = make;
 #else

@@ -6,6 +6,7 @@
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/aligned.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
 namespace {
@@ -114,11 +115,14 @@ class BlockSolver final : public SaddleSolver {
 
   void factorize_symbolically() {
     symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, delayed_);
+    look_for_interruption();
     factors_.assign(symbolic_->factor_size + slack, 0.0);
     articulated_inertias_.assign(
         static_cast<std::size_t>(symbolic_->articulated_inertia_count * articulated_inertia_size) + slack, 0.0);
+    look_for_interruption();
     panels_.assign(symbolic_->panel_size + slack, 0.0);
     contributions_.assign(symbolic_->contribution_size + slack, 0.0);
+    look_for_interruption();
     scratch_.assign(scratch_columns * symbolic_->highest_front, 0.0);
     pivots_.assign(symbolic_->widest_front + slack, 0.0);
     factorize_masses();
@@ -158,6 +162,7 @@ class BlockSolver final : public SaddleSolver {
       compliant_ = compliant();
     }
     at_ = &at;
+    meter_.add(system_->body_count());
     collect_data(at);
     const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
     smallest_pivot_ = {smallest.ratio, smallest.row};
@@ -215,6 +220,7 @@ class BlockSolver final : public SaddleSolver {
   bool refined_ = false, compliant_ = false;
   VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
+  InterruptionMeter meter_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linkwork/linear/block/joint_order.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
 namespace {
@@ -105,6 +106,7 @@ class CoreBuilder {
   }
 
   Order order_with(std::vector<int> hubs) const {
+    look_for_interruption();
     Order out;
     out.hubs = std::move(hubs);
     out.hub_node.assign(system_.body_count(), none);
@@ -280,7 +282,8 @@ class CoreBuilder {
     const auto eliminates = [&](int node) { return position_of(node) < supernode.last; };
     for (const auto& [node, place] : place_of)
       if (is_hub(node)) {
-        if (eliminates(node)) out_.hubs.push_back({hub_body(node), slot_[hub_body(node)], place});
+        if (eliminates(node))
+          out_.hubs.push_back({.body = hub_body(node), .slot = slot_[hub_body(node)], .position = place});
       } else {
         for (const int index : system_.joint_blocks(joints_[node])) {
           const ConstraintBlock& block = system_.blocks()[index];
@@ -305,7 +308,7 @@ class CoreBuilder {
         continue;
       }
       if (joined) out_.couplings.back().rows += 1;
-      else out_.couplings.push_back({joint, hub, 1, block.offset + 6 * k});
+      else out_.couplings.push_back({.joint = joint, .hub = hub, .rows = 1, .D = block.offset + 6 * k});
       joined = true;
       joint += 1;
     }

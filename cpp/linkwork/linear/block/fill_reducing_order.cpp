@@ -8,6 +8,7 @@
 #include <new>
 
 #include "linkwork/linear/shared_state.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
 
@@ -158,6 +159,7 @@ class Dissection {
     std::iota(all.begin(), all.end(), 0);
     stack_.push_back({std::move(all), 0});
     while (!stack_.empty()) {
+      look_for_interruption();
       Part part = std::move(stack_.back());
       stack_.pop_back();
       dissect(std::move(part));

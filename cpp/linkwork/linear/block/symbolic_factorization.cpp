@@ -4,6 +4,7 @@
 
 #include "linkwork/linear/block/core_elimination.hpp"
 #include "linkwork/linear/block/tree_elimination.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
 namespace {
@@ -35,6 +36,7 @@ PrunedLeaves prune_branches(const System& system, const CountedRows& rows) {
 
 SymbolicFactorization::SymbolicFactorization(const System& system, const std::vector<int>& dropped,
                                              const std::vector<DelayedPivot>& delayed) {
+  look_for_interruption();
   const CountedRows counted = count_rows(system, dropped);
   const PrunedLeaves pruned = prune_branches(system, counted);
   eliminate_core(system, pruned, eliminate_trees(system, pruned, *this), counted, delayed, *this);

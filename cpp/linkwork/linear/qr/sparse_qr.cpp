@@ -9,6 +9,7 @@
 #include "linkwork/linear/block/joint_order.hpp"
 #include "linkwork/linear/qr/front.hpp"
 #include "linkwork/math/aligned.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::qr {
 namespace {
@@ -54,8 +55,10 @@ class Elimination {
         dense_(dense),
         most_rows_(dense.rows() + spare_rows),
         tree_(block::order_joint_graph(group_graph(A, groups))) {
+    look_for_interruption();
     order_columns(groups);
     sort_rows();
+    look_for_interruption();
     child_.assign(tree_.supernodes.size(), -1);
     sibling_.assign(tree_.supernodes.size(), -1);
     for (auto s = static_cast<int>(tree_.supernodes.size()); s-- > 0;)
@@ -66,6 +69,7 @@ class Elimination {
 
   Numbers run() {
     for (std::size_t s = 0; s < tree_.supernodes.size(); ++s) {
+      look_for_interruption();
       list_columns(tree_.supernodes[s]);
       assemble(static_cast<int>(s));
       factor_(front_);

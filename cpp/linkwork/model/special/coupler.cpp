@@ -61,7 +61,12 @@ Coupler::Coupler(const Model& model, const std::vector<CoupledCoordinate>& given
                                      std::to_string(it.factor) + " and must be finite and not zero");
     const Element& joint = model.joints()[it.joint];
     const std::size_t i = place_of(joint.i, bodies_), j = place_of(joint.j, bodies_);
-    terms_.push_back({i, j, joint.at, coordinate, it.factor, coordinate->angle() ? angles_++ : -1});
+    terms_.push_back({.i = i,
+                      .j = j,
+                      .at = joint.at,
+                      .coordinate = coordinate,
+                      .factor = it.factor,
+                      .history = coordinate->angle() ? angles_++ : -1});
   }
 }
 

@@ -1,0 +1,174 @@
+"""Mutated files of all formats: by bytes, and by the parts that they are made of."""
+
+from __future__ import annotations
+
+import json
+import random
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import yaml
+from children import Failure
+from linkwork import mechanisms
+
+#: What no one means, in place of what somebody did.
+VALUES: tuple[Any, ...] = (
+    None, True, 0, -1, 1e308, -1e-320, 10**40, 2**63, "", "x", "ground", "1 0 0", "nan", "inf", "0 0 0", [], {}, [[]],
+    [0, 0, 0], [1, 1], "\u202e", "a" * 2000, "../x", "file:///dev/zero", float("nan"), float("inf"),
+)  # fmt: skip
+
+URDF = """<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0"
+izz="1"/></inertial><visual><geometry><box size="1 1 1"/></geometry></visual></link><link name="arm"><inertial>
+<origin xyz="0.5 0 0" rpy="0 0.1 0"/><mass value="2"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".2" iyz="0" izz=".2"/>
+</inertial></link><link name="tip"><inertial><mass value=".1"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".1" iyz="0"
+izz=".1"/></inertial></link><joint name="a" type="revolute"><parent link="base"/><child link="arm"/><origin
+xyz="0 0 1" rpy="0 0 0"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/><dynamics
+damping=".1" friction="0"/></joint><joint name="b" type="prismatic"><parent link="arm"/><child link="tip"/><axis
+xyz="1 0 0"/><limit effort="1" velocity="1"/><mimic joint="a" multiplier="2"/></joint></robot>"""
+
+SDF = """<sdf version="1.9"><world name="w"><gravity>0 0 -9.8</gravity><model name="m"><link name="a"><pose>0 0 1 0 0 0
+</pose><inertial><mass>1</mass><inertia><ixx>.1</ixx><iyy>.1</iyy><izz>.1</izz></inertia></inertial></link>
+<link name="b"><pose relative_to="a">1 0 0 0 0.1 0</pose><inertial><mass>1</mass></inertial></link><frame name="f"
+attached_to="b"><pose>0 0 1 0 0 0</pose></frame><joint name="j" type="revolute"><parent>a</parent><child>b</child>
+<axis><xyz expressed_in="f">0 1 0</xyz><dynamics><damping>.1</damping></dynamics></axis></joint><joint name="k"
+type="fixed"><parent>world</parent><child>a</child></joint></model></world></sdf>"""
+
+MJCF = """<mujoco><compiler angle="radian"/><option gravity="0 0 -9.8"/><default><geom density="500"/><default class="d">
+<joint damping=".1"/></default></default><worldbody><body name="a" pos="0 0 1"><joint name="j" type="hinge"
+axis="0 1 0"/><geom name="g" type="capsule" fromto="0 0 0 1 0 0" size=".05"/><body name="b" pos="1 0 0"
+childclass="d"><joint name="k" type="slide" axis="1 0 0" stiffness="10"/><inertial pos="0 0 0" mass="1"
+diaginertia=".1 .1 .1"/><site name="s" pos="0 0 .1"/></body></body></worldbody><equality><connect body1="b"
+anchor="0 0 0"/></equality><tendon><fixed name="t"><joint joint="j" coef="1"/></fixed></tendon></mujoco>"""
+
+TEXTS = {".urdf": URDF, ".sdf": SDF, ".xml": MJCF}
+
+
+def importer(path: Path) -> lw.Model:
+    read: Callable[..., Any] = {".urdf": lw.import_urdf, ".sdf": lw.import_sdf, ".xml": lw.import_mjcf}[path.suffix]
+    return read(path).model  # type: ignore[no-any-return]
+
+
+def model_text(rng: random.Random, folder: Path, suffix: str) -> str:
+    """Of one of our own files."""
+    path = folder / f"whole{suffix}"
+    rng.choice([mechanisms.four_bar, mechanisms.stewart_platform, mechanisms.double_wishbone])().save(path)
+    return path.read_text()
+
+
+# --- trees ---------------------------------------------------------------------------------------------------
+
+
+def places(tree: Any) -> list[tuple[Any, Any]]:
+    """Every (container, key) below."""
+    found: list[tuple[Any, Any]] = []
+    todo = [tree]
+    while todo:
+        it = todo.pop()
+        keys = list(it) if isinstance(it, dict) else list(range(len(it)))
+        found += [(it, key) for key in keys]
+        todo += [it[key] for key in keys if isinstance(it[key], dict | list)]
+    return found
+
+
+def mutate_tree(rng: random.Random, tree: Any) -> None:
+    for _ in range(rng.choice([1, 1, 2, 6])):
+        found = places(tree)
+        if not found:
+            return
+        (container, key), (other, name) = rng.choice(found), rng.choice(found)
+        action = rng.randrange(5)
+        if action == 0:
+            container[key] = rng.choice(VALUES)
+        elif action == 1:
+            del container[key]
+        elif action == 2:
+            container[key] = json.loads(json.dumps(other[name]))
+        elif action == 3 and isinstance(container, list):
+            container.insert(key, json.loads(json.dumps(container[key])))
+        elif isinstance(container, dict):
+            container[rng.choice(["x", "name", "kind", "", "body", str(key) + "s"])] = container.pop(key)
+
+
+def mutate_xml(rng: random.Random, root: ET.Element) -> None:
+    for _ in range(rng.choice([1, 1, 2, 6])):
+        parents = [it for it in root.iter() if len(it)]
+        everything = list(root.iter())
+        one = rng.choice(everything)
+        action = rng.randrange(6)
+        if action == 0 and one.attrib:
+            one.set(rng.choice(list(one.attrib)), str(rng.choice(VALUES)).replace("\0", ""))
+        elif action == 1 and one.attrib:
+            del one.attrib[rng.choice(list(one.attrib))]
+        elif action == 2 and parents:
+            parent = rng.choice(parents)
+            parent.remove(rng.choice(list(parent)))
+        elif action == 3 and parents:
+            parent, given = rng.choice(parents), rng.choice(everything)
+            parent.insert(rng.randrange(len(parent) + 1), ET.fromstring(ET.tostring(given)))
+        elif action == 4:
+            one.tag = rng.choice(everything).tag
+        else:
+            one.text = str(rng.choice(VALUES))
+
+
+def mutate_bytes(rng: random.Random, content: bytearray) -> None:
+    for _ in range(rng.choice([1, 2, 20])):
+        place = rng.randrange(len(content) + 1)
+        action = rng.randrange(4)
+        if action == 0 and place < len(content):
+            content[place] = rng.randrange(256)
+        elif action == 1:
+            del content[place : place + rng.randrange(1, 40)]
+        elif action == 2:
+            content[place:place] = rng.choice(
+                [b"[", b"{", b"]", b": ", b"\n", b"1e999", b'"', b"\0", b"- ", b"<", b"/>", b"&a;", b"<!--", b"]]>"]
+            )
+        else:
+            piece = content[place : place + rng.randrange(1, 200)]
+            content[place:place] = piece * rng.choice([1, 2, 50])
+
+
+# --- what is done with them ----------------------------------------------------------------------------------
+
+
+def mutated(rng: random.Random, folder: Path) -> Path:
+    """A file that is not what it was."""
+    suffix = rng.choice([".yaml", ".json", ".urdf", ".sdf", ".xml"])
+    path = folder / f"mutated{suffix}"
+    text = TEXTS.get(suffix) or model_text(rng, folder, suffix)
+    if rng.random() < 0.5:
+        content = bytearray(text.encode())
+        mutate_bytes(rng, content)
+        path.write_bytes(content)
+    elif suffix in TEXTS:
+        root = ET.fromstring(text)
+        mutate_xml(rng, root)
+        path.write_bytes(ET.tostring(root))
+    else:
+        tree = json.loads(text) if suffix == ".json" else yaml.safe_load(text)
+        mutate_tree(rng, tree)
+        path.write_text(json.dumps(tree) if suffix == ".json" else yaml.safe_dump(tree, allow_unicode=True))
+    return path
+
+
+def read_and_run(path: Path) -> None:
+    """Is read, or refused in words; what is read is computed, or refused in words, and never anything else."""
+    try:
+        model = lw.Model.load(path) if path.suffix in (".yaml", ".json") else importer(path)
+    except lw.FileError as error:
+        if len(getattr(error, "faults", ())) > 23 or len(str(error)) > 30_000:
+            raise Failure(f"{len(str(error))} characters of faults") from error
+        return
+    except lw.LinkworkError:
+        return
+    try:
+        system = lw.System(model)
+        rates = system.derivative(0.0, system.initial_state())
+    except lw.LinkworkError:
+        return
+    if not np.isfinite(rates).all():
+        raise Failure("rates that are not finite")

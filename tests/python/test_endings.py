@@ -1,0 +1,125 @@
+"""Runs that are ended from outside, and outputs that cannot be: one line, whole files, and no other's harmed."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import linkwork as lw
+import pytest
+from linkwork.running.interrupts import Terminated, honor_termination
+
+LIMITED = """
+import os, resource, sys
+import linkwork as lw
+from linkwork import mechanisms
+
+model = mechanisms.four_bar()
+for limit in map(int, sys.argv[2:]):
+    pid = os.fork()
+    if pid == 0:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+        path = f"{sys.argv[1]}/{limit}.h5"
+        try:
+            lw.simulate(model, 2.0, 1e-3, record_every=1, output=path, progress=False, on_inaccurate="pass")
+            os._exit(10)
+        except lw.FileError as error:
+            os._exit(20 if error.code == "not_writable" else 30)
+    print(limit, os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]), flush=True)
+"""
+
+
+def test_a_file_that_may_not_grow_is_told_wherever_the_limit_is(tmp_path: Path) -> None:
+    limits = [0, 24, 100, 2000, 8192, 20_000, 40_000, 100_000, 300_000, 310_000, 500_000, 1_200_000, 2**30]
+    done = subprocess.run(
+        [sys.executable, "-c", LIMITED, tmp_path, *map(str, limits)], capture_output=True, text=True
+    )
+    codes = dict(map(int, line.split()) for line in done.stdout.splitlines())  # type: ignore[misc]
+    assert codes == {**dict.fromkeys(limits, 20), 2**30: 10}, done.stderr[-500:]
+    left = {int(path.stem): lw.Result.load(path) for path in tmp_path.iterdir()}
+    assert all(not found.finished for limit, found in left.items() if limit < 2**30)
+    assert len(left[1_200_000]) > 0 and left[2**30].status == "finished"
+
+
+def end_soon(seconds: float) -> None:
+    threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGTERM)).start()
+
+
+@pytest.mark.parametrize("seconds", [0.0, 0.05, 0.4])
+def test_termination_ends_a_run_also_where_it_is_set_up(tmp_path: Path, seconds: float) -> None:
+    output = tmp_path / "run.h5"
+    before = signal.getsignal(signal.SIGTERM)
+    honor_termination()
+    try:
+        with pytest.raises(Terminated):
+            end_soon(seconds)
+            lw.simulate(lw.mechanisms.net(60), 1e4, 1e-3, output=output, progress=False)
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert not output.exists() or lw.Result.load(output).status == "interrupted"
+
+
+def test_termination_of_a_command_is_a_line_and_its_exit_code(tmp_path: Path) -> None:
+    command = [sys.executable, "-c", "from linkwork.cli import main; main()", "run", "four_bar", "--t-end", "1e4", "--step", "1e-4", "--json"]
+    output = tmp_path / "run.h5"
+    process = subprocess.Popen([*command, "--output", output], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    while not output.exists():
+        assert process.poll() is None
+    process.send_signal(signal.SIGTERM)
+    said, complaint = process.communicate()
+    assert process.returncode == 143
+    assert json.loads(said)["error"].items() >= {"code": "interrupted", "exit_code": 143}.items()
+    assert complaint.decode().startswith("error: interrupted; ") and complaint.count(b"\n") == 1
+    assert lw.Result.load(output).status == "interrupted"
+
+
+HEAP = b"GCOL\x01\x00\x00\x00"
+
+
+@pytest.mark.parametrize("content", [b"\0", b"\xff"])
+def test_texts_of_a_result_that_are_lost_do_not_hold_up_whoever_reads_it(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "run.h5"
+    lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, progress=False).save(path)
+    whole = path.read_bytes()
+    read = "import sys, linkwork as lw\ntry: lw.Result.load(sys.argv[1])\nexcept lw.FileError as e: print(e.code)"
+    for heap in re.finditer(re.escape(HEAP), whole):
+        size = int.from_bytes(whole[heap.end() : heap.end() + 8], "little")
+        start, end = heap.start() + 48, heap.start() + size
+        path.write_bytes(whole[:start] + (end - start) * content + whole[end:])
+        found = subprocess.run(
+            [sys.executable, "-c", read, path], capture_output=True, text=True, timeout=60, check=True
+        )
+        assert found.stdout == "not_readable\n"
+
+
+NO_MEMORY = """
+import os, resource, sys
+import linkwork as lw
+from linkwork import mechanisms
+
+system = lw.System(mechanisms.four_bar(5), linear_solver="klu")
+system.derivative(0.0, system.initial_state())  # everything is loaded by now
+taken = 4096 * int(open("/proc/self/statm").read().split()[0])
+resource.setrlimit(resource.RLIMIT_AS, (taken + 64 * 2**20,) * 2)
+for choice in ({"linear_solver": "spqr"}, {"linear_solver": "umfpack"}, {"linear_solver": "klu"},
+               {"linear_solver": "cholmod_supernodal", "matrix_form": "schur"}):
+    try:
+        lw.System(mechanisms.four_bar(5), **choice).derivative(0.0, system.initial_state())
+        print("done")
+    except MemoryError:
+        print("no memory")
+"""
+
+
+def test_solvers_with_blas_refuse_where_there_is_no_memory_for_its_buffer() -> None:
+    """OpenBLAS itself tries again for ever; its buffer has 128 MB where the processor has wide vectors."""
+    done = subprocess.run([sys.executable, "-c", NO_MEMORY], capture_output=True, text=True, timeout=120)
+    assert done.stderr == ""
+    spqr, umfpack, klu, supernodal = done.stdout.splitlines()
+    assert klu == "done" and spqr == umfpack == supernodal
