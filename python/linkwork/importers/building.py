@@ -161,52 +161,65 @@ def _collect(
 # --- rigid groups -------------------------------------------------------------------------------------------
 
 
-def _grouped(
-    description: Description, states: Mapping[str, LinkState], merge_fixed: bool
-) -> dict[str, _Group]:
-    """The group of every link and of the world."""
-    groups = {name: _group(link) for name, link in description.links.items()}
-    groups[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
-    leader = {name: name for name in groups}  # toward the link that has the group in `groups`
+class _Merging:
+    """The groups of links, and of the world, as they become one."""
 
-    def find(name: str) -> str:
+    def __init__(self, description: Description, states: Mapping[str, LinkState]) -> None:
+        self._states = states
+        self._groups = {name: _group(link) for name, link in description.links.items()}
+        self._groups[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
+        self._leader = {name: name for name in self._groups}  # toward the link that has the group
+
+    def _find(self, name: str) -> str:
+        leader = self._leader
         while leader[name] != name:
             leader[name] = name = leader[leader[name]]
         return name
 
-    def merge(one: str, other: str) -> None:
-        one, other = find(one), find(other)
+    def merge(self, one: str, other: str) -> None:
+        one, other = self._find(one), self._find(other)
         if one != other:
-            groups[one] = _merged(groups[one], groups.pop(other), states)
-            leader[other] = one
+            self._groups[one] = _merged(self._groups[one], self._groups.pop(other), self._states)
+            self._leader[other] = one
 
+    def __getitem__(self, name: str) -> _Group:
+        return self._groups[self._find(name)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._leader)
+
+
+def _grouped(
+    description: Description, states: Mapping[str, LinkState], merge_fixed: bool
+) -> dict[str, _Group]:
+    """The group of every link and of the world."""
+    groups = _Merging(description, states)
     carried = {joint.child for joint in description.joints if not joint.closes_loop}
     for name in description.links:
         if name in description.grounded and name not in carried and name != WORLD:
-            merge(WORLD, name)
+            groups.merge(WORLD, name)
             description.note("base", f"link '{name}'", "the base is the ground")
     fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
-    at_link: dict[str, list[JointDescription]] = {name: [] for name in leader}
+    at_link: dict[str, list[JointDescription]] = {name: [] for name in groups}
 
     def fasten(joint: JointDescription) -> None:
         """Make one body of what the joint fixes, where one is the world or cannot move by itself."""
-        pair = groups[find(joint.parent)], groups[find(joint.child)]
-        world = groups[find(WORLD)]
+        pair, world = (groups[joint.parent], groups[joint.child]), groups[WORLD]
         ends = [group for group in pair if group is world or group.is_light]
         if pair[0] is not pair[1] and (ends or merge_fixed):
             _note_merger(description, pair, world, joint)
-            merge(joint.parent, joint.child)
+            groups.merge(joint.parent, joint.child)
 
     for joint in fixed:
         fasten(joint)
         for link in (joint.parent, joint.child):
             at_link[link].append(joint)
     # No group becomes light by merging: what is not one by now becomes so only where it reaches the world.
-    reached = groups[find(WORLD)].links
+    reached = groups[WORLD].links
     for link in reached:  # which grows meanwhile
         for joint in at_link[link]:
             fasten(joint)
-    return {name: groups[find(name)] for name in leader}
+    return {name: groups[name] for name in groups}
 
 
 def _note_merger(
