@@ -26,6 +26,7 @@ PARTS = {
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",
+    "linear/blas_buffer": "linear_solver",
     "linear/block/dispatch": "block_solver",
     "linear/block/core_elimination": "block_solver",
     "linear/block/tree_elimination": "block_solver",

@@ -161,65 +161,63 @@ def _collect(
 # --- rigid groups -------------------------------------------------------------------------------------------
 
 
-class _Merging:
-    """The groups of links, and of the world, as they become one."""
+class _RigidGroups:
+    """The groups of links that move as one, and of the world: disjoint sets, joined one by one."""
 
     def __init__(self, description: Description, states: Mapping[str, LinkState]) -> None:
-        self._states = states
+        self._description, self._states = description, states
         self._groups = {name: _group(link) for name, link in description.links.items()}
         self._groups[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
-        self._leader = {name: name for name in self._groups}  # toward the link that has the group
+        #: toward the link that has the group
+        self._parent = {name: name for name in self._groups}
 
-    def _find(self, name: str) -> str:
-        leader = self._leader
-        while leader[name] != name:
-            leader[name] = name = leader[leader[name]]
+    def _root(self, name: str) -> str:
+        while self._parent[name] != name:
+            self._parent[name] = name = self._parent[self._parent[name]]
         return name
 
+    def of(self, name: str) -> _Group:
+        return self._groups[self._root(name)]
+
     def merge(self, one: str, other: str) -> None:
-        one, other = self._find(one), self._find(other)
+        one, other = self._root(one), self._root(other)
         if one != other:
             self._groups[one] = _merged(self._groups[one], self._groups.pop(other), self._states)
-            self._leader[other] = one
+            self._parent[other] = one
 
-    def __getitem__(self, name: str) -> _Group:
-        return self._groups[self._find(name)]
+    def fasten(self, joint: JointDescription, merge_fixed: bool) -> None:
+        """Make one body of what the joint fixes, where one is the world or cannot move by itself."""
+        pair, world = (self.of(joint.parent), self.of(joint.child)), self.of(WORLD)
+        ends = [group for group in pair if group is world or group.is_light]
+        if pair[0] is not pair[1] and (ends or merge_fixed):
+            _note_merger(self._description, pair, world, joint)
+            self.merge(joint.parent, joint.child)
 
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._leader)
+    def by_link(self) -> dict[str, _Group]:
+        return {name: self.of(name) for name in self._parent}
 
 
 def _grouped(
     description: Description, states: Mapping[str, LinkState], merge_fixed: bool
 ) -> dict[str, _Group]:
     """The group of every link and of the world."""
-    groups = _Merging(description, states)
+    groups = _RigidGroups(description, states)
     carried = {joint.child for joint in description.joints if not joint.closes_loop}
     for name in description.links:
         if name in description.grounded and name not in carried and name != WORLD:
             groups.merge(WORLD, name)
             description.note("base", f"link '{name}'", "the base is the ground")
-    fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
-    at_link: dict[str, list[JointDescription]] = {name: [] for name in groups}
-
-    def fasten(joint: JointDescription) -> None:
-        """Make one body of what the joint fixes, where one is the world or cannot move by itself."""
-        pair, world = (groups[joint.parent], groups[joint.child]), groups[WORLD]
-        ends = [group for group in pair if group is world or group.is_light]
-        if pair[0] is not pair[1] and (ends or merge_fixed):
-            _note_merger(description, pair, world, joint)
-            groups.merge(joint.parent, joint.child)
-
-    for joint in fixed:
-        fasten(joint)
-        for link in (joint.parent, joint.child):
-            at_link[link].append(joint)
+    at_link: dict[str, list[JointDescription]] = {name: [] for name in (*description.links, WORLD)}
+    for joint in description.joints:
+        if joint.kind == "fixed" and not joint.closes_loop:
+            groups.fasten(joint, merge_fixed)
+            for link in (joint.parent, joint.child):
+                at_link[link].append(joint)
     # No group becomes light by merging: what is not one by now becomes so only where it reaches the world.
-    reached = groups[WORLD].links
-    for link in reached:  # which grows meanwhile
+    for link in groups.of(WORLD).links:  # which grows meanwhile
         for joint in at_link[link]:
-            fasten(joint)
-    return {name: groups[name] for name in groups}
+            groups.fasten(joint, merge_fixed)
+    return groups.by_link()
 
 
 def _note_merger(
