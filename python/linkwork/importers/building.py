@@ -161,63 +161,53 @@ def _collect(
 # --- rigid groups -------------------------------------------------------------------------------------------
 
 
-class _RigidGroups:
-    """The groups of links that move as one, and of the world: disjoint sets, joined one by one."""
-
-    def __init__(self, description: Description, states: Mapping[str, LinkState]) -> None:
-        self._description, self._states = description, states
-        self._groups = {name: _group(link) for name, link in description.links.items()}
-        self._groups[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
-        #: toward the link that has the group
-        self._parent = {name: name for name in self._groups}
-
-    def _root(self, name: str) -> str:
-        while self._parent[name] != name:
-            self._parent[name] = name = self._parent[self._parent[name]]
-        return name
-
-    def of(self, name: str) -> _Group:
-        return self._groups[self._root(name)]
-
-    def merge(self, one: str, other: str) -> None:
-        one, other = self._root(one), self._root(other)
-        if one != other:
-            self._groups[one] = _merged(self._groups[one], self._groups.pop(other), self._states)
-            self._parent[other] = one
-
-    def fasten(self, joint: JointDescription, merge_fixed: bool) -> None:
-        """Make one body of what the joint fixes, where one is the world or cannot move by itself."""
-        pair, world = (self.of(joint.parent), self.of(joint.child)), self.of(WORLD)
-        ends = [group for group in pair if group is world or group.is_light]
-        if pair[0] is not pair[1] and (ends or merge_fixed):
-            _note_merger(self._description, pair, world, joint)
-            self.merge(joint.parent, joint.child)
-
-    def by_link(self) -> dict[str, _Group]:
-        return {name: self.of(name) for name in self._parent}
-
-
+# Long: what merges two groups closes over the same three tables.
 def _grouped(
     description: Description, states: Mapping[str, LinkState], merge_fixed: bool
 ) -> dict[str, _Group]:
     """The group of every link and of the world."""
-    groups = _RigidGroups(description, states)
+    groups = {name: _group(link) for name, link in description.links.items()}
+    groups[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
+    leader = {name: name for name in groups}  # toward the link that has the group in `groups`
+
+    def find(name: str) -> str:
+        while leader[name] != name:
+            leader[name] = name = leader[leader[name]]
+        return name
+
+    def merge(one: str, other: str) -> None:
+        one, other = find(one), find(other)
+        if one != other:
+            groups[one] = _merged(groups[one], groups.pop(other), states)
+            leader[other] = one
+
     carried = {joint.child for joint in description.joints if not joint.closes_loop}
     for name in description.links:
         if name in description.grounded and name not in carried and name != WORLD:
-            groups.merge(WORLD, name)
+            merge(WORLD, name)
             description.note("base", f"link '{name}'", "the base is the ground")
-    at_link: dict[str, list[JointDescription]] = {name: [] for name in (*description.links, WORLD)}
-    for joint in description.joints:
-        if joint.kind == "fixed" and not joint.closes_loop:
-            groups.fasten(joint, merge_fixed)
-            for link in (joint.parent, joint.child):
-                at_link[link].append(joint)
+    fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
+    at_link: dict[str, list[JointDescription]] = {name: [] for name in leader}
+
+    def fasten(joint: JointDescription) -> None:
+        """Make one body of what the joint fixes, where one is the world or cannot move by itself."""
+        pair = groups[find(joint.parent)], groups[find(joint.child)]
+        world = groups[find(WORLD)]
+        ends = [group for group in pair if group is world or group.is_light]
+        if pair[0] is not pair[1] and (ends or merge_fixed):
+            _note_merger(description, pair, world, joint)
+            merge(joint.parent, joint.child)
+
+    for joint in fixed:
+        fasten(joint)
+        for link in (joint.parent, joint.child):
+            at_link[link].append(joint)
     # No group becomes light by merging: what is not one by now becomes so only where it reaches the world.
-    for link in groups.of(WORLD).links:  # which grows meanwhile
+    reached = groups[find(WORLD)].links
+    for link in reached:  # which grows meanwhile
         for joint in at_link[link]:
-            groups.fasten(joint, merge_fixed)
-    return groups.by_link()
+            fasten(joint)
+    return {name: groups[find(name)] for name in leader}
 
 
 def _note_merger(

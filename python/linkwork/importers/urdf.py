@@ -276,8 +276,8 @@ def _in_rings(parent_of: Mapping[str, str]) -> set[str]:
             way[link] = None
             link = parent_of[link]
         if link in way:
-            ring = list(way)
-            rings.update(ring[ring.index(link) :])
+            passed_in_order = list(way)
+            rings.update(passed_in_order[passed_in_order.index(link) :])
     return rings
 
 
