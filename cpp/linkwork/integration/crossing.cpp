@@ -32,35 +32,30 @@ constexpr double margin = 0.06;                    // least distance of nodes fr
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
 constexpr double farther = 1e-3;                   // the same, of nodes from poses: what makes a length the better one
-constexpr int most_sweeps = 40, most_attempts = 12;
+constexpr int most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
-constexpr double converged = 1e-13, roundoff = 1e-8, shrinking = 0.5;
-constexpr double tolerance = 1e-10;      // of the energy over a leap
-constexpr double resolved = 1e-10;       // of velocities inside; at the end about the square of it counts
-constexpr double end_part = 1e-2;        // of that, at most
-constexpr double precision = 1e-16;      // of solutions, relative to the square of the angle to the pose
-constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
-constexpr double no_branch = 1e-2;       // correction of velocities by the constraints: they do not go on that way
-constexpr double beside_pose = 0.05;     // of a leap: so near nothing is projected
-constexpr double too_far = 1.5;          // of the usual distance to the pose: steps go on before the leap
-constexpr double other_pace = 0.2;       // change of the rate with which a pose that was found is not relied on
-constexpr double part_of_way = 0.8;      // to a foreseen pose
-constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
+constexpr double precision = 1e-16;   // of solutions, relative to the square of the angle to the pose
+constexpr double no_branch = 1e-2;    // correction of velocities by the constraints: they do not go on that way
+constexpr double beside_pose = 0.05;  // of a leap: so near nothing is projected
+constexpr double too_far = 1.5;       // of the usual distance to the pose: steps go on before the leap
+constexpr double other_pace = 0.2;    // change of the rate with which a pose that was found is not relied on
+constexpr double part_of_way = 0.8;   // to a foreseen pose
+
+/// From a center of mass to a joint [m]; 1 where they coincide.
+double longest_arm(const Model& model) {
+  double arm = 0.0;
+  for (const Element& joint : model.joints()) {
+    if (joint.i != ground) arm = std::max(arm, joint.at.s_i.norm());
+    if (joint.j != ground) arm = std::max(arm, joint.at.s_j.norm());
+  }
+  return arm > 0.0 ? arm : 1.0;
+}
 
 }  // namespace
 
-bool Crossing::Quality::good() const {
-  return converged && correction <= consistent && resolution <= resolved && energy <= tolerance;
-}
-
-bool Crossing::Quality::fair() const { return converged && correction <= consistent && badness() <= fair_tolerance; }
-
-double Crossing::Quality::badness() const { return std::max(resolution, energy); }
-
-double Crossing::Quality::error() const { return std::max({end_part * resolution, energy, roundoff}); }
-
-Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynamics), poses_(dynamics) {
+Crossing::Crossing(Dynamics& dynamics)
+    : dynamics_(dynamics), step_(dynamics, longest_arm(dynamics.system().model())), poses_(dynamics) {
   const System& system = dynamics.system();
   dynamics.formulation().watch().list_evaluations(false);
   if (!dynamics.formulation().watched()) return;
@@ -69,24 +64,6 @@ Crossing::Crossing(Dynamics& dynamics) : dynamics_(dynamics), projection_(dynami
   for (int body = 0; body < system.body_count(); ++body)
     in_loops_[static_cast<std::size_t>(body)] = loops.component_of_body(body) >= 0;
   prepared_ = loops.row_count() > 0;
-  double arm = 0.0;
-  for (const Element& joint : system.model().joints()) {
-    if (joint.i != ground) arm = std::max(arm, joint.at.s_i.norm());
-    if (joint.j != ground) arm = std::max(arm, joint.at.s_j.norm());
-  }
-  if (arm > 0.0) length_ = arm;
-}
-
-/// Of the motion of one body [rad/s].
-double Crossing::rate(const Eigen::Matrix<double, 6, 1>& v) const {
-  return std::max(v.head<3>().norm() / length_, v.tail<3>().norm());
-}
-
-double Crossing::size(const ConstVector& velocities) const {
-  double largest = 0.0;
-  for (int body = 0; body < dynamics_.system().body_count(); ++body)
-    largest = std::max(largest, rate(velocities.segment<6>(6 * body)));
-  return largest;
 }
 
 /// Time in which the mechanism, with these velocities and accelerations, moves by `reach`; infinite for one at rest.
@@ -97,7 +74,7 @@ double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) co
   double least = INFINITY;
   for (int body = 0; body < dynamics_.system().body_count(); ++body) {
     const double way = in_loops_[static_cast<std::size_t>(body)] ? reach : fastest;
-    least = std::min(least, time(way, rate(v.segment<6>(6 * body)), rate(v_dot.segment<6>(6 * body))));
+    least = std::min(least, time(way, step_.rate(v.segment<6>(6 * body)), step_.rate(v_dot.segment<6>(6 * body))));
   }
   return least;
 }
@@ -146,7 +123,8 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
 /// Of the components of all motions [rad/s].
 double Crossing::largest_rate(const ConstVector& v) const {
   const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, v.size() / 6);
-  return std::max(rates.topRows<3>().cwiseAbs().maxCoeff() / length_, rates.bottomRows<3>().cwiseAbs().maxCoeff());
+  return std::max(rates.topRows<3>().cwiseAbs().maxCoeff() / step_.length(),
+                  rates.bottomRows<3>().cwiseAbs().maxCoeff());
 }
 
 /// In which states from the last one that was looked at to the one at t are looked at: a pose bends the least singular
@@ -227,7 +205,7 @@ double Crossing::near_enough(double usual, double h, bool adaptive) {
 /// Of the nodes from the poses, relative to the length.
 double Crossing::nearest_node(const std::vector<double>& poses, double h) const {
   double nearest = INFINITY;
-  for (const double pose : poses) nearest = std::min(nearest, (gauss_.c.array() - pose / h).abs().minCoeff());
+  for (const double pose : poses) nearest = std::min(nearest, (step_.nodes().array() - pose / h).abs().minCoeff());
   return nearest;
 }
 
@@ -270,13 +248,14 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const auto trend = dynamics_.watch().trend();
   declined_root_ = trend ? trend->last.root : 0.0;
   declined_least_ = least_.root;
-  if (starting_) begin_in_pose(t, y);
+  if (starting_) step_.begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
   const bool beside = std::abs(foreseen) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
-  if (!starting_ && !begin(t, y, beside)) return false;
+  if (!starting_ && !step_.begin(t, y, !beside)) return false;
   if (beside_ > 0.0) return leap_beside(most);
-  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot_.size()), v_dot_);
+  const VectorXd& v_dot = step_.start_accelerations();
+  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot.size()), v_dot);
   const double pose = starting_ ? 0.0 : foreseen;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   search.base = search.least;
@@ -297,8 +276,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
 /// Near a pose explicit steps become short, as what their stages violate counts by 1 / sigma: up to where the leap over
 /// it begins well, and away from it, there is one more on each side, in which no pose is.
 bool Crossing::leap_beside(double most) {
-  leap_.h = leap_.followed = beside_;
-  return beside_ <= most && attempt().good() && poses_in_leap(0.0).empty();
+  return beside_ <= most && step_.attempt(beside_).good() && poses_in_leap(0.0).empty();
 }
 
 void Crossing::forget_looks() {
@@ -310,7 +288,7 @@ void Crossing::forget_looks() {
 }
 
 void Crossing::keep(Archive& archive, bool leaping) {
-  archive(in_loops_, prepared_, length_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
+  archive(in_loops_, prepared_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
   archive(falls_to_, next_look_, turned_, turned_until_, highest_, highest_root_, declined_least_, declined_root_);
   archive(known_, known_rate_, approached_, leaves_, poses_);
   if (leaping) archive(leap_);
@@ -319,14 +297,13 @@ void Crossing::keep(Archive& archive, bool leaping) {
 void Crossing::cut(double length) {
   limited_ = true;
   leap_.followed = length;
-  state_at(length, leap_.y_new);
+  step_.state_at(length, leap_.y_new);
 }
 
 /// A part of the way to the pose that is foreseen: it tells where the pose is.
 bool Crossing::look_ahead(Search& search) {
   if (!(search.poses.front() > 0.0)) return false;
-  leap_.h = limit(search, part_of_way * search.poses.front());
-  if (!attempt().converged) return false;
+  if (!step_.attempt(limit(search, part_of_way * search.poses.front())).converged) return false;
   std::vector<double> poses = poses_in_leap(1.0);
   if (poses.empty()) return false;
   search.poses = std::move(poses);
@@ -337,13 +314,13 @@ bool Crossing::look_ahead(Search& search) {
 bool Crossing::try_lengths(Search& search, const VectorXd& y) {
   for (int k = 0; k < most_attempts && !search.done && std::isfinite(search.least); ++k) {
     const double other = other_lengths[std::max(search.failures - 2, 0)] * limit(search, search.base);
-    leap_.h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
-    if (std::find(search.tried.begin(), search.tried.end(), leap_.h) != search.tried.end()) {
+    const double h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
+    if (std::find(search.tried.begin(), search.tried.end(), h) != search.tried.end()) {
       search.failures = std::max(search.failures + 1, 2);
       continue;
     }
-    search.tried.push_back(leap_.h);
-    const Quality quality = attempt();
+    search.tried.push_back(h);
+    const CollocationStep::Quality quality = step_.attempt(h);
     if (quality.converged) {
       weigh(search, quality);
       continue;
@@ -354,13 +331,13 @@ bool Crossing::try_lengths(Search& search, const VectorXd& y) {
     if (!search.ahead) search.failures = 2;
   }
   if (search.error < INFINITY) return true;
-  const bool moves = size(y.segment(dynamics_.system().q_size(), v_dot_.size())) > 0.0;
+  const bool moves = step_.size(y.segment(dynamics_.system().q_size(), dynamics_.system().v_size())) > 0.0;
   if (starting_ && !search.any_converged && moves && in_pose_) throw_no_branch(search.t);
   return false;
 }
 
 /// A leap that converged: the best so far, or what the next one should be.
-void Crossing::weigh(Search& search, Quality quality) {
+void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   search.any_converged = search.ahead = true;
   search.failures = 1;
   if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
@@ -386,22 +363,6 @@ void Crossing::weigh(Search& search, Quality quality) {
     search.least = search.base = std::max(0.6 * std::min(search.base, leap_.h), least_part * search.usual);
 }
 
-/// In or near a singular pose nothing can be projected; accelerations, for a beginning, are what the watch makes of
-/// them.
-void Crossing::begin_in_pose(double t, const VectorXd& y) {
-  allocate(t, y);
-  energy_before_ = energy(y);
-  dynamics_.rates(rates_before_);
-  v_dot_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
-}
-
-void Crossing::allocate(double t, const VectorXd& y) {
-  const System& system = dynamics_.system();
-  leap_ = {t, 0.0, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
-  v_dot_.resize(system.v_size());
-  for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
-}
-
 /// A small pivot alone is no sign: that of a long chain, or beside bodies of little mass, is small in every pose.
 bool Crossing::in_singular_pose(double t, const VectorXd& y) const {
   const System& system = dynamics_.system();
@@ -418,113 +379,11 @@ void Crossing::throw_no_branch(double t) const {
                             details);
 }
 
-/// At the start of the leap: the state, its rates, its energy. It is taken to the constraints; but beside the pose what
-/// it is off would become larger velocities by that, and the end of the leap is a better place. False where it is too
-/// far from the constraints, as in a run that diverges.
-bool Crossing::begin(double t, const VectorXd& y, bool beside) {
-  allocate(t, y);
-  try {
-    if (!beside) project(t, leap_.y);
-  } catch (const NotConvergedError&) {
-    return false;
-  }
-  dynamics_.evaluate(t, leap_.y);
-  energy_before_ = energy(leap_.y);
-  VectorXd lambda(dynamics_.system().row_count());
-  dynamics_.refined_accelerations(v_dot_, lambda);
-  dynamics_.rates(v_dot_, lambda, rates_before_);
-  return true;
-}
-
-/// To Phi = 0 and D v + Phi_t = 0. Leaves `dynamics` evaluated at the y that was given.
-void Crossing::project(double t, VectorXd& y) {
-  dynamics_.evaluate(t, y);
-  projection_.positions(t, y);
-  projection_.velocities(t, y);
-}
-
-Crossing::Quality Crossing::attempt() {
-  Quality quality;
-  leap_.k = rates_before_.replicate(1, stages);
-  try {
-    quality.converged = iterate();
-    if (quality.converged) finish(quality);
-  } catch (const OptionError&) {
-    throw;
-  } catch (const Error&) {
-    return {};
-  }
-  return quality;
-}
-
-/// Fixed-point iteration, node after node: it converges like (h L)^k / k!.
-bool Crossing::iterate() {
-  double last = INFINITY;
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    double change = 0.0;
-    correction_ = jump_ = 0.0;
-    for (int i = 0; i < stages; ++i) change = std::max(change, node(i));
-    if (!std::isfinite(change)) return false;
-    if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
-    if (sweep > 3 && change > 2.0 * last) return false;
-    last = change;
-  }
-  return false;
-}
-
-/// k_i at the state that the polynomials give, on the constraints; how much it changed, as a velocity relative to all.
-double Crossing::node(int i) {
-  const System& system = dynamics_.system();
-  const int nq = system.q_size(), nv = system.v_size();
-  const double t = leap_.t + gauss_.c[i] * leap_.h;
-  y_ = leap_.y;
-  y_.noalias() += leap_.h * (leap_.k * gauss_.A.row(i).transpose());
-  system.normalize(y_.head(nq));
-  rates_ = y_;
-  project(t, y_);
-  for (int body = 0; body < system.body_count(); ++body) {
-    const double shift = (y_.segment<3>(7 * body) - rates_.segment<3>(7 * body)).norm() / length_;
-    const double turn = 2.0 * (y_.segment<4>(7 * body + 3) - rates_.segment<4>(7 * body + 3)).norm();
-    correction_ = std::max({correction_, shift, turn});
-  }
-  const double speed = size(y_.segment(nq, nv)), before = size(rates_.segment(nq, nv));
-  if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
-  dynamics_.evaluate(t, y_);
-  dynamics_.refined_accelerations(v_dot_, leap_.lambda.col(i));
-  dynamics_.rates(v_dot_, leap_.lambda.col(i), rates_);
-  const double change = leap_.h * size(rates_.segment(nq, nv) - leap_.k.col(i).segment(nq, nv));
-  leap_.k.col(i) = rates_;
-  return speed > 0.0 ? change / speed : change;
-}
-
-double Crossing::energy(const VectorXd& y) const {
-  const System& system = dynamics_.system();
-  return system.kinetic_energy(y.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential -
-         y[y.size() - 1];
-}
-
-void Crossing::finish(Quality& quality) {
-  const System& system = dynamics_.system();
-  const int nq = system.q_size(), nv = system.v_size();
-  VectorXd& y_new = leap_.y_new;
-  y_new = leap_.y + leap_.h * (leap_.k * gauss_.b);
-  system.normalize(y_new.head(nq));
-  project(leap_.end(), y_new);
-  dynamics_.evaluate(leap_.end(), y_new);
-  const auto v = leap_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
-  const VectorXd rest = leap_.k * gauss_.last_coefficient();
-  quality.correction = correction_;
-  quality.jump = jump_;
-  quality.resolution = leap_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
-  quality.energy =
-      std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
-}
-
 /// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen
 /// by so many lengths beyond its end. Empty: there is none.
 std::vector<double> Crossing::poses_in_leap(double beyond_it) {
   const auto root = [&](double at) {
-    state_at(at, y_);
+    step_.state_at(at, y_);
     return poses_.root_at(leap_.t + at, y_);
   };
   std::vector<PivotSample> samples;
@@ -534,9 +393,9 @@ std::vector<double> Crossing::poses_in_leap(double beyond_it) {
     samples.push_back({before, left});
     if (left > 0.0) sample(before + (after - before) * left / (left + right));
   };
-  sample_between(0.0, gauss_.c[0] * leap_.h);
-  for (int i = 0; i < stages; ++i) sample(gauss_.c[i] * leap_.h);
-  sample_between(gauss_.c[stages - 1] * leap_.h, leap_.h);
+  sample_between(0.0, step_.nodes()[0] * leap_.h);
+  for (int i = 0; i < CollocationStep::stages; ++i) sample(step_.nodes()[i] * leap_.h);
+  sample_between(step_.nodes()[CollocationStep::stages - 1] * leap_.h, leap_.h);
   samples.erase(samples.end() - 2);
   sample(leap_.h);
   std::vector<double> found;
@@ -576,10 +435,10 @@ void Crossing::look_into_leap(double until) {
   if (!starting_) poses_.look_to(leap_.t, leap_.y);
   for (const double pose : leap_.poses)
     if (pose > 0.0 && leap_.t + pose < until && leap_.t + pose > poses_.last_listed() + same_pose * leap_.h) {
-      state_at(pose, y_);
+      step_.state_at(pose, y_);
       poses_.list(leap_.t + pose, y_);
     }
-  state_at(until - leap_.t, y_);
+  step_.state_at(until - leap_.t, y_);
   poses_.restart();
   poses_.pass(until, poses_.root_at(until, y_), y_);
 }
@@ -589,24 +448,19 @@ bool Crossing::end(double t, const VectorXd& y) {
   return prepared_;
 }
 
-void Crossing::state_at(double time_in_leap, VectorXd& y) const {
-  const System& system = dynamics_.system();
-  y = leap_.y;
-  y.noalias() += leap_.h * (leap_.k * gauss_.integrals(time_in_leap / leap_.h));
-  system.normalize(y.head(system.q_size()));
+void Crossing::interpolate(const System&, double theta, VectorXd& y) const {
+  step_.state_at(theta * leap_.followed, y);
 }
-
-void Crossing::interpolate(const System&, double theta, VectorXd& y) const { state_at(theta * leap_.followed, y); }
 
 void Crossing::place(double theta, VectorXd& y) {
   const double part = theta * leap_.followed;
-  state_at(part, y);
+  step_.state_at(part, y);
   for (const double pose : leap_.poses)
     if (std::abs(part - pose) < margin * leap_.h) return;
   const Unwatched unwatched(dynamics_);
   y_ = y;
   try {
-    project(leap_.t + part, y_);
+    step_.project(leap_.t + part, y_);
   } catch (const Error&) {
     return;
   }
@@ -614,10 +468,7 @@ void Crossing::place(double theta, VectorXd& y) {
 }
 
 void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {
-  const System& system = dynamics_.system();
-  const GaussCollocation::Weights l = gauss_.values(theta * leap_.followed / leap_.h);
-  v_dot = (leap_.k * l).segment(system.q_size(), system.v_size());
-  lambda = leap_.lambda * l;
+  step_.accelerations_at(theta * leap_.followed, v_dot, lambda);
 }
 
 }  // namespace linkwork

@@ -3,37 +3,25 @@
 #include <optional>
 #include <vector>
 
-#include "linkwork/formulation/projection.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
-#include "linkwork/integration/gauss_collocation.hpp"
+#include "linkwork/integration/collocation_step.hpp"
 #include "linkwork/integration/interpolant.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"
 
 namespace linkwork {
 
-/// A step by collocation, with everything in between.
-struct Leap {
-  double t = 0.0, h = 0.0;
-  double followed = 0.0;           ///< of h, by the run
-  VectorXd y;                      ///< at t, on the constraints
-  VectorXd y_new;                  ///< at t + followed; at t + h, on the constraints
-  MatrixXd k;                      ///< y_dot at the nodes
-  MatrixXd lambda;                 ///< multipliers at the nodes
-  std::vector<double> poses = {};  ///< singular ones, times from t
-
-  double end() const { return t + h; }
-  void keep(Archive& archive) { archive(t, h, followed, y, y_new, k, lambda, poses); }
-};
-
 /// Takes a run through singular poses.
 ///
 /// Where branches of motion cross, the constraint matrix loses rank: a state that violates the constraints by delta has
 /// accelerations wrong by delta / sigma, sigma the smallest singular value, and the stages of explicit steps violate
-/// them by about h^2. On the branch itself the motion is smooth. So the pose is foreseen from the smallest pivot, which
-/// falls like the square of the time to it, and taken in one leap by Gauss collocation whose nodes stand on the
-/// constraints, Phi = 0 and D v + Phi_t = 0, and around the pose: none nearer than some hundredths of the leap. The
-/// leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the errors
-/// that roundoff makes grow with 1 / sigma^2.
+/// them by about h^2. On the branch itself the motion is smooth. So the pose is foreseen, and taken in one leap by Gauss
+/// collocation whose nodes stand on the constraints and around the pose: none nearer than some hundredths of the leap.
+/// The leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the
+/// errors that roundoff makes grow with 1 / sigma^2.
+///
+/// Two signs tell the pose: the smallest pivot of every factorization, which falls like the square of the time to it,
+/// and sigma itself, which falls linearly and is looked at now and then. Pivots hide a pose where the order of
+/// elimination is to blame, sigma one that is local to a part of a large mechanism.
 class Crossing final : public Interpolant {
  public:
   explicit Crossing(Dynamics& dynamics);
@@ -84,21 +72,6 @@ class Crossing final : public Interpolant {
   void interpolate(double theta, MutableVector v_dot, MutableVector lambda) const;
 
  private:
-  static constexpr int stages = GaussCollocation::stages;
-
-  struct Quality {
-    bool converged = false;
-    double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
-    double jump = 0.0;        ///< the same of their velocities, relative to them
-    double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
-    double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
-    bool good() const;
-    bool fair() const;
-    double roundoff = 0.0;  ///< in the node next to a pose, relative
-    double badness() const;
-    double error() const;  ///< of what comes after it
-  };
-
   /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.
   struct Search {
     double t, grid, most;
@@ -124,39 +97,26 @@ class Crossing final : public Interpolant {
   bool starts_near(double t, const VectorXd& y);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
-  void allocate(double t, const VectorXd& y);
-  bool begin(double t, const VectorXd& y, bool beside);
-  void project(double t, VectorXd& y);
-  void begin_in_pose(double t, const VectorXd& y);
   [[noreturn]] void throw_no_branch(double t) const;
-  Quality attempt();
-  bool iterate();
-  double node(int i);
-  void finish(Quality& quality);
-  double energy(const VectorXd& y) const;
   void keep_rows_good();
   double largest_rate(const ConstVector& v) const;
   int parts_to(double t) const;
   bool leap_beside(double most);
   bool try_lengths(Search& search, const VectorXd& y);
-  void weigh(Search& search, Quality quality);
+  void weigh(Search& search, CollocationStep::Quality quality);
   static double near_enough(double usual, double h, bool adaptive);
   double nearest_node(const std::vector<double>& poses, double h) const;
   double best_length(const Search& search);
   double limit(const Search& search, double h);
   double allowed_length(const Search& search, double h);
-  void state_at(double time_in_leap, VectorXd& y) const;
   std::vector<double> poses_in_leap(double beyond_it);
   bool look_ahead(Search& search);
-  double rate(const Eigen::Matrix<double, 6, 1>& v) const;
-  double size(const ConstVector& velocities) const;
 
   Dynamics& dynamics_;
-  Projection projection_;
+  CollocationStep step_;
+  Leap& leap_ = step_.leap();
   SingularPoseSearch poses_;
-  GaussCollocation gauss_;
   std::vector<char> in_loops_;  ///< bodies
-  double length_ = 1.0;         ///< of the mechanism
   bool prepared_ = false;
   bool starting_ = false;  ///< the leap begins near the pose, not before it
   bool in_pose_ = false;   ///< or in it
@@ -174,10 +134,7 @@ class Crossing final : public Interpolant {
   double fastest_ = 0.0;      ///< motion before the step [rad/s]
   double known_ = -INFINITY;  ///< time of a pose that a leap found too far ahead
   double known_rate_ = 0.0;   ///< `fastest_` when it was found
-  Leap leap_;
-  double correction_ = 0.0, jump_ = 0.0;
-  double energy_before_ = 0.0;
-  VectorXd y_, v_dot_, rates_, rates_before_;
+  VectorXd y_;
 };
 
 }  // namespace linkwork

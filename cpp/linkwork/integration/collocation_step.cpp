@@ -1,0 +1,172 @@
+#include "linkwork/integration/collocation_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr int most_sweeps = 40;
+constexpr double converged = 1e-13, roundoff = 1e-8, shrinking = 0.5;
+constexpr double tolerance = 1e-10;      // of the energy over a step
+constexpr double resolved = 1e-10;       // of velocities inside; at the end about the square of it counts
+constexpr double end_part = 1e-2;        // of that, at most
+constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
+constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
+
+}  // namespace
+
+bool CollocationStep::Quality::good() const {
+  return converged && correction <= consistent && resolution <= resolved && energy <= tolerance;
+}
+
+bool CollocationStep::Quality::fair() const {
+  return converged && correction <= consistent && badness() <= fair_tolerance;
+}
+
+double CollocationStep::Quality::badness() const { return std::max(resolution, energy); }
+
+double CollocationStep::Quality::error() const { return std::max({end_part * resolution, energy, roundoff}); }
+
+double CollocationStep::rate(const Eigen::Matrix<double, 6, 1>& v) const {
+  return std::max(v.head<3>().norm() / length_, v.tail<3>().norm());
+}
+
+double CollocationStep::size(const ConstVector& velocities) const {
+  double largest = 0.0;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body)
+    largest = std::max(largest, rate(velocities.segment<6>(6 * body)));
+  return largest;
+}
+
+void CollocationStep::begin_in_pose(double t, const VectorXd& y) {
+  allocate(t, y);
+  energy_before_ = energy(y);
+  dynamics_.rates(rates_before_);
+  v_dot_before_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
+}
+
+void CollocationStep::allocate(double t, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  step_ = {t, 0.0, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
+  v_dot_.resize(system.v_size());
+  for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
+}
+
+bool CollocationStep::begin(double t, const VectorXd& y, bool on_constraints) {
+  allocate(t, y);
+  try {
+    if (on_constraints) project(t, step_.y);
+  } catch (const NotConvergedError&) {
+    return false;
+  }
+  dynamics_.evaluate(t, step_.y);
+  energy_before_ = energy(step_.y);
+  VectorXd lambda(dynamics_.system().row_count());
+  v_dot_before_.resize(v_dot_.size());
+  dynamics_.refined_accelerations(v_dot_before_, lambda);
+  dynamics_.rates(v_dot_before_, lambda, rates_before_);
+  return true;
+}
+
+void CollocationStep::project(double t, VectorXd& y) {
+  dynamics_.evaluate(t, y);
+  projection_.positions(t, y);
+  projection_.velocities(t, y);
+}
+
+CollocationStep::Quality CollocationStep::attempt(double h) {
+  Quality quality;
+  step_.h = step_.followed = h;
+  step_.k = rates_before_.replicate(1, stages);
+  try {
+    quality.converged = iterate();
+    if (quality.converged) finish(quality);
+  } catch (const OptionError&) {
+    throw;
+  } catch (const Error&) {
+    return {};
+  }
+  return quality;
+}
+
+/// Fixed-point iteration, node after node: it converges like (h L)^k / k!.
+bool CollocationStep::iterate() {
+  double last = INFINITY;
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double change = 0.0;
+    correction_ = jump_ = 0.0;
+    for (int i = 0; i < stages; ++i) change = std::max(change, node(i));
+    if (!std::isfinite(change)) return false;
+    if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
+    if (sweep > 3 && change > 2.0 * last) return false;
+    last = change;
+  }
+  return false;
+}
+
+/// k_i at the state that the polynomials give, on the constraints; how much it changed, as a velocity relative to all.
+double CollocationStep::node(int i) {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  const double t = step_.t + gauss_.c[i] * step_.h;
+  y_ = step_.y;
+  y_.noalias() += step_.h * (step_.k * gauss_.A.row(i).transpose());
+  system.normalize(y_.head(nq));
+  rates_ = y_;
+  project(t, y_);
+  for (int body = 0; body < system.body_count(); ++body) {
+    const double shift = (y_.segment<3>(7 * body) - rates_.segment<3>(7 * body)).norm() / length_;
+    const double turn = 2.0 * (y_.segment<4>(7 * body + 3) - rates_.segment<4>(7 * body + 3)).norm();
+    correction_ = std::max({correction_, shift, turn});
+  }
+  const double speed = size(y_.segment(nq, nv)), before = size(rates_.segment(nq, nv));
+  if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
+  dynamics_.evaluate(t, y_);
+  dynamics_.refined_accelerations(v_dot_, step_.lambda.col(i));
+  dynamics_.rates(v_dot_, step_.lambda.col(i), rates_);
+  const double change = step_.h * size(rates_.segment(nq, nv) - step_.k.col(i).segment(nq, nv));
+  step_.k.col(i) = rates_;
+  return speed > 0.0 ? change / speed : change;
+}
+
+double CollocationStep::energy(const VectorXd& y) const {
+  const System& system = dynamics_.system();
+  return system.kinetic_energy(y.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential -
+         y[y.size() - 1];
+}
+
+void CollocationStep::finish(Quality& quality) {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  VectorXd& y_new = step_.y_new;
+  y_new = step_.y + step_.h * (step_.k * gauss_.b);
+  system.normalize(y_new.head(nq));
+  project(step_.end(), y_new);
+  dynamics_.evaluate(step_.end(), y_new);
+  const auto v = step_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
+  const VectorXd rest = step_.k * gauss_.last_coefficient();
+  quality.correction = correction_;
+  quality.jump = jump_;
+  quality.resolution = step_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
+  quality.energy =
+      std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
+}
+
+void CollocationStep::state_at(double time, VectorXd& y) const {
+  const System& system = dynamics_.system();
+  y = step_.y;
+  y.noalias() += step_.h * (step_.k * gauss_.integrals(time / step_.h));
+  system.normalize(y.head(system.q_size()));
+}
+
+void CollocationStep::accelerations_at(double time, MutableVector v_dot, MutableVector lambda) const {
+  const System& system = dynamics_.system();
+  const GaussCollocation::Weights l = gauss_.values(time / step_.h);
+  v_dot = (step_.k * l).segment(system.q_size(), system.v_size());
+  lambda = step_.lambda * l;
+}
+
+}  // namespace linkwork

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwork/formulation/projection.hpp"
+#include "linkwork/integration/gauss_collocation.hpp"
+
+namespace linkwork {
+
+/// A long step, with everything in between.
+struct Leap {
+  double t = 0.0, h = 0.0;
+  double followed = 0.0;           ///< of h, by the run
+  VectorXd y;                      ///< at t, on the constraints
+  VectorXd y_new;                  ///< at t + followed; at t + h, on the constraints
+  MatrixXd k;                      ///< y_dot at the nodes
+  MatrixXd lambda;                 ///< multipliers at the nodes
+  std::vector<double> poses = {};  ///< singular ones, times from t
+
+  double end() const { return t + h; }
+  void keep(Archive& archive) { archive(t, h, followed, y, y_new, k, lambda, poses); }
+};
+
+/// A step by Gauss collocation whose nodes stand on the constraints, Phi = 0 and D v + Phi_t = 0. All methods but
+/// those of interpolation leave `dynamics` evaluated somewhere else.
+class CollocationStep {
+ public:
+  static constexpr int stages = GaussCollocation::stages;
+
+  struct Quality {
+    bool converged = false;
+    double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
+    double jump = 0.0;        ///< the same of their velocities, relative to them
+    double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
+    double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
+    double roundoff = 0.0;    ///< in the node next to a singular pose, relative
+    bool good() const;
+    bool fair() const;
+    double badness() const;
+    double error() const;  ///< of what comes after it
+  };
+
+  /// `length` of the mechanism [m]: velocities count relative to it.
+  CollocationStep(Dynamics& dynamics, double length) : dynamics_(dynamics), projection_(dynamics), length_(length) {}
+
+  /// From (t, y): the state, its rates, its energy. It is taken to the constraints if wanted: beside a singular pose
+  /// what it is off would become larger velocities by that, and the end of the step is a better place. False where it
+  /// is too far from them, as in a run that diverges.
+  bool begin(double t, const VectorXd& y, bool on_constraints);
+  /// The same in or near a singular pose, where nothing can be projected; accelerations, for a beginning, are what
+  /// the watch makes of them.
+  void begin_in_pose(double t, const VectorXd& y);
+  /// To t + h.
+  Quality attempt(double h);
+
+  Leap& leap() { return step_; }
+  /// Of the nodes from the start of the step, relative to it.
+  const auto& nodes() const { return gauss_.c; }
+  const VectorXd& start_accelerations() const { return v_dot_before_; }
+
+  /// At so many seconds from t, with unit Euler parameters.
+  void state_at(double time, VectorXd& y) const;
+  void accelerations_at(double time, MutableVector v_dot, MutableVector lambda) const;
+  /// To Phi = 0 and D v + Phi_t = 0.
+  void project(double t, VectorXd& y);
+
+  double length() const { return length_; }
+  /// Of the motion of one body, or of the fastest [rad/s].
+  double rate(const Eigen::Matrix<double, 6, 1>& v) const;
+  double size(const ConstVector& velocities) const;
+
+ private:
+  void allocate(double t, const VectorXd& y);
+  bool iterate();
+  double node(int i);
+  void finish(Quality& quality);
+  double energy(const VectorXd& y) const;
+
+  Dynamics& dynamics_;
+  Projection projection_;
+  double length_;
+  GaussCollocation gauss_;
+  Leap step_;
+  double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality
+  double energy_before_ = 0.0;
+  VectorXd y_, v_dot_, v_dot_before_, rates_, rates_before_;
+};
+
+}  // namespace linkwork
