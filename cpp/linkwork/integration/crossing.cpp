@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "linkwork/constraints/closed_loops.hpp"
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -351,7 +352,7 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
   const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
   const bool over = search.poses.front() <= leap_.h || leap_.h >= search.most;
-  quality.roundoff = precision * std::pow(search.usual / (reach * nearest * leap_.h), 2);
+  quality.roundoff = precision * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
   search.done = quality.good() && clear;
   if (search.done || (over && quality.fair() && nearest >= least_margin && quality.error() < search.error)) {
     search.best = leap_;

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -23,7 +24,7 @@ constexpr int most_guesses = 24, few_guesses = 4;
 
 /// |log| of the ratio of two slopes.
 double mismatch(double rise, double run, double other_rise, double other_run) {
-  return std::abs(std::log(rise / run * other_run / other_rise));
+  return std::abs(elementary::logarithm(rise / run * other_run / other_rise));
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ def simulate(
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
-    with Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError():
+    path = _core.OnePath(options.get("deterministic") is True)
+    with Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError(), path:
         checks.check_bodies(model)
         for name in options:
             check_option(name, TABLE)
@@ -131,7 +132,7 @@ def simulate(
         prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
         _check_output(output, overwrite)
         duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
-    with Interrupts() as interrupts:
+    with Interrupts() as interrupts, path:
         result, estimator = _carried_out(prepared, output, progress, started, interrupts)
     if verify:
         again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
