@@ -210,7 +210,7 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h) const 
 }
 
 /// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
-/// than wanted; of equals the shortest.
+/// than wanted, but leads over them; of equals the shortest.
 double Crossing::best_length(const Search& search) {
   const double least = limit(search, search.least), grid = search.grid;
   double best = least, distance = -1.0;
@@ -228,7 +228,7 @@ double Crossing::best_length(const Search& search) {
     for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(limit(search, factor * least));
   }
   for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.025)
-    consider(allowed_length(search, factor * least));
+    if (const double h = allowed_length(search, factor * least); h > search.poses.back()) consider(h);
   return best;
 }
 
