@@ -25,6 +25,7 @@ constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states 
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
+constexpr double part_of_foreseen = 0.5;           // way to a pose that usual steps go, as it may be nearer
 constexpr double short_steps = 4.0;                // of which a leap beside the pose is worth so many
 constexpr double least_beside = 0.4;               // of a usual leap
 constexpr double least_margin = 0.012;             // the same, where nothing better is found
@@ -156,10 +157,11 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   }
   if (tau <= enough) return true;
   if (!adaptive) return false;
-  most_step_ = tau - before_pose * usual;
-  if (!approached_ && most_step_ < usual && most_step_ > std::max(short_steps * h, least_beside * usual)) {
+  const double up_to = tau - before_pose * usual;
+  most_step_ = known_ > t ? up_to : std::min(up_to, part_of_foreseen * tau);
+  if (!approached_ && up_to < usual && up_to > std::max(short_steps * h, least_beside * usual)) {
     approached_ = true;
-    beside_ = most_step_;
+    beside_ = up_to;
   }
   return beside_ > 0.0;
 }
