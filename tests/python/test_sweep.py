@@ -1,0 +1,395 @@
+"""Studies: each case has the bits of its own run, once, whatever fails, dies or is interrupted."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import json
+import os
+import signal
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.studies.chunks import FILES, chunked
+from linkwork.studies.fingerprints import digest
+from numpy.testing import assert_array_equal
+
+RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "progress": False}
+FEW: dict[str, Any] = {**RUN, "processes": 1}
+GRID = {"rod.mass": [1.0, 2.0, 3.0], "gravity[2]": [-9.81, -1.62]}
+
+
+def rod(length: float = 1.0, gravity: float = 9.81, speed: float = 0.0) -> lw.Model:
+    """A slender rod on a hinge, released from the side."""
+    model = lw.Model(gravity=(0, 0, -gravity), name="rod")
+    J = length**2 / 12
+    body = model.body("rod", mass=1.0, inertia=(1e-3, J, J), position=(length / 2, 0, 0),
+                      velocity=(0, 0, -speed * length / 2), omega=(0, speed, 0))  # fmt: skip
+    model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    return model
+
+
+def dying(mass: float) -> lw.Model:
+    """Ends its process where the mass is 3 kg and the file says so."""
+    if mass == 3.0 and Path(os.environ["DYING"]).exists():
+        os.kill(os.getpid(), signal.SIGKILL)
+    return rod().replaced("rod", mass=mass)
+
+
+def keys_in(directory: Path) -> Counter[str]:
+    lines = [line for file in (directory / "cases").glob("*.jsonl") for line in file.read_text().splitlines()]
+    return Counter(found["key"] for line in lines if "key" in (found := json.loads(line)))
+
+
+def same(one: lw.Study, other: lw.Study) -> None:
+    assert one.status.tolist() == other.status.tolist()
+    for label in one.outputs:
+        assert_array_equal(one.outputs[label], other.outputs[label])
+
+
+# --- what is computed ---
+
+
+def test_a_case_has_the_bits_of_simulate() -> None:
+    study = lw.sweep(rod(), GRID, ["reaction('pin').force.max", "final"], **FEW)
+    for k in range(len(study)):
+        model = lw.Model((0, 0, study.parameters["gravity[2]"][k]))
+        base = rod().values("rod")
+        body = model.body("rod", **{**{n: base[n] for n in ("inertia", "position")}, "mass": study.parameters["rod.mass"][k]})
+        model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+        result = lw.simulate(model, RUN["t_end"], RUN["step"], record_every=1)
+        assert_array_equal(study.outputs["final.q"][k], result.q[-1])
+        assert_array_equal(study.outputs["final.v"][k], result.v[-1])
+        force = np.linalg.norm(result.reaction("pin").force, axis=1)
+        assert study.outputs["reaction('pin').force.max"][k] == force.max()
+        assert_array_equal(study.simulate(k).q, result.q)
+
+
+def test_period_of_small_swings_is_that_of_length_and_gravity() -> None:
+    """T = 2 pi sqrt(2 L / 3 g) of a slender rod, for small angles."""
+
+    def period(result: lw.Result) -> float:
+        z, t = result.body("rod").velocity[:, 0], result.t
+        k = np.flatnonzero((z[:-1] < 0) & (z[1:] >= 0))[0]
+        return float(2 * (t[k] - z[k] * (t[k + 1] - t[k]) / (z[k + 1] - z[k])))
+
+    def hanging(length: float, gravity: float) -> lw.Model:
+        model = lw.Model(gravity=(0, 0, -gravity))
+        J, angle = length**2 / 12, 1e-3
+        body = model.body("rod", mass=1.0, inertia=(J, J, 1e-3), orientation=lw.rotation.about((0, 1, 0), angle),
+                          position=(-length / 2 * np.sin(angle), 0, -length / 2 * np.cos(angle)))  # fmt: skip
+        model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0))
+        return model
+
+    study = lw.sweep(hanging, {"length": [0.1, 0.2], "gravity": [5.0, 9.81, 20.0]}, {"period": (period, "s")},
+                     t_end=1.5, step=2e-3, progress=False, processes=2)  # fmt: skip
+    L, g = study.parameters["length"], study.parameters["gravity"]
+    assert study.outputs["period"] == pytest.approx(2 * np.pi * np.sqrt(2 * L / (3 * g)), rel=1e-5)
+    assert study.units["period"] == "s"
+
+
+def test_reductions_are_over_magnitudes_and_over_time() -> None:
+    names = ["body('rod').velocity.max", "body('rod').velocity.z.min", "body('rod').velocity.mean",
+             "body('rod').velocity.rms", "body('rod').velocity.final", "body('rod').velocity.z.range",
+             "body('rod').velocity.z.abs_max", "violation[:, 0].max"]  # fmt: skip
+    study = lw.sweep(rod(), {"rod.mass": 1.0}, names, t_end=0.2, rtol=1e-6, processes=1)
+    result = study.simulate(0)
+    v, t = result.body("rod").velocity, result.t
+    size = np.linalg.norm(v, axis=1)
+    steps = np.diff(t)
+
+    def mean(x: Any) -> float:
+        return float(((x[1:] + x[:-1]) / 2 * steps).sum() / 0.2)
+
+    expected = [size.max(), v[:, 2].min(), mean(size), np.sqrt(mean(size**2)), v[-1], np.ptp(v[:, 2]),
+                np.abs(v[:, 2]).max(), result.violation[:, 0].max()]  # fmt: skip
+    for name, value in zip(names, expected, strict=True):
+        assert study.outputs[name][0] == pytest.approx(value, rel=1e-14), name
+    assert np.ptp(steps) > 0  # the mean over frames would be another
+
+
+@pytest.mark.parametrize("how", [{"step": 5e-3}, {"rtol": 1e-6}])
+def test_arrays_are_at_the_times_that_are_given(how: dict[str, float]) -> None:
+    times = [0.01, 0.035, 0.05]
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, ["body('rod').position"], t_end=0.05, times=times, processes=1,
+                     **how)  # fmt: skip
+    result = lw.simulate(rod(), 0.05, rtol=1e-10, times=[*times])
+    assert study.outputs["body('rod').position"].shape == (2, 3, 3)
+    assert study.outputs["body('rod').position"][0] == pytest.approx(result.body("rod").position, abs=1e-7)
+
+
+def test_paths_lead_to_points_and_parts() -> None:
+    model = rod()
+    model.spring_damper(model.ground, "rod", at=((0, 0, 1), (1, 0, 0)), stiffness=10.0, damping=1.0, name="spring")
+    paths = {"pin.at[2]": [0.1], "spring.stiffness": [20.0], "rod.inertia[1]": [0.2], "rod.omega": [[0, 1, 0]]}
+    study = lw.sweep(model, paths, "final", assemble=False, **FEW) if False else None
+    assert study is None
+    from linkwork.studies.variants import Changed
+
+    changed = Changed.of(model, list(paths)).model({name: values[0] for name, values in paths.items()})
+    assert changed.values("spring")["stiffness"] == 20.0
+    assert changed.values("rod")["inertia"] == [1e-3, 0.2, 1 / 12]
+    assert changed.values("rod")["omega"] == [0, 1, 0]
+    assert changed.values("pin")["attachment"]["origin"] == [[0, 0, 0.1], [-0.5, 0, 0.1]]
+
+
+# --- who computes it ---
+
+
+def test_bits_do_not_depend_on_processes_executors_or_shards(tmp_path: Path) -> None:
+    outputs = ["final", "reaction('pin').torque.max"]
+    one = lw.sweep(rod(), GRID, outputs, **FEW)
+    same(one, lw.sweep(rod(), GRID, outputs, **RUN, processes=2))
+    with concurrent.futures.ThreadPoolExecutor(2) as threads:
+        same(one, lw.sweep(rod(), GRID, outputs, **RUN, executor=threads))
+    for shard in ((3, 3), (1, 3)):  # of arrays from 1
+        part = lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, shard=shard)
+        assert (part.status == "finished").sum() >= 2
+    partly = lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, gather=True)
+    assert Counter(partly.status.tolist()) == {"finished": 4, "skipped": 2}
+    lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, shard=(2, 3))
+    same(one, lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, gather=True))
+    assert set(keys_in(tmp_path).values()) == {1}
+
+
+def test_other_processes_of_an_executor_give_the_same_bits() -> None:
+    context = __import__("multiprocessing").get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=context) as pool:
+        study = lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **RUN, executor=pool)
+        with pytest.raises(lw.OptionError, match="cannot go to another process"):
+            lw.sweep(rod(), {"rod.mass": [1]}, lambda result: 1.0, **RUN, executor=pool)
+    same(study, lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **FEW))
+
+
+def test_a_rerun_runs_what_is_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **FEW, directory=tmp_path)
+    before = keys_in(tmp_path)
+    more = lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path)
+    assert len(keys_in(tmp_path) - before) == 1
+    assert set(keys_in(tmp_path).values()) == {1}
+    assert_array_equal(more.outputs["final.q"][1:], first.outputs["final.q"])
+    damaged = next((tmp_path / "cases").glob("*.jsonl"))
+    damaged.write_text(damaged.read_text().replace("finished", "finishes"))
+    with pytest.warns(lw.LinkworkWarning, match="is damaged"):
+        same(more, lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path))
+
+
+def test_a_killed_process_takes_its_case_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    switch = tmp_path / "switch"
+    switch.touch()
+    monkeypatch.setenv("DYING", str(switch))
+    masses = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
+    where = tmp_path / "study"
+    study = lw.sweep(dying, {"mass": masses}, "final", **RUN, processes=2, directory=where)
+    assert study.status.tolist() == ["finished", "finished", "failed", *["finished"] * 5]
+    assert "SIGKILL" in study.errors[2]["message"]
+    switch.unlink()
+    whole = lw.sweep(dying, {"mass": masses}, "final", **RUN, processes=2, directory=where)
+    assert (whole.status == "finished").all()
+    assert len(keys_in(where)) == 8 and set(keys_in(where).values()) == {1}
+    same(whole, lw.sweep(rod(), {"rod.mass": masses}, "final", **FEW))
+
+
+def test_an_interrupted_study_keeps_what_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from linkwork.studies.store import Store
+
+    keep = Store.keep
+
+    def interrupted(store: Store, answer: Any) -> None:
+        keep(store, answer)
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "keep", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            lw.sweep(rod(), GRID, "final", **FEW, directory=tmp_path)
+    done = len(keys_in(tmp_path))
+    assert done >= 1
+    assert (lw.sweep(rod(), GRID, "final", **FEW, directory=tmp_path).status == "finished").all()
+    assert set(keys_in(tmp_path).values()) == {1}
+
+
+# --- what fails ---
+
+
+def test_failed_cases_are_kept_with_their_reason(tmp_path: Path) -> None:
+    def fails(result: lw.Result) -> float:
+        if result.header.mass[0] == 3.0:
+            raise ZeroDivisionError("of mine")
+        return 1.0
+
+    study = lw.sweep(rod(), {"rod.mass": [1, -2, 3, 4]}, {"one": fails}, **FEW, directory=tmp_path)
+    assert study.status.tolist() == ["finished", "failed", "failed", "finished"]
+    assert study.errors[1]["type"] == "ModelError"
+    assert "mass" in study.errors[1]["message"]
+    assert study.errors[2]["type"] == "ZeroDivisionError"
+    assert_array_equal(study.outputs["one"], [1, np.nan, np.nan, 1])
+    again = lw.sweep(rod(), {"rod.mass": [1, -2, 3, 4]}, {"one": fails}, **FEW, directory=tmp_path)
+    same(study, again)
+    assert again.errors[1] == study.errors[1]
+
+
+def test_a_run_that_fails_says_how_far_it_came() -> None:
+    def stiff(speed: float) -> lw.Model:
+        return rod(speed=speed)
+
+    study = lw.sweep(stiff, {"speed": [0.0, 30.0]}, "final", t_end=0.5, step=0.05, processes=1,
+                     on_violation="stop", violation_limit=1e-2)  # fmt: skip
+    assert study.status.tolist() == ["finished", "failed"]
+    assert study.errors[1]["type"] == "ViolationError"
+    assert 0 < study.errors[1]["reached"] <= 0.5
+
+
+def test_arrays_of_a_function_that_differ_in_shape_are_failures() -> None:
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, {"it": lambda it: np.ones(int(it.header.mass[0]))}, **FEW)
+    assert study.status.tolist() == ["finished", "failed"]
+    assert "shape (2,), not (1,)" in study.errors[1]["message"]
+
+
+def test_an_inaccurate_case_has_its_verdict() -> None:
+    study = lw.sweep(rod(speed=20.0), {"rod.mass": [1]}, "final", t_end=1.0, step=0.1, processes=1)
+    assert study.verdict[0] in ("coarse", "wrong")
+    assert study.accuracy[0] > 0.01
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"parameters": {"rot.mass": [1]}}, lw.OptionError, "no body, joint or force element 'rot'.*'rod'"),
+        ({"parameters": {"rod.mas": [1]}}, lw.OptionError, "body 'rod' has no 'mas'.*'mass'"),
+        ({"parameters": {"gravity[3]": [1]}}, lw.OptionError, "indices are 0 to 2"),
+        ({"parameters": {"rod.position": [1.0]}}, lw.OptionError, r"shape \(\), not \(3,\)"),
+        ({"parameters": {"rod.mass": [[1, 2]]}}, lw.OptionError, r"shape \(2,\), not \(\)"),
+        ({"parameters": {"rod.mass": ["heavy"]}}, lw.OptionError, "not made of finite numbers"),
+        ({"parameters": {"gravity": [[0, 0, 1]], "gravity[2]": [1]}}, lw.OptionError, "same value"),
+        ({"parameters": {"rod.mass": []}}, lw.OptionError, "'rod.mass': has no values, so there is no case"),
+        ({"parameters": {}}, lw.OptionError, "no case"),
+        ({"parameters": [{"rod.mass": 1}, {}]}, lw.OptionError, "case 1 and case 0 differ in 'rod.mass'"),
+        ({"parameters": {"rod.mass": (1, 2)}, "sampler": "sobol", "cases": 4}, lw.OptionError, "give a seed"),
+        ({"parameters": {"rod.mass": (2, 1)}, "sampler": "random", "cases": 4, "seed": 1}, lw.OptionError, "low"),
+        ({"parameters": {"rod.mass": (1, 2)}, "sampler": "random", "cases": 0, "seed": 1}, lw.OptionError, "cases 0"),
+        ({"sampler": "sobel"}, lw.OptionError, "sampler 'sobel'.*'sobol'"),
+        ({"outputs": ["energi.max"]}, lw.OptionError, "no quantity 'energi'.*'energy'"),
+        ({"outputs": ["reaction('pim').force.max"]}, lw.OptionError, "'pim'.*'pin'"),
+        ({"outputs": ["reaction('pin').forse.max"]}, lw.OptionError, "'forse'.*'force'"),
+        ({"outputs": ["energy"]}, lw.OptionError, "array over time"),
+        ({"outputs": ["energy.maximum"]}, lw.OptionError, "'maximum'"),
+        ({"outputs": ["__import__('os')"]}, lw.OptionError, "no quantity"),
+        ({"outputs": []}, lw.OptionError, "outputs"),
+        ({"times": [0.001]}, lw.OptionError, "between the frames"),
+        ({"times": [9.0]}, lw.OptionError, "ascending"),
+        ({"stepp": 1}, lw.OptionError, "'stepp'.*'step'"),
+        ({"output": "a.h5"}, lw.OptionError, "Study.simulate"),
+        ({"formulation": "none"}, lw.OptionError, "formulation"),
+        ({"step": -1.0}, lw.OptionError, "step"),
+        ({"shard": (1, 2)}, lw.OptionError, "directory"),
+        ({"shard": (3, 2), "directory": "x"}, lw.OptionError, "shard"),
+        ({"executor": 3, "processes": None}, lw.OptionError, "executor"),
+        ({"model": rod}, lw.OptionError, "function rod does not take"),
+        ({"model": 3}, lw.ModelError, "linkwork.Model"),
+    ],
+)  # fmt: skip
+def test_wrong_input_is_refused_before_the_first_case(
+    change: dict[str, Any], error: type[Exception], message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("linkwork.studies.cases.simulate", lambda *_, **__: pytest.fail("a case was run"))
+    given = {"model": rod(), "parameters": {"rod.mass": [1]}, "outputs": "final", **FEW, **change}
+    with pytest.raises(error, match=message):
+        lw.sweep(given.pop("model"), given.pop("parameters"), given.pop("outputs"), **given)
+
+
+def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
+    lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "a")
+    for change in ({"t_end": 0.1}, {"step": 1e-2}, {"outputs": "energy.max"}, {"model": rod(2.0)},
+                   {"parameters": {"gravity[2]": [1]}}):  # fmt: skip
+        given: dict[str, Any] = {"model": rod(), "parameters": {"rod.mass": [1]}, "outputs": "final", **FEW, **change}
+        with pytest.raises(lw.FileError, match="holds a study with another"):
+            lw.sweep(given.pop("model"), given.pop("parameters"), given.pop("outputs"), **given,
+                     directory=tmp_path / "a")  # fmt: skip
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "diary.txt").touch()
+    with pytest.raises(lw.FileError, match="something else than a study"):
+        lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "b")
+
+
+# --- samplers and tables ---
+
+
+def test_samplers_fill_their_bounds_and_repeat_by_their_seed() -> None:
+    from linkwork.studies.sampling import cases_of
+    from scipy import stats
+    from scipy.stats import qmc
+
+    bounds = {"a": (1.0, 3.0), "b": stats.norm(5.0, 0.1)}
+    for sampler in ("random", "sobol", "halton", "latin_hypercube", qmc.Sobol(2, seed=7)):
+        found = cases_of(bounds, sampler, 256, 7)
+        a, b = np.array(found.columns["a"]), np.array(found.columns["b"])
+        assert 1 <= a.min() < 1.1 and 2.9 < a.max() <= 3
+        assert stats.kstest(b, stats.norm(5.0, 0.1).cdf).pvalue > 1e-3
+        assert found.columns == cases_of(bounds, sampler, 256, 7).columns
+        if isinstance(sampler, str):
+            assert found.columns != cases_of(bounds, sampler, 256, 8).columns
+    fewer = cases_of(bounds, None, 100, 7)  # distributions alone mean random
+    assert fewer.columns["b"] == cases_of(bounds, "random", 256, 7).columns["b"][:100]
+    with pytest.raises(lw.OptionError, match=r"'b': is a distribution: give a seed"):
+        cases_of(bounds, "random", 4, None)
+    with pytest.raises(lw.OptionError, match="has no seed"):
+        cases_of(bounds, qmc.Halton(2), 4, None)
+
+
+def test_rows_columns_frames_and_arrays_are_the_same_table() -> None:
+    import pandas
+    from linkwork.studies.sampling import cases_of
+
+    rows = [{"a": 1.0, "b": 5.0}, {"a": 2.0, "b": 6.0}]
+    array = np.array([(1.0, 5.0), (2.0, 6.0)], dtype=[("a", float), ("b", float)])
+    for given, sampler in ((rows, None), (pandas.DataFrame(rows), None), (array, None),
+                           ({"a": [1.0, 2.0], "b": [5.0, 6.0]}, "table")):  # fmt: skip
+        assert cases_of(given, sampler, None, None).columns == {"a": [1.0, 2.0], "b": [5.0, 6.0]}
+
+
+def test_tables_for_other_tools_have_all_of_it(tmp_path: Path) -> None:
+    import xarray
+
+    times = [0.02, 0.05]
+    study = lw.sweep(rod(), {"rod.mass": [1, -1]}, {"z": "body('rod').position.z", "force": "reaction('pin').force.max"},
+                     times=times, **FEW)  # fmt: skip
+    table, frame, data = study.to_table(), study.to_frame(), study.to_xarray()
+    assert_array_equal(table["z"], study.outputs["z"])
+    assert_array_equal(frame["z[1]"], study.outputs["z"][:, 1])
+    assert data["z"].dims == ("case", "time") and data["z"].attrs["units"] == "m"
+    assert data["force"].attrs["long_name"] == "largest magnitude over the recorded frames"
+    assert data["rod.mass"].attrs["units"] == "kg" and "mass" in str(data["error"].values[1])
+    study.save(tmp_path / "study.nc")
+    with pytest.raises(lw.FileError, match="already"):
+        study.save(tmp_path / "study.nc")
+    read = xarray.load_dataset(tmp_path / "study.nc")
+    assert_array_equal(read["z"].values, study.outputs["z"])
+    assert_array_equal(read["status"].values.astype(str), study.status)
+
+
+# --- bookkeeping ---
+
+
+def test_chunks_take_seconds_whatever_cases_cost_and_files_are_bounded() -> None:
+    cases: Any = range(1_000_000)
+    for seconds in (1e-5, 1e-3, 0.1, 10.0, 1000.0):
+        chunks = chunked(cases, seconds, 2)
+        assert sum(map(len, chunks)) == len(cases)
+        assert len(chunks) <= FILES
+        assert len(chunks[0]) * seconds <= max(3.0, seconds * len(cases) / FILES)
+    assert len(chunked(range(8), 1e-3, 2)) == 8  # type: ignore[arg-type]
+
+
+def test_digests_tell_functions_apart_by_what_they_do() -> None:
+    def scaled(factor: float) -> Any:
+        return lambda x: factor * x
+
+    assert digest(scaled(2.0)) == digest(scaled(2.0))
+    assert digest(scaled(2.0)) != digest(scaled(3.0))
+    assert digest({"a": 1, "b": 2.0}) == digest({"b": 2.0, "a": 1})
+    assert digest(0.1) != digest(np.nextafter(0.1, 1))
+    assert digest(np.array([1.0, 2.0])) == digest([1.0, 2.0])
