@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import concurrent.futures
 import json
+import multiprocessing
 import os
 import signal
 from collections import Counter
@@ -15,6 +16,7 @@ import numpy as np
 import pytest
 from linkwork.studies.chunks import FILES, chunked
 from linkwork.studies.fingerprints import digest
+from linkwork.studies.variants import Changed
 from numpy.testing import assert_array_equal
 
 RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "progress": False}
@@ -58,7 +60,8 @@ def test_a_case_has_the_bits_of_simulate() -> None:
     for k in range(len(study)):
         model = lw.Model((0, 0, study.parameters["gravity[2]"][k]))
         base = rod().values("rod")
-        body = model.body("rod", **{**{n: base[n] for n in ("inertia", "position")}, "mass": study.parameters["rod.mass"][k]})
+        kept = {name: base[name] for name in ("inertia", "position")}
+        body = model.body("rod", mass=study.parameters["rod.mass"][k], **kept)
         model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
         result = lw.simulate(model, RUN["t_end"], RUN["step"], record_every=1)
         assert_array_equal(study.outputs["final.q"][k], result.q[-1])
@@ -74,7 +77,7 @@ def test_period_of_small_swings_is_that_of_length_and_gravity() -> None:
     def period(result: lw.Result) -> float:
         z, t = result.body("rod").velocity[:, 0], result.t
         k = np.flatnonzero((z[:-1] < 0) & (z[1:] >= 0))[0]
-        return float(2 * (t[k] - z[k] * (t[k + 1] - t[k]) / (z[k + 1] - z[k])))
+        return float(t[k] - z[k] * (t[k + 1] - t[k]) / (z[k + 1] - z[k]))
 
     def hanging(length: float, gravity: float) -> lw.Model:
         model = lw.Model(gravity=(0, 0, -gravity))
@@ -123,17 +126,28 @@ def test_arrays_are_at_the_times_that_are_given(how: dict[str, float]) -> None:
 
 def test_paths_lead_to_points_and_parts() -> None:
     model = rod()
-    model.spring_damper(model.ground, "rod", at=((0, 0, 1), (1, 0, 0)), stiffness=10.0, damping=1.0, name="spring")
-    paths = {"pin.at[2]": [0.1], "spring.stiffness": [20.0], "rod.inertia[1]": [0.2], "rod.omega": [[0, 1, 0]]}
-    study = lw.sweep(model, paths, "final", assemble=False, **FEW) if False else None
-    assert study is None
-    from linkwork.studies.variants import Changed
-
-    changed = Changed.of(model, list(paths)).model({name: values[0] for name, values in paths.items()})
+    model.spring_damper(
+        model.ground, "rod", at=((0, 0, 1), (1, 0, 0)), stiffness=10.0, damping=1.0, name="spring"
+    )
+    paths = {"pin.at[2]": 0.1, "spring.stiffness": 20.0, "rod.inertia[1]": 0.0835, "rod.omega": [0, 1, 0]}
+    changed = Changed.of(model, list(paths)).model(paths)
     assert changed.values("spring")["stiffness"] == 20.0
-    assert changed.values("rod")["inertia"] == [1e-3, 0.2, 1 / 12]
+    assert changed.values("rod")["inertia"] == [1e-3, 0.0835, 1 / 12]
     assert changed.values("rod")["omega"] == [0, 1, 0]
     assert changed.values("pin")["attachment"]["origin"] == [[0, 0, 0.1], [-0.5, 0, 0.1]]
+    assert model.values("spring")["stiffness"] == 10.0
+    with pytest.raises(lw.OptionError, match=r"'spring.at\[0\]': 'spring' has a point on each"):
+        Changed.of(model, ["spring.at[0]"])
+
+
+def test_a_function_of_time_is_varied_by_its_numbers() -> None:
+    """A driver turns the rod by c t^2, of which c is varied."""
+    model = rod()
+    angle = lw.functions.polynomial(0.0, 0.0, 1.0)
+    model.angle_driver(model.ground, "rod", at=(0, 0, 0), axis=(0, 1, 0), angle=angle, name="motor")
+    study = lw.sweep(model, {"motor.angle.polynomial[2]": [0.4, 1.2]}, "coordinate('pin').value.final",
+                     t_end=0.5, step=1e-3, processes=1, assemble=True)  # fmt: skip
+    assert study.outputs["coordinate('pin').value.final"] == pytest.approx([0.1, 0.3], rel=1e-8)
 
 
 # --- who computes it ---
@@ -156,7 +170,7 @@ def test_bits_do_not_depend_on_processes_executors_or_shards(tmp_path: Path) -> 
 
 
 def test_other_processes_of_an_executor_give_the_same_bits() -> None:
-    context = __import__("multiprocessing").get_context("spawn")
+    context = multiprocessing.get_context("spawn")
     with concurrent.futures.ProcessPoolExecutor(1, mp_context=context) as pool:
         study = lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **RUN, executor=pool)
         with pytest.raises(lw.OptionError, match="cannot go to another process"):
@@ -305,7 +319,8 @@ def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
     lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "a")
     for change in ({"t_end": 0.1}, {"step": 1e-2}, {"outputs": "energy.max"}, {"model": rod(2.0)},
                    {"parameters": {"gravity[2]": [1]}}):  # fmt: skip
-        given: dict[str, Any] = {"model": rod(), "parameters": {"rod.mass": [1]}, "outputs": "final", **FEW, **change}
+        usual: dict[str, Any] = {"model": rod(), "parameters": {"rod.mass": [1]}, "outputs": "final"}
+        given: dict[str, Any] = {**usual, **FEW, **change}
         with pytest.raises(lw.FileError, match="holds a study with another"):
             lw.sweep(given.pop("model"), given.pop("parameters"), given.pop("outputs"), **given,
                      directory=tmp_path / "a")  # fmt: skip
@@ -355,8 +370,8 @@ def test_tables_for_other_tools_have_all_of_it(tmp_path: Path) -> None:
     import xarray
 
     times = [0.02, 0.05]
-    study = lw.sweep(rod(), {"rod.mass": [1, -1]}, {"z": "body('rod').position.z", "force": "reaction('pin').force.max"},
-                     times=times, **FEW)  # fmt: skip
+    outputs = {"z": "body('rod').position.z", "force": "reaction('pin').force.max"}
+    study = lw.sweep(rod(), {"rod.mass": [1, -1]}, outputs, times=times, **FEW)
     table, frame, data = study.to_table(), study.to_frame(), study.to_xarray()
     assert_array_equal(table["z"], study.outputs["z"])
     assert_array_equal(frame["z[1]"], study.outputs["z"][:, 1])

@@ -81,7 +81,8 @@ class Runner:
 
     def run(self, case: Case) -> Run:
         """Whatever it raises, it is a Run."""
-        started, found = time.perf_counter(), {}
+        found: dict[str, Any]
+        started = time.perf_counter()
         with _remarked() as remarks:
             try:
                 result = self.result(case.values)
@@ -102,7 +103,11 @@ class Runner:
 
 def facts_of(error: BaseException) -> dict[str, Any]:
     """Class, code, message, and the simulated time that was reached [s]."""
-    found: dict[str, Any] = {"type": type(error).__name__, "code": "", "message": " ".join(str(error).split())}
+    found: dict[str, Any] = {
+        "type": type(error).__name__,
+        "code": "",
+        "message": " ".join(str(error).split()),
+    }
     if isinstance(error, LinkworkError):
         found["code"] = error.code
         reached = error.time

@@ -74,8 +74,9 @@ def run_cases(
     """
     workers = workers_of(executor, processes)
     pool = _local(processes, beat) if executor is None else _on(executor, workers, beat)
-    first, lost, seconds = list(cases[:workers]), [], []
-    for chunk, answer in pool(runner, [[case] for case in first]):
+    lost: list[Case] = []
+    seconds: list[float] = []
+    for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):
         if isinstance(answer, Lost):
             lost.extend(chunk)
         else:
@@ -107,7 +108,8 @@ def _local(processes: int | None, beat: Callable[[], object]) -> Pool:
 
 def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:
     def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
-        todo, under_way = list(chunks)[::-1], {}
+        todo = list(chunks)[::-1]
+        under_way: dict[futures.Future[Answer], Chunk] = {}
         try:
             while todo or under_way:
                 while todo and len(under_way) < AHEAD * workers:

@@ -138,8 +138,12 @@ def _made(label: Any, what: Any) -> Iterator[Output]:
     if label is not None and (not isinstance(label, str) or not label):
         raise OptionError(f"outputs: label {label!r:.60} is no text", code="outputs")
     if callable(what):
-        name = label or getattr(what, "__name__", type(what).__name__)
-        yield Output(name, unit, (getattr(what, "__doc__", "") or "").split("\n")[0], function=what)
+        yield Output(
+            label or str(getattr(what, "__name__", type(what).__name__)),
+            unit,
+            (getattr(what, "__doc__", "") or "").split("\n")[0],
+            function=what,
+        )
     elif what == "final":
         head = label or "final"
         yield Output(f"{head}.q", "m, 1", "last position and Euler parameters of each body",
@@ -299,7 +303,7 @@ def _at_times(label: str, t: Floats, values: Floats, times: Floats) -> Floats:
         )
     found = values[at].astype(float)
     found[over] = np.nan
-    return found
+    return np.asarray(found)
 
 
 def identity(outputs: Sequence[Output]) -> list[str]:

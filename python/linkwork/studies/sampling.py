@@ -195,13 +195,25 @@ def _of_engine(engine: Any, dimensions: int, count: int) -> tuple[Floats, str]:
         raise OptionError(
             f"sampler: has {engine.d} dimensions, and there are {dimensions} parameters", code="sampler"
         )
-    if getattr(engine, "rng_seed", None) is None and getattr(engine, "scramble", True):
+    if not _is_repeatable(engine):
         raise OptionError(
-            f"sampler {type(engine).__name__}: has no seed: give it one, so that it can be repeated",
+            f"sampler {type(engine).__name__}: has no seed of at most 64 bits: give it one, so that it "
+            "can be repeated",
             code="seed",
         )
     points: Floats = copy.deepcopy(engine).reset().random(count)
     return points, type(engine).__name__
+
+
+def _is_repeatable(engine: Any) -> bool:
+    """Without a seed SciPy takes one of 128 bits from the system."""
+    from scipy.stats import qmc
+
+    if isinstance(engine, qmc.Sobol | qmc.Halton) and not engine.scramble:
+        return True
+    generator = getattr(getattr(engine, "rng_seed", None), "bit_generator", None)
+    entropy = getattr(getattr(generator, "seed_seq", None), "entropy", None)
+    return isinstance(entropy, int) and entropy < 2**64
 
 
 def _is_distribution(given: Any) -> bool:

@@ -1,4 +1,4 @@
-"""What a study found: parameters, outputs and status of every case, as arrays and as tables for other tools."""
+"""What a study found: parameters, outputs and status of every case, as arrays and as tables."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Study:
 
     parameters  by name: values (n, ...)
     outputs     by label: (n, ...) in SI units, see `units`; NaN in cases that did not finish
-    status      (n,) "finished", "failed", or "skipped": of another shard, not yet run, or lost with its process
+    status      (n,) "finished", "failed", or "skipped": of another shard, or not yet run
     errors      by case: type, code, message of what failed, and `reached`, the simulated time [s]; why a
                 case was lost
     verdict     (n,) "good", "coarse" or "wrong", see linkwork.Verdict; empty where there is none
@@ -240,7 +240,9 @@ def _shapes(runs: Sequence[Run | None]) -> dict[str, tuple[int, ...]]:
 def _of_shape(run: Run, shapes: Mapping[str, tuple[int, ...]]) -> Run:
     for label, found in run.outputs.items():
         if np.shape(found) != shapes[label]:
-            message = f"output '{label}' has shape {np.shape(found)}, not {shapes[label]} as in the first case"
+            message = (
+                f"output '{label}' has shape {np.shape(found)}, not {shapes[label]} as in the first case"
+            )
             error = {"type": "OptionError", "code": "shape", "message": message, "reached": None}
             return replace(run, status="failed", outputs={}, error=error)
     return run

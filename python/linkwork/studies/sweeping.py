@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.arguments import whole
+from linkwork.comparison.workers import Lost
 from linkwork.equations.system import System
-from linkwork.errors import FileError, LinkworkError, OptionError, nearest, warn
+from linkwork.errors import FileError, LinkworkError, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.options import TABLE, check_number, check_option
@@ -28,7 +29,7 @@ from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Case, Run, Runner, check_times, machine
-from linkwork.studies.chunks import Lost, check_executor, run_cases
+from linkwork.studies.chunks import check_executor, run_cases
 from linkwork.studies.fingerprints import canonical, digest
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store
@@ -125,7 +126,7 @@ def sweep(
     check_executor(executor, processes, runner)
     identity = _identity(runner, drawn)
     keys = [digest(identity, _version(), drawn.case(k)) for k in range(len(drawn))]
-    about = {**_about(runner, drawn, seed), "example": {"values": drawn.case(0), "model": _hash_of(source, drawn.case(0))}}
+    about = _about(runner, drawn, seed)
     store = None if directory is None else Store(directory, identity, about)
     if store is not None and isinstance(source, Built):
         _check_example(source, store)
@@ -148,7 +149,7 @@ def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> No
     if shard is not None:
         good = isinstance(shard, tuple | list) and len(shard) == 2
         good = good and all(isinstance(it, int) and not isinstance(it, bool) for it in shard)
-        if not good or not 1 <= shard[1] or not 0 <= shard[0] <= shard[1]:
+        if not good or not shard[1] >= 1 or not 0 <= shard[0] <= shard[1]:
             raise OptionError(
                 f"shard {shard!r:.40}: give (k, n), k from 0 to n - 1 or from 1 to n", code="shard"
             )
@@ -165,9 +166,7 @@ def _check_options(options: Mapping[str, Any]) -> None:
     for name in options:
         if name in OTHERS:
             raise OptionError(f"option '{name}' is none of a study: {OTHERS[name]}", code="option")
-        if name not in known:
-            check_option(name, TABLE)
-            raise OptionError(f"option '{name}' does not exist{nearest(name, known)}", code="option")
+        check_option(name, known)
 
 
 def _example(model: Any, source: Source, cases: Cases) -> Model:
@@ -186,8 +185,10 @@ def _example(model: Any, source: Source, cases: Cases) -> Model:
 
 def _check_run(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
     """OptionError: a choice that does not exist or cannot be honored."""
-    steps = {name: options.get(name) for name in ("step", "rtol", "atol", "record_every", "times")}
-    schedule.plan(t_end, *steps.values(), recording.frame_bytes(model), 0.0)
+    step, rtol, atol, every, at = (
+        options.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
+    )
+    schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(model), 0.0)
     try:
         System(model, **{name: value for name, value in options.items() if name in TABLE})
     except OptionError:
@@ -259,6 +260,7 @@ def _check_example(source: Built, store: Store) -> None:
 def _about(runner: Runner, cases: Cases, seed: int | None) -> dict[str, Any]:
     """For the manifest."""
     return {
+        "example": {"values": cases.case(0), "model": _hash_of(runner.source, cases.case(0))},
         "sampler": cases.how, "cases": len(cases), "seed": seed,
         "outputs": [it.label for it in runner.outputs], **platform_facts(), "machine": machine(),
         "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
@@ -320,4 +322,3 @@ def _tell_machines(machines: Sequence[Mapping[str, Any]]) -> None:
             f"study: processors of several instruction sets took part ({', '.join(sets)}): their last bits "
             "may differ"
         )
-

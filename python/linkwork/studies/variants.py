@@ -281,15 +281,23 @@ def _put(record: Record, address: _Address, value: Any) -> None:
     holder, key = _holder(record, address)
     holder[key] = float(value) if isinstance(value, int) else value
     if address.field == "at":
-        it = record[address.where[0]][address.where[1]]
+        it = _object_of(record, address)
         _attach(record, it, np.array(it.pop("at"), dtype=float))
+
+
+def _object_of(record: Record, address: _Address) -> Record:
+    """The record of a body, joint or force element; that of the model."""
+    it: Any = record
+    for step in address.where:
+        it = it[step]
+    found: Record = it
+    return found
 
 
 def _holder(record: Record, address: _Address) -> tuple[Any, Any]:
     """The list or mapping that has the value, and its key there; fields that were left out are filled in."""
-    it: Any = record
+    it: Any = _object_of(record, address)
     if address.where:
-        it = record[address.where[0]][address.where[1]]
         if address.field == "at":
             it["at"] = _at(record, it, address).tolist()
         elif address.field not in it:
