@@ -6,6 +6,7 @@ import concurrent.futures
 import json
 import multiprocessing
 import os
+import re
 import signal
 from collections import Counter
 from pathlib import Path
@@ -14,7 +15,9 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.cli import run
 from linkwork.studies.chunks import FILES, chunked
+from linkwork.studies.files import read_study
 from linkwork.studies.fingerprints import digest
 from linkwork.studies.variants import Changed
 from numpy.testing import assert_array_equal
@@ -22,6 +25,9 @@ from numpy.testing import assert_array_equal
 RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "progress": False}
 FEW: dict[str, Any] = {**RUN, "processes": 1}
 GRID = {"rod.mass": [1.0, 2.0, 3.0], "gravity[2]": [-9.81, -1.62]}
+
+
+RANDOM: dict[str, Any] = {"parameters": {"rod.mass": (1, 2)}, "sampler": "random", "cases": 4, "seed": 1}
 
 
 def rod(length: float = 1.0, gravity: float = 9.81, speed: float = 0.0) -> lw.Model:
@@ -82,7 +88,8 @@ def test_period_of_small_swings_is_that_of_length_and_gravity() -> None:
     def hanging(length: float, gravity: float) -> lw.Model:
         model = lw.Model(gravity=(0, 0, -gravity))
         J, angle = length**2 / 12, 1e-3
-        body = model.body("rod", mass=1.0, inertia=(J, J, 1e-3), orientation=lw.rotation.about((0, 1, 0), angle),
+        turned = lw.rotation.about((0, 1, 0), angle)
+        body = model.body("rod", mass=1.0, inertia=(J, J, 1e-3), orientation=turned,
                           position=(-length / 2 * np.sin(angle), 0, -length / 2 * np.cos(angle)))  # fmt: skip
         model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0))
         return model
@@ -117,8 +124,8 @@ def test_reductions_are_over_magnitudes_and_over_time() -> None:
 @pytest.mark.parametrize("how", [{"step": 5e-3}, {"rtol": 1e-6}])
 def test_arrays_are_at_the_times_that_are_given(how: dict[str, float]) -> None:
     times = [0.01, 0.035, 0.05]
-    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, ["body('rod').position"], t_end=0.05, times=times, processes=1,
-                     **how)  # fmt: skip
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, ["body('rod').position"], t_end=0.05, times=times,
+                     processes=1, **how)  # fmt: skip
     result = lw.simulate(rod(), 0.05, rtol=1e-10, times=[*times])
     assert study.outputs["body('rod').position"].shape == (2, 3, 3)
     assert study.outputs["body('rod').position"][0] == pytest.approx(result.body("rod").position, abs=1e-7)
@@ -283,8 +290,9 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"parameters": {}}, lw.OptionError, "no case"),
         ({"parameters": [{"rod.mass": 1}, {}]}, lw.OptionError, "case 1 and case 0 differ in 'rod.mass'"),
         ({"parameters": {"rod.mass": (1, 2)}, "sampler": "sobol", "cases": 4}, lw.OptionError, "give a seed"),
-        ({"parameters": {"rod.mass": (2, 1)}, "sampler": "random", "cases": 4, "seed": 1}, lw.OptionError, "low"),
-        ({"parameters": {"rod.mass": (1, 2)}, "sampler": "random", "cases": 0, "seed": 1}, lw.OptionError, "cases 0"),
+        ({**RANDOM, "parameters": {"rod.mass": (2, 1)}}, lw.OptionError, "low"),
+        ({**RANDOM, "cases": 0}, lw.OptionError, "cases 0"),
+        ({**RANDOM, "cases": None}, lw.OptionError, "cases is missing"),
         ({"sampler": "sobel"}, lw.OptionError, "sampler 'sobel'.*'sobol'"),
         ({"outputs": ["energi.max"]}, lw.OptionError, "no quantity 'energi'.*'energy'"),
         ({"outputs": ["reaction('pim').force.max"]}, lw.OptionError, "'pim'.*'pin'"),
@@ -408,3 +416,76 @@ def test_digests_tell_functions_apart_by_what_they_do() -> None:
     assert digest({"a": 1, "b": 2.0}) == digest({"b": 2.0, "a": 1})
     assert digest(0.1) != digest(np.nextafter(0.1, 1))
     assert digest(np.array([1.0, 2.0])) == digest([1.0, 2.0])
+
+
+# --- files and the command line ---
+
+STUDY = """\
+linkwork_study: 1
+model: rod.yaml
+t_end: 0.05
+simulation: {step: 0.005}
+parameters:
+  rod.mass: [1.0, 2.0, -3.0]
+outputs: {force: "reaction('pin').force.max"}
+directory: kept
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    rod().save(tmp_path / "rod.yaml")
+    (tmp_path / "study.yaml").write_text(STUDY)
+    return tmp_path
+
+
+def test_command_runs_shards_and_gathers_them(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = str(folder / "study.yaml")
+    for k in range(2):
+        assert run(["sweep", file, "--shard", f"{k}/2", "--processes", "1"], False) == 0
+    assert "1 x body 'rod'" in capsys.readouterr().out
+    table = folder / "study.csv"
+    assert run(["sweep", file, "--gather", "--json", "--output", str(table)], False) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["finished"], found["failed"], found["skipped"]) == (2, 1, 0)
+    study = lw.sweep(rod(), {"rod.mass": [1.0, 2.0, -3.0]}, {"force": "reaction('pin').force.max"}, **FEW)
+    assert found["table"]["force"][:2] == study.outputs["force"][:2].tolist()
+    rows = [line.split(",") for line in table.read_text().splitlines()]
+    assert [float(row[rows[0].index("force")]) for row in rows[1:3]] == study.outputs["force"][:2].tolist()
+    assert set(keys_in(folder / "kept").values()) == {1}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("t_end: 0.05", "t_ent: 0.05", r"study.yaml:3: t_ent: is not known here; the nearest is 't_end'"),
+        ("t_end: 0.05", "t_end: soon", r"study.yaml:3: t_end: 'soon' is not a number"),
+        ("linkwork_study: 1", "linkwork_study: 2", r"study.yaml:1: linkwork_study: 2 is not 1"),
+        ("model: rod.yaml", "model: rot.yaml", r"rot.yaml"),
+        ("rod.mass: [1.0, 2.0, -3.0]", "rod.mass: {norn: {loc: 1}}", "no distribution 'norn'; .*'norm'"),
+        (
+            "rod.mass: [1.0, 2.0, -3.0]",
+            "rod.mass: {norm: {loc: 1}}\ncases: 4",
+            "'rod.mass': is a distribution: give a seed",
+        ),
+    ],
+)
+def test_a_wrong_file_is_refused_with_its_line(
+    old: str, new: str, message: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "study.yaml").write_text(STUDY.replace(old, new))
+    assert run(["sweep", str(folder / "study.yaml")], False) == 1
+    assert re.search(message, capsys.readouterr().err)
+
+
+def test_a_file_has_samplers_and_distributions(folder: Path) -> None:
+    from scipy import stats
+
+    text = STUDY.replace("[1.0, 2.0, -3.0]", "{uniform: {loc: 1.0, scale: 2.0}}") + "cases: 4\nseed: 3\n"
+    (folder / "study.yaml").write_text(text)
+    given = read_study(folder / "study.yaml")
+    study = lw.sweep(**given, processes=1)
+    direct = lw.sweep(rod(), {"rod.mass": stats.uniform(1.0, 2.0)}, {"force": "reaction('pin').force.max"},
+                      cases=4, seed=3, **FEW)  # fmt: skip
+    same(study, direct)
+    assert given["directory"] == folder / "kept"

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import os
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -13,9 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.arguments import check_new, optional_package
-from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
-from linkwork.errors import FileError, OptionError, cause
+from linkwork.errors import OptionError, unwritable
 from linkwork.results.result import Result
 from linkwork.studies.cases import Run, Runner
 from linkwork.studies.outputs import Output
@@ -29,9 +29,6 @@ __all__ = ["Study", "assembled"]
 
 #: Causes of failure that a summary lists.
 LISTED = 3
-
-#: Suffixes of files with a data set.
-DATA_SETS = (".nc", ".nc4", ".netcdf")
 
 
 @dataclass(frozen=True, repr=False)
@@ -48,7 +45,7 @@ class Study:
     seconds     (n,) wall time
     remarks     by case: warnings of the run
     units       of parameters and outputs that are known
-    times       (k,) [s] of outputs that are arrays over time, whose second axis they are; None: there are none
+    times       (k,) [s] of outputs that are arrays over time, whose second axis they are; None: of none
     manifest    what was run: hashes, versions, seed, machines
     """
 
@@ -122,15 +119,38 @@ class Study:
         OptionError: pandas is not installed.
         """
         package = optional_package("pandas", "pandas", "to_frame", instead="to_table needs nothing")
-        columns = {}
-        for name in (table := self.to_table()).dtype.names or ():
-            values = table[name]
-            for place in np.ndindex(values.shape[1:]):
-                columns[name + "".join(f"[{k}]" for k in place)] = values[(slice(None), *place)]
+        columns = dict(self._flat())
         frame: pandas.DataFrame = package.DataFrame(columns, index=package.RangeIndex(len(self), name="case"))
         frame["error"] = [self.errors.get(k, {}).get("message", "") for k in range(len(self))]
         frame.attrs.update(units=dict(self.units))
         return frame
+
+    def to_csv(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write the table of `to_frame` as text (.csv), a row a case, numbers to the last bit.
+
+        overwrite  whether it may replace a file
+
+        FileError: there is a file, it has another suffix, or cannot be written.
+        """
+        target = check_new(path, "table", overwrite)
+        columns = dict(self._flat())
+        columns["error"] = np.array([self.errors.get(k, {}).get("message", "") for k in range(len(self))])
+        try:
+            with open(target, "w", newline="", encoding="utf-8") as file:
+                writer = csv.writer(file, lineterminator="\n")
+                writer.writerow(["case", *columns])
+                writer.writerows(
+                    zip(range(len(self)), *(it.tolist() for it in columns.values()), strict=True)
+                )
+        except OSError as error:
+            raise unwritable("table", target, error) from error
+
+    def _flat(self) -> Iterator[tuple[str, NDArray[Any]]]:
+        """Columns (n,) of the table; of arrays one a number."""
+        for name in (table := self.to_table()).dtype.names or ():
+            values = table[name]
+            for place in np.ndindex(values.shape[1:]):
+                yield name + "".join(f"[{k}]" for k in place), values[(slice(None), *place)]
 
     def to_xarray(self) -> xarray.Dataset:
         """A data set of xarray over the dimension "case": parameters, status, verdict, ... as coordinates,
@@ -169,13 +189,12 @@ class Study:
         OptionError: xarray is not installed. FileError: there is a file, it has another suffix, or cannot be
         written.
         """
-        target = check_new(path_of(path, "data set"), "data set", overwrite)
+        target = check_new(path, "data set", overwrite)
         data = self.to_xarray()
         try:
             data.to_netcdf(target)
         except (OSError, ValueError) as error:
-            raise FileError(f"data set '{target}': cannot be written: {cause(error)}",
-                            code="not_writable") from error  # fmt: skip
+            raise unwritable("data set", target, error) from error
 
 
 # --- from runs ---

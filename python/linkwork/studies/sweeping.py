@@ -103,8 +103,8 @@ def sweep(
                 recorded, so that nothing between frames is missed; on_inaccurate is "pass": see Study.verdict
 
     A case gives the bits that `simulate` gives, whatever runs beside it. One that fails is kept as failed; a
-    process that dies takes no case with it but the one that ended it. Ctrl-C keeps in `directory` what is done
-    but for tasks of a few seconds under way.
+    process that dies takes no case with it but the one that ended it. Ctrl-C keeps in `directory` what is
+    done, but for tasks of a few seconds under way.
 
     OptionError, ModelError: a parameter or output that does not exist, a value of another shape, no cases, a
     sampler without seed, an option that cannot be: before the first case. FileError: `directory` belongs to
