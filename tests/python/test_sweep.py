@@ -8,6 +8,9 @@ import multiprocessing
 import os
 import re
 import signal
+import subprocess
+import sys
+import time
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -233,6 +236,26 @@ def test_an_interrupted_study_keeps_what_is_done(tmp_path: Path, monkeypatch: py
     assert set(keys_in(tmp_path).values()) == {1}
 
 
+def test_a_broken_executor_says_so_and_leaves_a_study_that_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    switch, where = tmp_path / "switch", tmp_path / "study"
+    switch.touch()
+    monkeypatch.setenv("DYING", str(switch))
+    masses = {"mass": [1.0, 2.0, 3.0, 4.0]}
+    with (
+        concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("fork")) as pool,
+        pytest.raises(lw.LinkworkError, match="executor: works no more.*run the study again") as caught,
+    ):
+        lw.sweep(dying, masses, "final", **RUN, directory=where, executor=pool)
+    assert caught.value.code == "executor"
+    done = keys_in(where)
+    switch.unlink()
+    assert (lw.sweep(dying, masses, "final", **FEW, directory=where).status == "finished").all()
+    assert done and not done - keys_in(where)
+    assert set(keys_in(where).values()) == {1} and len(keys_in(where)) == 4
+
+
 # --- what fails ---
 
 
@@ -306,6 +329,11 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"stepp": 1}, lw.OptionError, "'stepp'.*'step'"),
         ({"output": "a.h5"}, lw.OptionError, "Study.simulate"),
         ({"formulation": "none"}, lw.OptionError, "formulation"),
+        ({"integrator": "rk5"}, lw.OptionError, "'rk5'.*'rk"),
+        ({"on_inaccurate": "cry"}, lw.OptionError, "'cry'"),
+        ({"events": 3}, lw.LinkworkError, "vent"),
+        ({"outputs": {"rod.mass": "energy.max"}}, lw.OptionError, "'rod.mass': is the name of a parameter"),
+        ({"outputs": {"status": "energy.max"}}, lw.OptionError, "column that every study has"),
         ({"step": -1.0}, lw.OptionError, "step"),
         ({"shard": (1, 2)}, lw.OptionError, "directory"),
         ({"shard": (3, 2), "directory": "x"}, lw.OptionError, "shard"),
@@ -332,6 +360,9 @@ def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
         with pytest.raises(lw.FileError, match="holds a study with another"):
             lw.sweep(given.pop("model"), given.pop("parameters"), given.pop("outputs"), **given,
                      directory=tmp_path / "a")  # fmt: skip
+    (tmp_path / "c" / "cases").mkdir(parents=True)  # one who begins it now comes so far
+    (tmp_path / "c" / ".study.json.1f").touch()
+    lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "c")
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "diary.txt").touch()
     with pytest.raises(lw.FileError, match="something else than a study"):
@@ -387,6 +418,9 @@ def test_tables_for_other_tools_have_all_of_it(tmp_path: Path) -> None:
     assert data["force"].attrs["long_name"] == "largest magnitude over the recorded frames"
     assert data["rod.mass"].attrs["units"] == "kg" and "mass" in str(data["error"].values[1])
     study.save(tmp_path / "study.nc")
+    lw.sweep(rod(), GRID, ["reaction('pin').force.max", "final"], **FEW).save(tmp_path / "names.nc")
+    named = xarray.load_dataset(tmp_path / "names.nc")
+    assert named["reaction('pin').force.max"].attrs["units"] == "N" and "gravity[2]" in named.coords
     with pytest.raises(lw.FileError, match="already"):
         study.save(tmp_path / "study.nc")
     read = xarray.load_dataset(tmp_path / "study.nc")
@@ -476,6 +510,27 @@ def test_a_wrong_file_is_refused_with_its_line(
     (folder / "study.yaml").write_text(STUDY.replace(old, new))
     assert run(["sweep", str(folder / "study.yaml")], False) == 1
     assert re.search(message, capsys.readouterr().err)
+
+
+@pytest.mark.parametrize(("sign", "code"), [(signal.SIGINT, 130), (signal.SIGKILL, -signal.SIGKILL)])
+def test_a_command_that_is_ended_goes_on_where_it_was(folder: Path, sign: signal.Signals, code: int) -> None:
+    text = STUDY.replace("[1.0, 2.0, -3.0]", str([1.0 + k for k in range(40)])).replace("0.05", "2.0")
+    (folder / "study.yaml").write_text(text.replace("0.005", "0.0005"))
+    line = [sys.executable, "-c", "from linkwork.cli import main; main()", "sweep", "study.yaml",
+            "--processes", "2"]  # fmt: skip
+    process = subprocess.Popen(line, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60
+    while not any((folder / "kept" / "cases").glob("*.jsonl")) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    process.send_signal(sign)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == code, errors
+    assert sign == signal.SIGKILL or "has the cases so far" in errors
+    done = keys_in(folder / "kept")
+    assert 0 < len(done) < 40
+    assert subprocess.run(line, cwd=folder, capture_output=True, timeout=120).returncode == 0
+    whole = keys_in(folder / "kept")
+    assert len(whole) == 40 and set(whole.values()) == {1} and not done - whole
 
 
 def test_a_file_has_samplers_and_distributions(folder: Path) -> None:

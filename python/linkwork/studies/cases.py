@@ -157,8 +157,8 @@ def check_times(times: Any, t_end: float, options: Mapping[str, Any]) -> tuple[F
     good = wanted.ndim == 1 and len(wanted) and np.isfinite(wanted).all()
     if not good or (np.diff(wanted) <= 0).any() or wanted[0] < 0 or wanted[-1] > t_end:
         raise OptionError(f"times {times!r:.80} are not ascending, from 0 to {t_end:g} s", code="times")
-    if "rtol" in options or "atol" in options:
-        if "record_every" not in options:
+    if options.get("rtol") is not None or options.get("atol") is not None:
+        if options.get("record_every") is None:
             del made["record_every"]
         made["times"] = np.union1d(wanted, [0.0, t_end]).tolist()
         return wanted, made

@@ -9,7 +9,7 @@ from __future__ import annotations
 import concurrent.futures as futures
 import math
 import pickle
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from typing import Any
 
 from linkwork.comparison.workers import Lost, in_processes, processor_count
@@ -67,7 +67,7 @@ def workers_of(executor: Any, processes: int | None) -> int:
 def run_cases(
     runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
     beat: Callable[[], object] = lambda: None,
-) -> Iterator[Found]:  # fmt: skip
+) -> Generator[Found, None, None]:  # fmt: skip
     """(cases, what became of them) as they come.
 
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import uuid
 import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -107,7 +108,8 @@ class Store:
                 )
 
     def _refuse_strangers(self) -> None:
-        if self.directory.is_dir() and any(self.directory.iterdir()):
+        ours = re.compile(r"cases|(\.?study\.json.*)")  # of another who begins it at this moment
+        if self.directory.is_dir() and not all(ours.fullmatch(it.name) for it in self.directory.iterdir()):
             raise FileError(
                 f"directory '{self.directory}': holds something else than a study; give a new one",
                 code="other_study",

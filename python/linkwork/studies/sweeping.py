@@ -10,20 +10,24 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
+from contextlib import closing
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from linkwork import integrators
 from linkwork.arguments import whole
 from linkwork.comparison.workers import Lost
 from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
-from linkwork.options import TABLE, check_number, check_option
+from linkwork.options import TABLE, check_name, check_number, check_option
+from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
+from linkwork.running.events import compile_events
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import simulate
@@ -47,6 +51,9 @@ OTHERS = {
     "start": "give the model another initial state, model.with_initial_state(q, v)",
     "progress": "it is that of the study",
 }
+
+#: Columns of every study.
+OWN = ("case", "status", "verdict", "accuracy", "seconds", "error", "remarks", "time")
 
 #: Of how many cases one is looked for that has a model, on which outputs are checked.
 LOOKED_AT = 20
@@ -118,6 +125,7 @@ def sweep(
     source = source_of(model, drawn.columns)
     wanted_times, run_options = check_times(times, float(t_end), options)
     asked = wanted.outputs_of(outputs)
+    _check_names(drawn, asked)
     example = _example(model, source, drawn)
     _check_run(example, t_end, run_options)
     checked = [wanted.checked(it, _probe(example, run_options), wanted_times) for it in asked]
@@ -160,6 +168,18 @@ def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> No
         raise OptionError(f"{what} needs a directory, where the cases are kept", code="directory")
 
 
+def _check_names(cases: Cases, outputs: Sequence[wanted.Output]) -> None:
+    """OptionError: parameters and outputs that the table of a study could not tell apart."""
+    taken = dict.fromkeys(OWN, "a column that every study has")
+    for what, names in (("parameter", list(cases.columns)), ("output", [it.label for it in outputs])):
+        for name in names:
+            if name in taken:
+                raise OptionError(
+                    f"{what} '{name}': is the name of {taken[name]}: choose another", code="names"
+                )
+            taken[name] = f"a {what}"
+
+
 def _check_options(options: Mapping[str, Any]) -> None:
     """OptionError: none of `simulate`, or one that a study has in another way."""
     known = [*list(inspect.signature(simulate).parameters)[2:-1], *TABLE]
@@ -188,6 +208,10 @@ def _check_run(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
     step, rtol, atol, every, at = (
         options.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
     )
+    if isinstance(options.get("integrator"), str):
+        integrators.named(options["integrator"])
+    check_name("on_inaccurate", options["on_inaccurate"], option_names()["on_inaccurate"])
+    compile_events(options.get("events", ()), model)
     schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(model), 0.0)
     try:
         System(model, **{name: value for name, value in options.items() if name in TABLE})
@@ -294,18 +318,19 @@ def _carried_out(
         def beat() -> None:
             report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
 
-        for chunk, answer in run_cases(runner, todo, executor, processes, beat):
-            done += len(chunk)
-            if isinstance(answer, Lost):
-                lost.update({case.key: answer.reason for case in chunk})
-            else:
-                if store is not None:
-                    store.keep(answer)
-                known.update({run.key: run for run in answer.runs})
-                counts.update(run.status for run in answer.runs)
-                if answer.machine not in machines:
-                    machines.append(answer.machine)
-            beat()
+        with closing(run_cases(runner, todo, executor, processes, beat)) as found:
+            for chunk, answer in found:
+                done += len(chunk)
+                if isinstance(answer, Lost):
+                    lost.update({case.key: answer.reason for case in chunk})
+                else:
+                    if store is not None:
+                        store.keep(answer)
+                    known.update({run.key: run for run in answer.runs})
+                    counts.update(run.status for run in answer.runs)
+                    if answer.machine not in machines:
+                        machines.append(answer.machine)
+                beat()
     log.info("%s", _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
     return lost
 
