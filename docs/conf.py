@@ -56,6 +56,8 @@ autodoc_type_aliases = {  # told in words by reference/index.md
         "BodyLike",
         "Entry",
         "Floats",
+        "Number",
+        "VectorLike",
         "Frames",
         "Indices",
         "Named",
@@ -79,7 +81,7 @@ nitpick_ignore_regex = [
         r"py:.*",
         r"(Any|ArrayLike|Callable|Iterable|Iterator|Mapping|Sequence|NDArray|Path|Figure|Literal|Unpack)",
     ),
-    (r"py:.*", r"(Floats|Indices|NoReturn|Real|Sparse|optional)"),
+    (r"py:.*", r"(Floats|Indices|NoReturn|Number|Real|Sparse|VectorLike|optional)"),
     (
         r"py:.*",
         r"linkwork\.(_core|arrays|cli|plots|analyses\.equations|motion\.header|importers\.building|accuracy\.measures|comparison\.runs\.Curves)\b.*",

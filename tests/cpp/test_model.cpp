@@ -305,3 +305,15 @@ TEST_CASE("initial q and v hold r, p and r_dot, omega body by body") {
   CHECK((model.initial_v().segment<3>(6) - b.velocity).norm() == 0.0);
   CHECK((model.initial_v().segment<3>(3) - a.omega).norm() == 0.0);
 }
+
+TEST_CASE("principal moments that no real body has are taken where that is asked for, negative ones never") {
+  linkwork::Model model;
+  linkwork::Body body;
+  body.inertia.diagonal() << 1.0, 1.0, 3.0;
+  CHECK_THROWS_AS(model.add_body("a", body), linkwork::ModelError);
+  body.inertia_as_is = true;
+  CHECK(model.add_body("a", body) == 0);
+  CHECK(model.bodies()[0].inertia(2, 2) == 3.0);
+  body.inertia(0, 0) = -1.0;
+  CHECK_THROWS_AS(model.add_body("b", body), linkwork::ModelError);
+}

@@ -1,7 +1,7 @@
 """One allocation that fails, anywhere in a call: MemoryError, or the right numbers.
 
-Of those of LEAST bytes: where smaller ones fail, numpy and pybind11 lose the error or end the process. Files of
-models are not tried: pydantic ends the process where it has no memory.
+Of those of LEAST bytes: where smaller ones fail, numpy and pybind11 lose the error or end the process.
+Files of models are not tried: pydantic ends the process where it has no memory.
 
 Runs by itself in a process with failing_malloc.c preloaded: `allocations.py SEED COUNT`; prints what failed.
 """

@@ -1,4 +1,4 @@
-"""What is done to a process and its machine: signals, full disks, no memory, threads, forks, functions that misbehave.
+"""What is done to a process: signals, full disks, no memory, threads, forks, functions that misbehave.
 
 Each is a part of `run.py`: it returns how many trials it was.
 """
@@ -50,7 +50,7 @@ def check_file(path: Path, model: lw.Model, **choices: Any) -> lw.Result:
     return found
 
 
-# --- ends from outside ---------------------------------------------------------------------------------------
+# --- ends from outside ------------------------------------------------------------------------------------
 
 
 def kill(rng: random.Random, folder: Path) -> int:
@@ -83,7 +83,7 @@ def end(rng: random.Random, folder: Path) -> int:
         time.sleep(0.001)
     time.sleep(rng.uniform(0.01, 0.3))
     os.kill(pid, rng.choice([signal.SIGTERM, signal.SIGINT]))
-    patience = threading.Timer(5.0, os.kill, (pid, signal.SIGKILL))
+    patience = threading.Timer(60.0, os.kill, (pid, signal.SIGKILL))
     patience.start()
     code = ended(pid)
     patience.cancel()
@@ -94,7 +94,7 @@ def end(rng: random.Random, folder: Path) -> int:
     return 1
 
 
-# --- disks and files -----------------------------------------------------------------------------------------
+# --- disks and files --------------------------------------------------------------------------------------
 
 
 @contextmanager
@@ -104,7 +104,9 @@ def small_disk(folder: Path, size: int) -> Iterator[Path | None]:
     place = folder / "disk"
     place.mkdir()
     options = ["-t", "tmpfs", "-o", f"size={size}", "none", str(place)]
-    made = mount and os.geteuid() == 0 and subprocess.run([mount, *options], capture_output=True).returncode == 0
+    made = (
+        mount and os.geteuid() == 0 and subprocess.run([mount, *options], capture_output=True).returncode == 0
+    )
     try:
         yield place if made else None
     finally:
@@ -113,7 +115,7 @@ def small_disk(folder: Path, size: int) -> Iterator[Path | None]:
 
 
 def disk(rng: random.Random, folder: Path) -> int:
-    """A disk that is full, or a file that may not grow, at any byte: a FileError, and what was written is whole."""
+    """A disk that is full, or a file that may not grow, at any byte: a FileError, and whole frames."""
     model, size = small(rng), int(10 ** rng.uniform(2, 6.5))
 
     def run(path: Path) -> None:
@@ -160,9 +162,7 @@ def zeros(rng: random.Random, folder: Path) -> int:
     path, cut = folder / "whole.h5", folder / "cut.h5"
     quiet(small(rng), 0.05, 1e-3, output=path, record_every=1)
     whole, q = path.read_bytes(), lw.Result.load(path).q
-    marks = [
-        k for mark in (b"GCOL", b"HEAP", b"TREE", b"SNOD", b"\x89HDF") for k in occurrences(whole, mark)
-    ]
+    marks = [k for mark in (b"GCOL", b"HEAP", b"TREE", b"SNOD", b"\x89HDF") for k in occurrences(whole, mark)]
 
     def read() -> None:
         try:
@@ -178,7 +178,12 @@ def zeros(rng: random.Random, folder: Path) -> int:
         at = max(0, min(len(content) - size, rng.choice(marks) + 8 * rng.randrange(-40, 400)))
         other = rng.choice(marks)
         content[at : at + size] = rng.choice(
-            [bytes(size), b"\xff" * size, rng.randbytes(size), bytes(whole[other : other + size].ljust(size, b"\0"))]
+            [
+                bytes(size),
+                b"\xff" * size,
+                rng.randbytes(size),
+                bytes(whole[other : other + size].ljust(size, b"\0")),
+            ]
         )
         cut.write_bytes(content)
         try:
@@ -214,7 +219,7 @@ def structure(rng: random.Random, folder: Path) -> int:
     return 40
 
 
-# --- memory --------------------------------------------------------------------------------------------------
+# --- memory -----------------------------------------------------------------------------------------------
 
 
 def allocation(rng: random.Random, folder: Path) -> int:
@@ -276,7 +281,7 @@ def cycles(rng: random.Random, folder: Path) -> int:
     return 200
 
 
-# --- threads and forks ---------------------------------------------------------------------------------------
+# --- threads and forks ------------------------------------------------------------------------------------
 
 
 def threads(rng: random.Random, folder: Path) -> int:
@@ -329,7 +334,7 @@ def fork(rng: random.Random, folder: Path) -> int:
     return 3
 
 
-# --- functions and numbers -----------------------------------------------------------------------------------
+# --- functions and numbers --------------------------------------------------------------------------------
 
 
 class Own(Exception):
@@ -345,7 +350,8 @@ def misbehaving(rng: random.Random, system: list[lw.System]) -> Callable[..., An
 
     bad = rng.choice([
         lambda: raises(Own("own")), lambda: raises(StopIteration()), lambda: raises(RecursionError()),
-        lambda: raises(lw.LinkworkError("mine")), lambda: raises(GeneratorExit()), lambda: raises(MemoryError()),
+        lambda: raises(lw.LinkworkError("mine")), lambda: raises(GeneratorExit()),
+        lambda: raises(MemoryError()),
         lambda: math.nan, lambda: math.inf, lambda: -math.inf, lambda: 1e300, lambda: "x", lambda: None,
         lambda: [1.0, 2.0], lambda: 1j, lambda: np.zeros(3), lambda: 10**400,
         lambda: system[0].derivative(0.0, system[0].initial_state()) if system else math.nan,
@@ -356,6 +362,10 @@ def misbehaving(rng: random.Random, system: list[lw.System]) -> Callable[..., An
         return 0.1 if calls[0] < last else bad()
 
     return function
+
+
+def own_integrator(own: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda system, t, y, h: y + h * system.derivative(t, y) * float(own())
 
 
 def callbacks(rng: random.Random, folder: Path) -> int:
@@ -376,7 +386,7 @@ def callbacks(rng: random.Random, folder: Path) -> int:
             if place == "event":
                 choices |= {"events": [lw.Event(own)], "rtol": 1e-6}
             if place == "integrator":
-                choices["integrator"] = lambda s, t, y, h: y + h * s.derivative(t, y) * float(own())
+                choices["integrator"] = own_integrator(own)
             if place == "progress":
                 choices["progress"] = own
             system.append(lw.System(model))

@@ -17,38 +17,45 @@ from linkwork import mechanisms
 
 #: What no one means, in place of what somebody did.
 VALUES: tuple[Any, ...] = (
-    None, True, 0, -1, 1e308, -1e-320, 10**40, 2**63, "", "x", "ground", "1 0 0", "nan", "inf", "0 0 0", [], {}, [[]],
-    [0, 0, 0], [1, 1], "\u202e", "a" * 2000, "../x", "file:///dev/zero", float("nan"), float("inf"),
+    None, True, 0, -1, 1e308, -1e-320, 10**40, 2**63, "", "x", "ground", "1 0 0", "nan", "inf", "0 0 0", [],
+    {}, [[]], [0, 0, 0], [1, 1], "\u202e", "a" * 2000, "../x", "file:///dev/zero", float("nan"), float("inf"),
 )  # fmt: skip
 
-URDF = """<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0"
-izz="1"/></inertial><visual><geometry><box size="1 1 1"/></geometry></visual></link><link name="arm"><inertial>
-<origin xyz="0.5 0 0" rpy="0 0.1 0"/><mass value="2"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".2" iyz="0" izz=".2"/>
-</inertial></link><link name="tip"><inertial><mass value=".1"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".1" iyz="0"
-izz=".1"/></inertial></link><joint name="a" type="revolute"><parent link="base"/><child link="arm"/><origin
-xyz="0 0 1" rpy="0 0 0"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/><dynamics
-damping=".1" friction="0"/></joint><joint name="b" type="prismatic"><parent link="arm"/><child link="tip"/><axis
-xyz="1 0 0"/><limit effort="1" velocity="1"/><mimic joint="a" multiplier="2"/></joint></robot>"""
+URDF = """<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0"
+iyy="1" iyz="0" izz="1"/></inertial><visual><geometry><box size="1 1
+1"/></geometry></visual></link><link name="arm"><inertial> <origin xyz="0.5 0 0" rpy="0 0.1 0"/><mass
+value="2"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".2" iyz="0" izz=".2"/> </inertial></link><link
+name="tip"><inertial><mass value=".1"/><inertia ixx=".1" ixy="0" ixz="0" iyy=".1" iyz="0"
+izz=".1"/></inertial></link><joint name="a" type="revolute"><parent link="base"/><child
+link="arm"/><origin xyz="0 0 1" rpy="0 0 0"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="1"
+velocity="1"/><dynamics damping=".1" friction="0"/></joint><joint name="b" type="prismatic"><parent
+link="arm"/><child link="tip"/><axis xyz="1 0 0"/><limit effort="1" velocity="1"/><mimic joint="a"
+multiplier="2"/></joint></robot>"""
 
-SDF = """<sdf version="1.9"><world name="w"><gravity>0 0 -9.8</gravity><model name="m"><link name="a"><pose>0 0 1 0 0 0
+SDF = """<sdf version="1.9"><world name="w"><gravity>0 0 -9.8</gravity><model name="m"><link
+name="a"><pose>0 0 1 0 0 0
 </pose><inertial><mass>1</mass><inertia><ixx>.1</ixx><iyy>.1</iyy><izz>.1</izz></inertia></inertial></link>
-<link name="b"><pose relative_to="a">1 0 0 0 0.1 0</pose><inertial><mass>1</mass></inertial></link><frame name="f"
-attached_to="b"><pose>0 0 1 0 0 0</pose></frame><joint name="j" type="revolute"><parent>a</parent><child>b</child>
-<axis><xyz expressed_in="f">0 1 0</xyz><dynamics><damping>.1</damping></dynamics></axis></joint><joint name="k"
+<link name="b"><pose relative_to="a">1 0 0 0 0.1
+0</pose><inertial><mass>1</mass></inertial></link><frame name="f" attached_to="b"><pose>0 0 1 0 0
+0</pose></frame><joint name="j" type="revolute"><parent>a</parent><child>b</child> <axis><xyz
+expressed_in="f">0 1 0</xyz><dynamics><damping>.1</damping></dynamics></axis></joint><joint name="k"
 type="fixed"><parent>world</parent><child>a</child></joint></model></world></sdf>"""
 
-MJCF = """<mujoco><compiler angle="radian"/><option gravity="0 0 -9.8"/><default><geom density="500"/><default class="d">
-<joint damping=".1"/></default></default><worldbody><body name="a" pos="0 0 1"><joint name="j" type="hinge"
-axis="0 1 0"/><geom name="g" type="capsule" fromto="0 0 0 1 0 0" size=".05"/><body name="b" pos="1 0 0"
-childclass="d"><joint name="k" type="slide" axis="1 0 0" stiffness="10"/><inertial pos="0 0 0" mass="1"
-diaginertia=".1 .1 .1"/><site name="s" pos="0 0 .1"/></body></body></worldbody><equality><connect body1="b"
-anchor="0 0 0"/></equality><tendon><fixed name="t"><joint joint="j" coef="1"/></fixed></tendon></mujoco>"""
+MJCF = """<mujoco><compiler angle="radian"/><option gravity="0 0 -9.8"/><default><geom
+density="500"/><default class="d"> <joint damping=".1"/></default></default><worldbody><body name="a"
+pos="0 0 1"><joint name="j" type="hinge" axis="0 1 0"/><geom name="g" type="capsule" fromto="0 0 0 1 0
+0" size=".05"/><body name="b" pos="1 0 0" childclass="d"><joint name="k" type="slide" axis="1 0 0"
+stiffness="10"/><inertial pos="0 0 0" mass="1" diaginertia=".1 .1 .1"/><site name="s" pos="0 0
+.1"/></body></body></worldbody><equality><connect body1="b" anchor="0 0 0"/></equality><tendon><fixed
+name="t"><joint joint="j" coef="1"/></fixed></tendon></mujoco>"""
 
 TEXTS = {".urdf": URDF, ".sdf": SDF, ".xml": MJCF}
 
 
 def importer(path: Path) -> lw.Model:
-    read: Callable[..., Any] = {".urdf": lw.import_urdf, ".sdf": lw.import_sdf, ".xml": lw.import_mjcf}[path.suffix]
+    read: Callable[..., Any] = {".urdf": lw.import_urdf, ".sdf": lw.import_sdf, ".xml": lw.import_mjcf}[
+        path.suffix
+    ]
     return read(path).model  # type: ignore[no-any-return]
 
 
@@ -59,7 +66,7 @@ def model_text(rng: random.Random, folder: Path, suffix: str) -> str:
     return path.read_text()
 
 
-# --- trees ---------------------------------------------------------------------------------------------------
+# --- trees ------------------------------------------------------------------------------------------------
 
 
 def places(tree: Any) -> list[tuple[Any, Any]]:
@@ -125,14 +132,29 @@ def mutate_bytes(rng: random.Random, content: bytearray) -> None:
             del content[place : place + rng.randrange(1, 40)]
         elif action == 2:
             content[place:place] = rng.choice(
-                [b"[", b"{", b"]", b": ", b"\n", b"1e999", b'"', b"\0", b"- ", b"<", b"/>", b"&a;", b"<!--", b"]]>"]
+                [
+                    b"[",
+                    b"{",
+                    b"]",
+                    b": ",
+                    b"\n",
+                    b"1e999",
+                    b'"',
+                    b"\0",
+                    b"- ",
+                    b"<",
+                    b"/>",
+                    b"&a;",
+                    b"<!--",
+                    b"]]>",
+                ]
             )
         else:
             piece = content[place : place + rng.randrange(1, 200)]
             content[place:place] = piece * rng.choice([1, 2, 50])
 
 
-# --- what is done with them ----------------------------------------------------------------------------------
+# --- what is done with them -------------------------------------------------------------------------------
 
 
 def mutated(rng: random.Random, folder: Path) -> Path:
@@ -156,7 +178,7 @@ def mutated(rng: random.Random, folder: Path) -> Path:
 
 
 def read_and_run(path: Path) -> None:
-    """Is read, or refused in words; what is read is computed, or refused in words, and never anything else."""
+    """Is read, or refused in words; what is read is computed, or refused in words, and nothing else."""
     try:
         model = lw.Model.load(path) if path.suffix in (".yaml", ".json") else importer(path)
     except lw.FileError as error:

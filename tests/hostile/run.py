@@ -84,10 +84,10 @@ def interrupt(rng: random.Random, folder: Path) -> None:
     time.sleep(rng.uniform(1.0, 3.0))
     process.send_signal(number)
     try:
-        process.wait(5.0)
+        process.wait(60.0)
     except subprocess.TimeoutExpired:
         process.kill()
-        raise Failure(f"signal {number} was not honored in 5 s") from None
+        raise Failure(f"signal {number} was not honored in a minute") from None
     if not path.exists():
         return
     found = lw.Result.load(path)
@@ -203,8 +203,9 @@ def value(rng: random.Random, folder: Path) -> None:
 
 OWN = (resume, interrupt, damage, model_file, value)
 OTHERS = (
-    attacks.kill, attacks.end, attacks.disk, attacks.writers, attacks.zeros, attacks.structure, attacks.allocation,
-    attacks.memory_limit, attacks.cycles, attacks.threads, attacks.fork, attacks.callbacks, attacks.not_a_number,
+    attacks.kill, attacks.end, attacks.disk, attacks.writers, attacks.zeros, attacks.structure,
+    attacks.allocation, attacks.memory_limit, attacks.cycles, attacks.threads, attacks.fork,
+    attacks.callbacks, attacks.not_a_number,
 )  # fmt: skip
 PARTS: dict[str, Part] = {part.__name__: part for part in (*OWN, *OTHERS)}
 

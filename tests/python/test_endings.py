@@ -1,4 +1,4 @@
-"""Runs that are ended from outside, and outputs that cannot be: one line, whole files, and no other's harmed."""
+"""Runs that are ended from outside, and outputs that cannot be: one line, and whole files."""
 
 from __future__ import annotations
 
@@ -66,7 +66,18 @@ def test_termination_ends_a_run_also_where_it_is_set_up(tmp_path: Path, seconds:
 
 
 def test_termination_of_a_command_is_a_line_and_its_exit_code(tmp_path: Path) -> None:
-    command = [sys.executable, "-c", "from linkwork.cli import main; main()", "run", "four_bar", "--t-end", "1e4", "--step", "1e-4", "--json"]
+    command = [
+        sys.executable,
+        "-c",
+        "from linkwork.cli import main; main()",
+        "run",
+        "four_bar",
+        "--t-end",
+        "1e4",
+        "--step",
+        "1e-4",
+        "--json",
+    ]
     output = tmp_path / "run.h5"
     process = subprocess.Popen([*command, "--output", output], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     while not output.exists():
@@ -83,11 +94,15 @@ HEAP = b"GCOL\x01\x00\x00\x00"
 
 
 @pytest.mark.parametrize("content", [b"\0", b"\xff"])
-def test_texts_of_a_result_that_are_lost_do_not_hold_up_whoever_reads_it(tmp_path: Path, content: bytes) -> None:
+def test_texts_of_a_result_that_are_lost_do_not_hold_up_whoever_reads_it(
+    tmp_path: Path, content: bytes
+) -> None:
     path = tmp_path / "run.h5"
     lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, progress=False).save(path)
     whole = path.read_bytes()
-    read = "import sys, linkwork as lw\ntry: lw.Result.load(sys.argv[1])\nexcept lw.FileError as e: print(e.code)"
+    read = """import sys, linkwork as lw
+try: lw.Result.load(sys.argv[1])
+except lw.FileError as e: print(e.code)"""
     for heap in re.finditer(re.escape(HEAP), whole):
         size = int.from_bytes(whole[heap.end() : heap.end() + 8], "little")
         start, end = heap.start() + 48, heap.start() + size

@@ -51,7 +51,9 @@ def test_a_file_takes_no_more_than_forty_times_its_size(name: str, tmp_path: Pat
 
 
 def link(name: str) -> str:
-    return f"<link name='{name}'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial></link>"
+    return (
+        f"<link name='{name}'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial></link>"
+    )
 
 
 def chain(count: int, kind: str) -> str:

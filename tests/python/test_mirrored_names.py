@@ -23,6 +23,7 @@ PARTS = {
     **{f"formulation/{name}": "formulation" for name in FORMULATIONS},
     "math/instruction_set": "batch",
     "assembly/system_algebra": "system",
+    "linear/blas_buffer": "linear_solver",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",

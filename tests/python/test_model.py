@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import copy
+import inspect
 import pickle
 from collections.abc import Callable
+from pathlib import Path
 
 import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core, mechanisms
+from linkwork.modeling.elements import KINDS
 from linkwork.running.checks import joint_residuals
 
 NAN = float("nan")
@@ -449,3 +452,30 @@ def test_where_one_of_many_names_is_refused_nothing_is_added(names: list[str], m
             "revolute", "ground", ["c", "d"], at=(0, 0, 0), axis=[(0, 0, 1), (0, 0, 0)], name=["a", "b"]
         )
     assert _named(model)[1] == []
+
+
+#: With methods of their own, beside the stubs.
+SPECIAL = {"coupler", "point_on_curve", "spring_damper", "rotational_spring_damper", "bushing"}
+
+ELEMENTS = [name for name in dir(lw.Model) if name in {*KINDS["joint"], *KINDS["force"]}]
+
+
+@pytest.mark.parametrize("name", ELEMENTS)
+def test_each_joint_and_force_element_has_an_example_that_runs(name: str) -> None:
+    """In the text that an editor shows over its name, which is whole in the stubs."""
+    text = inspect.getdoc(getattr(lw.Model, name))
+    stub = (Path(lw.__file__).parent / "modeling/methods.pyi").read_text()
+    assert text is not None
+    lines = [line[4:] for line in text.splitlines() if line.startswith("    ")]
+    example = [line for line in lines if line.split(" = ")[-1].startswith("model.")]
+    if name in KINDS["joint"]:
+        assert any(line.startswith(f"model.{name}(") for line in example)
+    model = lw.Model()
+    for pin in ("motor pin", "wheel pin"):
+        wheel = model.body(mass=1, inertia=(1, 1, 1))
+        model.revolute("ground", wheel, at=(0, 0, 0), axis=(0, 1, 0), name=pin)
+    before = model.joint_count + model.force_count
+    exec("\n".join(example), {"model": model})
+    if example:
+        assert model.joint_count + model.force_count == before + 1
+        assert name in SPECIAL or all(line in stub for line in example)

@@ -22,10 +22,11 @@ def shown(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]
     folder = str(tmp_path_factory.mktemp("notebook"))
     nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": folder}}).execute()
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    assert [output.output_type for cell in cells for output in cell.outputs] == ["execute_result"] * len(
-        cells
-    )
-    return {cell.source.splitlines()[-1]: cell.outputs[0].data for cell in cells}
+    shown = {}
+    for cell in cells:
+        (result,) = (output for output in cell.outputs if output.output_type == "execute_result")
+        shown[cell.source.splitlines()[-1]] = result.data
+    return shown
 
 
 def table_of(data: dict[str, Any]) -> str:

@@ -163,3 +163,33 @@ def test_no_text_is_made_where_nothing_is_shown(monkeypatch: pytest.MonkeyPatch)
         for step in range(100):
             report(0.0, step)
     assert made == []
+
+
+def test_the_line_fits_80_columns() -> None:
+    """Its last parts go first; what is longer still is cut."""
+    info = ProgressInfo(12.345678, 1000.0, 123_456, 9_999_999, 3661.0, 1.23456e-5, 3e-12)
+    whole = describe(info)
+    assert len(whole) > 60
+    for width in (100, 80, 60, 40, 20, 5):
+        line = progress.fitting(whole, width)
+        assert len(line) <= width
+        assert whole.startswith(line.rstrip("…"))
+    assert "left" in progress.fitting(whole, 80 - progress.BAR - 7)
+
+
+def test_a_terminal_of_80_columns_has_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    import io
+
+    from rich.console import Console
+
+    monkeypatch.setenv("COLUMNS", "80")
+    screen = io.StringIO()
+    console = Console(file=screen, force_terminal=True, width=80, color_system=None)
+    monkeypatch.setattr("rich.console.Console", lambda **_: console)
+    terminal = progress._Terminal()
+    info = ProgressInfo(12.345678, 1000.0, 123_456, 9_999_999, 3661.0, 1.23456e-5, 3e-12)
+    terminal.show(0.5, describe(info))
+    terminal.close()
+    lines = [re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", line) for line in re.split(r"[\r\n]", screen.getvalue())]
+    said = [line for line in lines if "t = 12.35" in line]
+    assert said and all(len(line.rstrip()) <= 80 and "left" in line for line in said)

@@ -254,3 +254,17 @@ def test_picture_that_cannot_be_written_is_a_file_error(tmp_path: Path) -> None:
         make_result().plot(tmp_path / "nowhere" / "run.png")
     with pytest.raises(FileError, match=r"run.xyz': no format 'xyz'; choose from "):
         make_result().plot(tmp_path / "run.xyz")
+
+
+def test_a_reaction_is_about_the_joints_point_on_the_second_body() -> None:
+    """A block slides; its weight acts in its center: tau = -(P - r) x F, with P 0.3 m ahead of r, always."""
+    model = lw.Model()
+    block = model.body("block", mass=2.0, inertia=(1, 1, 1), velocity=(1, 0, 0))
+    model.translational("ground", block, at=(0.3, 0, 0), axis=(1, 0, 0), name="guide")
+    result = lw.simulate(model, t_end=1.0, step=1e-2)
+    reaction, points = result.reaction("guide"), result.joint_points("guide")
+    assert points[:, 1, 0] - points[:, 0, 0] == pytest.approx(result.t)  # they are apart
+    arm = points[:, 1] - result.body("block").position
+    assert reaction.force == pytest.approx(np.tile([0, 0, 2 * 9.81], (len(result), 1)))
+    assert reaction.torque == pytest.approx(-np.cross(arm, reaction.force))
+    assert reaction.torque[-1] == pytest.approx([0, 0.3 * 2 * 9.81, 0])

@@ -182,7 +182,7 @@ def test_report_says_what_the_model_is(four_bar: lw.Result) -> None:
     assert cells(page, "beam 0")[0] == "1"
     assert cells(page, "left 0")[1:3] == ["post 0 - beam 0", "5"]
     assert "not unique" in cells(page, "left 0")[-1]
-    assert page.count("<img ") == 6
+    assert page.count("<img ") == 5  # fixed steps have no picture of their size
     assert json.loads(
         re.search(r"<pre>(.*?)</pre>", page, re.DOTALL)[1].replace("&quot;", '"')
     ) == json.loads(json.dumps(four_bar.manifest))
@@ -247,6 +247,14 @@ def test_impossible_pictures_are_refused(
     monkeypatch.chdir(tmp_path)
     with pytest.raises(error, match=message):
         plot(four_bar)
+
+
+def test_a_report_of_fixed_steps_has_no_picture_of_their_size() -> None:
+    model = lw.mechanisms.pendulum()
+    pages = [
+        lw.simulate(model, t_end=0.5, **choice).report().html for choice in ({"step": 1e-3}, {"rtol": 1e-6})
+    ]
+    assert ["Step size" in page for page in pages] == [False, True]
 
 
 # --- movies ---

@@ -16,11 +16,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Column:
-    """Of the table; on a narrow terminal the least important ones are left out, those of rank 0 never."""
+    """Of the table."""
 
     heading: str
     said: Callable[[Outcome, Mapping[str, Any]], str]
-    rank: int = 0
     text: bool = False
 
 
@@ -36,24 +35,26 @@ def _order(error: str) -> Callable[[Outcome, Mapping[str, Any]], str]:
 
 COLUMNS: tuple[Column, ...] = (
     Column("method", lambda outcome, row: outcome.label, text=True),
-    Column("order,\nh -> 0", _figure("asymptotic_order", "{:.1f}"), 1),
+    Column("order,\nh -> 0", _figure("asymptotic_order", "{:.1f}")),
     Column("step [s]\nor rtol", lambda outcome, row: _size(outcome)),
     Column("pose\nerror", _figure("pose_error", "{:.1e}")),
-    Column("\norder", _order("pose_error"), 5),
-    Column("velocity\nerror", _figure("velocity_error", "{:.1e}"), 3),
-    Column("\norder", _order("velocity_error"), 9),
-    Column("reaction\nerror", _figure("reaction_error", "{:.1e}"), 2),
-    Column("violation\nposition", _figure("position_violation", "{:.0e}"), 4),
-    Column("of\nvelocity", _figure("velocity_violation", "{:.0e}"), 7),
-    Column("constraints\nacceleration", _figure("acceleration_violation", "{:.0e}"), 8),
-    Column("energy\nerror [J]", _figure("energy_error", "{:.1e}"), 6),
-    Column("evalua-\ntions", _figure("evaluations", "{:,}"), 10),
+    Column("\norder", _order("pose_error")),
+    Column("velocity\nerror", _figure("velocity_error", "{:.1e}")),
+    Column("\norder", _order("velocity_error")),
+    Column("reaction\nerror", _figure("reaction_error", "{:.1e}")),
+    Column("violation\nposition", _figure("position_violation", "{:.0e}")),
+    Column("of\nvelocity", _figure("velocity_violation", "{:.0e}")),
+    Column("constraints\nacceleration", _figure("acceleration_violation", "{:.0e}")),
+    Column("energy\nerror [J]", _figure("energy_error", "{:.1e}")),
+    Column("evalua-\ntions", _figure("evaluations", "{:,}")),
     Column("time\n[s]", _figure("seconds", "{:.2g}")),
-    Column("status", lambda outcome, row: outcome.verdict, 1, text=True),
+    Column("status", lambda outcome, row: outcome.verdict, text=True),
 )
 
+METHOD, ORDER, SIZE, *_ = COLUMNS
+
 #: Said once for all cells of a method.
-ONCE = COLUMNS[:2]
+ONCE = (METHOD, ORDER)
 
 
 def cells(comparison: Comparison, columns: Sequence[Column] = COLUMNS) -> list[tuple[str, ...]]:
@@ -147,13 +148,38 @@ def whole(comparison: Comparison) -> str:
 
 
 def table(comparison: Comparison, width: int | None = None) -> str:
-    """The table alone, with as many columns as fit into `width` characters; None: all."""
-    columns = list(COLUMNS)
-    found = _rendered(comparison, columns)
-    while width is not None and max(map(len, found.splitlines())) > width and any(it.rank for it in columns):
-        columns.remove(max(columns, key=lambda it: it.rank))
-        found = _rendered(comparison, columns)
-    return found
+    """The table alone. Where it is wider than `width` characters, several tables, one below the other.
+
+    Each has the steps and some of the other columns, and methods in lines of their own.
+    """
+    found = _rendered(comparison, COLUMNS)
+    if width is None or _width(found) <= width:
+        return found
+    parts: list[str] = []
+    rest = [it for it in COLUMNS if it not in (METHOD, SIZE)]
+    while rest:
+        count = len(rest)
+        while _width(_rendered(comparison, [SIZE, *rest[:count]])) > width and count > 1:
+            count -= 1
+        parts.append(_by_method(comparison, _rendered(comparison, [SIZE, *rest[:count]])))
+        rest = rest[count:]
+    return "\n\n".join(parts)
+
+
+def _width(text: str) -> int:
+    return max(map(len, text.splitlines()))
+
+
+def _by_method(comparison: Comparison, text: str) -> str:
+    """With the name of each method before its cells."""
+    lines = text.splitlines()
+    head = len(lines) - len(comparison.outcomes)
+    out, shown = lines[:head], ""
+    for outcome, line in zip(comparison.outcomes, lines[head:], strict=True):
+        out += [outcome.label] if outcome.method != shown else []
+        out.append(line)
+        shown = outcome.method
+    return "\n".join(out)
 
 
 def _rendered(comparison: Comparison, columns: Sequence[Column]) -> str:

@@ -161,6 +161,7 @@ def _collect(
 # --- rigid groups -------------------------------------------------------------------------------------------
 
 
+# Long: what merges two groups closes over the same three tables.
 def _grouped(
     description: Description, states: Mapping[str, LinkState], merge_fixed: bool
 ) -> dict[str, _Group]:

@@ -6,7 +6,6 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
-from itertools import dropwhile
 from typing import TypeVar, Unpack
 
 import numpy as np
@@ -277,7 +276,8 @@ def _in_rings(parent_of: Mapping[str, str]) -> set[str]:
             way[link] = None
             link = parent_of[link]
         if link in way:
-            rings.update(dropwhile(lambda it, first=link: it != first, way))
+            passed_in_order = list(way)
+            rings.update(passed_in_order[passed_in_order.index(link) :])
     return rings
 
 

@@ -59,6 +59,22 @@ _PLACES: dict[str, dict[str, str]] = {
     },
 }
 
+#: Where the examples put an element between the ground and a body whose center is at (1, 0, 0).
+_EXAMPLES = {
+    "point": {"at": "(0, 0, 0)"},
+    "axis": {"at": "(0, 0, 0)", "axis": "(0, 1, 0)"},
+    "two_axes": {"at": "(0, 0, 0)", "axes": "((0, 1, 0), (0, 0, 1))"},
+    "two_points": {"at": "((0, 0, 0), (1, 0, 0))"},
+    "frame": {"at": "(0, 0, 0)"},
+    "direction": {"axis": "(0, 1, 0)"},
+    "two_directions": {"axes": "((0, 1, 0), (0, 0, 1))"},
+    "orientation": {},
+    "shafts": {"at": "(0, 0, 0)", "axes": "((1, 0, 0), (1, 0.1, 0))"},
+    "centers": {"at": "((0, 0, 0), (1, 0, 0))", "axis": "(0, 1, 0)"},
+    "plane": {"at": "((0, 0, -0.1), (1, 0, 0))", "normal": "(0, 0, 1)"},
+    "disc": {"at": "((0, 0, -0.1), (1, 0, 0))", "axes": "((0, 0, 1), (0, 1, 0))"},
+}
+
 #: What all methods share.
 _COMMON = {
     "frames": '"space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b',
@@ -128,11 +144,23 @@ def _returned(kind: _core.KindInfo) -> str:
     return "Joint" if kind.rows else "Force"
 
 
+def _example(kind: _core.KindInfo) -> str:
+    """Two lines that add one."""
+    values = dict(_EXAMPLES[kind.placement])
+    for name, parameter in kind.parameters.items():
+        if parameter.usual is None and not parameter.initial_distance:
+            law = "lambda x: 10.0 * x" if parameter.takes == "characteristic" else f"{parameter.example:g}"
+            values[name] = law
+    given = "".join(f", {name}={value}" for name, value in values.items())
+    body = 'body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))'
+    return f'    {body}\n    model.{kind.name}("ground", body{given})'
+
+
 def _documentation(kind: _core.KindInfo) -> str:
     breaks = {"breaks": _BREAKS} if _of_time(kind) else {}
     meanings = {name: meaning for name, _, meaning in _arguments(kind)} | breaks | _COMMON
     arguments = "\n".join(f"{name:<{max(map(len, meanings))}}  {text}" for name, text in meanings.items())
-    parts = [kind.documentation, arguments, _ERRORS]
+    parts = [kind.documentation, _example(kind), arguments, _ERRORS]
     if kind.rows:
         equations = f"{kind.rows} equation{'s' if kind.rows > 1 else ''}: {', '.join(kind.equations)}."
         if kind.velocity_rows:

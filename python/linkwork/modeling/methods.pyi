@@ -23,6 +23,9 @@ class JointMethods:
 
         3 equations: translation x, translation y, translation z.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.spherical("ground", body, at=(0, 0, 0))
+
         at      its point (3,) [m]
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
         name    without it the kind and a number
@@ -44,6 +47,9 @@ class JointMethods:
         """Hinge: bodies a and b share a point and an axis; rotation about the axis is free.
 
         5 equations: translation x, translation y, translation z, rotation about joint y, rotation about joint x.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.revolute("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
 
         at      its point (3,) [m]
         axis    the axis (3,), of any length
@@ -69,6 +75,9 @@ class JointMethods:
 
         4 equations: translation along joint x, translation along joint y, rotation about joint y, rotation about joint x.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.cylindrical("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
         at      its point (3,) [m]
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
@@ -93,6 +102,9 @@ class JointMethods:
 
         5 equations: translation along joint x, translation along joint y, rotation about joint y, rotation about joint x, rotation about joint z.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.translational("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
         at      its point (3,) [m]
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
@@ -116,6 +128,9 @@ class JointMethods:
 
         4 equations: translation x, translation y, translation z, rotation about both axes' normal.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.universal("ground", body, at=(0, 0, 0), axes=((0, 1, 0), (0, 0, 1)))
+
         at      its point (3,) [m]
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
@@ -137,6 +152,9 @@ class JointMethods:
         """Weld: bodies a and b keep their relative position and orientation.
 
         6 equations: translation x, translation y, translation z, rotation about joint z, rotation about joint x, rotation about joint y.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.fixed("ground", body, at=(0, 0, 0))
 
         at           its point (3,) [m]
         orientation  the frame's Euler parameters (4,), scalar first; without it the inertial axes
@@ -160,6 +178,9 @@ class JointMethods:
         """Massless rod with ball ends: a point of a and a point of b keep the distance `length` [m], constant or a function of time. The multiplier is the rod's force [N], compression positive.
 
         1 equation: distance.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.distance("ground", body, at=((0, 0, 0), (1, 0, 0)))
 
         at      a point of a and a point of b: a pair of (3,) [m]
         length  of the rod [m], a number or a function of time, above 0, by default the initial distance
@@ -185,6 +206,9 @@ class JointMethods:
 
         3 equations: translation along joint z, rotation about joint y, rotation about joint x.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.planar("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
         at      its point (3,) [m]
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
@@ -208,6 +232,9 @@ class JointMethods:
         """A point of b stays on a line of a, the axis; all rotations are free.
 
         2 equations: translation along joint x, translation along joint y.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.point_on_line("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
 
         at      its point (3,) [m]
         axis    the axis (3,), of any length
@@ -233,6 +260,9 @@ class JointMethods:
 
         1 equation: translation along joint z.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.point_on_plane("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
         at      its point (3,) [m]
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
@@ -256,6 +286,9 @@ class JointMethods:
 
         2 equations: rotation about joint y, rotation about joint x.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.parallel_axes("ground", body, axis=(0, 1, 0))
+
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
@@ -277,6 +310,9 @@ class JointMethods:
 
         1 equation: rotation about both axes' normal.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.perpendicular_axes("ground", body, axes=((0, 1, 0), (0, 0, 1)))
+
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
         name    without it the kind and a number
@@ -296,6 +332,9 @@ class JointMethods:
         """Orientation lock: bodies a and b keep their relative orientation; all shifts are free.
 
         3 equations: rotation about joint z, rotation about joint x, rotation about joint y.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.orientation("ground", body)
 
         orientation  the frame's Euler parameters (4,), scalar first; without it the inertial axes
         frames       "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
@@ -317,6 +356,9 @@ class JointMethods:
         """Homokinetic joint: bodies a and b share a point, and the shaft of b turns about its axis exactly as the shaft of a does, at any angle between them below 180 degrees.
 
         4 equations: translation x, translation y, translation z, rotation about both shafts.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.constant_velocity("ground", body, at=(0, 0, 0), axes=((1, 0, 0), (1, 0.1, 0)))
 
         at      its point (3,) [m]
         axes    the axes of the shafts a and b, both the same way through the joint: a pair of (3,)
@@ -341,6 +383,9 @@ class JointMethods:
         """Nut on a thread: bodies a and b share an axis, and b advances along it by `pitch` [m] for each turn against a; negative: a left-hand thread.
 
         5 equations: translation along joint x, translation along joint y, translation along the thread, rotation about joint y, rotation about joint x.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.screw("ground", body, at=(0, 0, 0), axis=(0, 1, 0), pitch=0.3)
 
         at      its point (3,) [m]
         axis    the axis (3,), of any length
@@ -368,6 +413,9 @@ class JointMethods:
 
         1 equation: rolling of the pitch circles.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.gear("ground", body, at=((0, 0, 0), (1, 0, 0)), axis=(0, 1, 0), teeth_a=20, teeth_b=-37)
+
         at       a point on the axis of a and a point on that of b: a pair of (3,) [m]
         axis     the direction (3,) of both axes, of any length
         teeth_a  number of teeth of a, a whole number, not zero
@@ -393,6 +441,9 @@ class JointMethods:
 
         1 equation: rolling of the pitch circle.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.rack_pinion("ground", body, at=(0, 0, 0), axes=((0, 1, 0), (0, 0, 1)), radius=0.3)
+
         at      its point (3,) [m]
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         radius  of the pitch circle [m], a number, not zero
@@ -417,6 +468,9 @@ class JointMethods:
         """Massless link, hinged on an axis of a and with a ball joint on b: the ball stays on a circle of a with radius `length` [m] about the axis, constant or a function of time.
 
         2 equations: translation along joint z, distance.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.revolute_spherical("ground", body, at=((0, 0, 0), (1, 0, 0)), axis=(0, 1, 0))
 
         at      a point on the axis of a and a point on that of b: a pair of (3,) [m]
         axis    the direction (3,) of both axes, of any length
@@ -444,6 +498,9 @@ class JointMethods:
 
         4 equations: rotation about joint y, rotation about joint x, translation along joint z, distance.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.revolute_revolute("ground", body, at=((0, 0, 0), (1, 0, 0)), axis=(0, 1, 0))
+
         at      a point on the axis of a and a point on that of b: a pair of (3,) [m]
         axis    the direction (3,) of both axes, of any length
         length  between the axes [m], a number or a function of time, above 0, by default the initial distance
@@ -468,6 +525,9 @@ class JointMethods:
 
         4 equations: rotation about both axes' normal, rotation about the slot, translation along the pin, translation across the slot.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.revolute_translational("ground", body, at=(0, 0, 0), axes=((0, 1, 0), (0, 0, 1)))
+
         at      its point (3,) [m]
         axes    the axis fixed in a and the axis fixed in b, perpendicular to each other: a pair of (3,)
         frames  "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
@@ -490,6 +550,9 @@ class JointMethods:
         """Massless rod with a Cardan joint on a and a ball joint on b: the two points keep the distance `length` [m], constant or a function of time. Where the rod turns to about itself bears on neither body, so this is the equation of `distance`.
 
         1 equation: distance.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.universal_spherical("ground", body, at=((0, 0, 0), (1, 0, 0)))
 
         at      a point of a and a point of b: a pair of (3,) [m]
         length  of the rod [m], a number or a function of time, above 0, by default the initial distance
@@ -516,6 +579,9 @@ class JointMethods:
         """Driver of a rotation: the angle of b against a about the axis, right-handed and zero at the initial pose, is `angle` [rad], constant or a function of time. Other joints keep the axis. The multiplier is the driving torque on b [N m].
 
         1 equation: rotation about joint z.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.angle_driver("ground", body, at=(0, 0, 0), axis=(0, 1, 0), angle=0)
 
         at      its point (3,) [m]
         axis    the axis (3,), of any length
@@ -545,6 +611,9 @@ class JointMethods:
 
         1 equation: translation along joint z.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.displacement_driver("ground", body, at=(0, 0, 0), axis=(0, 1, 0), displacement=0)
+
         at            its point (3,) [m]
         axis          the axis (3,), of any length
         x_axis        the frame's x axis (3,); without it a perpendicular to the axis
@@ -571,6 +640,9 @@ class JointMethods:
 
         1 equation: velocity along joint z. The last 1 of velocities only (non-holonomic).
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.knife_edge("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
         at      its point (3,) [m]
         axis    the axis (3,), of any length
         x_axis  the frame's x axis (3,); without it a perpendicular to the axis
@@ -594,6 +666,9 @@ class JointMethods:
         """A thin disc of b rolls on a plane of a without slipping; non-holonomic. The joint's point is the point of the plane for a and the center of the disc for b, its axes are the normal of the plane, toward the disc, and the axis of the disc; `radius` [m]. Reactions are about the center of the disc.
 
         3 equations: translation along the normal, velocity along joint x, velocity along joint y. The last 2 of velocities only (non-holonomic).
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.rolling_disc("ground", body, at=((0, 0, -0.1), (1, 0, 0)), axes=((0, 0, 1), (0, 1, 0)), radius=0.3)
 
         at      a point of the plane and the center of the disc: a pair of (3,) [m]
         axes    the normal of the plane, toward the disc, and the axis of the disc: a pair of (3,)
@@ -619,6 +694,9 @@ class ForceMethods:
         name: str | None = None,
     ) -> Force:
         """Spring and damper between a point of a and a point of b by their characteristics: the pull is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a linear one. The energy in the spring counts as work.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.nonlinear_spring_damper("ground", body, at=((0, 0, 0), (1, 0, 0)))
 
         at           a point of a and a point of b: a pair of (3,) [m]
         spring       pull [N] over the extension [m], its slope [N/m], a characteristic, or a number for a linear one; 0
@@ -648,6 +726,9 @@ class ForceMethods:
     ) -> Force:
         """Spring and damper about a joint axis by their characteristics: the torque on b is -spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The energy in the spring counts as work.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.nonlinear_rotational_spring_damper("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
         at          its point (3,) [m]
         axis        the axis (3,), of any length
         x_axis      the frame's x axis (3,); without it a perpendicular to the axis
@@ -676,6 +757,9 @@ class ForceMethods:
     ) -> Force:
         """Bending spring [N m/rad] and damper [N m s/rad] that hold an axis of b parallel to an axis of a, in all directions alike: the torque k beta against the angle beta between the axes, and c times the relative rotation across the axis of a.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.bending_spring("ground", body, axis=(0, 1, 0))
+
         axis       the axis (3,), of any length
         x_axis     the frame's x axis (3,); without it a perpendicular to the axis
         stiffness  against the angle between the axes [N m/rad], a number or a function of time; 0
@@ -702,6 +786,9 @@ class ForceMethods:
         name: str | None = None,
     ) -> Force:
         """Motor about a joint axis: the torque on b about the axis is throttle(t) curve(theta_dot) [N m], the curve a function of the speed [rad/s], such as linkwork.functions.table(speeds, torques).
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.motor("ground", body, at=(0, 0, 0), axis=(0, 1, 0), curve=lambda x: 10.0 * x)
 
         at        its point (3,) [m]
         axis      the axis (3,), of any length
@@ -731,6 +818,9 @@ class ForceMethods:
         name: str | None = None,
     ) -> Force:
         """Friction about a joint axis: the torque on b is -n_c tanh(w / w_t) - c w [N m], w the relative speed [rad/s]: Coulomb friction `coulomb` [N m], regularized below the speed `transition` [rad/s], and `viscous` friction [N m s/rad].
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.rotational_friction("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
 
         at          its point (3,) [m]
         axis        the axis (3,), of any length
@@ -762,6 +852,9 @@ class ForceMethods:
     ) -> Force:
         """Friction along a joint axis: the force on b is -f_c tanh(v / v_t) - c v [N], v the relative speed [m/s]: Coulomb friction `coulomb` [N], regularized below the speed `transition` [m/s], and `viscous` friction [N s/m].
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.translational_friction("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
         at          its point (3,) [m]
         axis        the axis (3,), of any length
         x_axis      the frame's x axis (3,); without it a perpendicular to the axis
@@ -792,6 +885,9 @@ class ForceMethods:
         name: str | None = None,
     ) -> Force:
         """End stops about a joint axis: where the angle of b against a [rad] is beyond `lower` or `upper` by d, the torque k |d| + c |d| theta_dot [N m] acts against it, never back; k [N m/rad], c [N m s/rad^2].
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.rotational_stop("ground", body, at=(0, 0, 0), axis=(0, 1, 0), lower=-0.1, upper=0.1, stiffness=100)
 
         at         its point (3,) [m]
         axis       the axis (3,), of any length
@@ -825,6 +921,9 @@ class ForceMethods:
     ) -> Force:
         """End stops along a joint axis: where the shift of b against a [m] is beyond `lower` or `upper` by d, the force k |d| + c |d| x_dot [N] acts against it, never back; k [N/m], c [N s/m^2].
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.translational_stop("ground", body, at=(0, 0, 0), axis=(0, 1, 0), lower=-0.1, upper=0.1, stiffness=100)
+
         at         its point (3,) [m]
         axis       the axis (3,), of any length
         x_axis     the frame's x axis (3,); without it a perpendicular to the axis
@@ -852,6 +951,9 @@ class ForceMethods:
     ) -> Force:
         """Drag of a medium fixed in a (usually the ground) on a point of b: the force on b is -c |u| u [N], u the velocity of the point against the medium [m/s] and `coefficient` c = rho c_d A / 2 [N s^2/m^2]. Nothing acts on a.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.drag("ground", body, at=(0, 0, 0), coefficient=5)
+
         at           its point (3,) [m]
         coefficient  rho c_d A / 2 [N s^2/m^2], a number or a function of time, at least 0
         breaks       times [s] at which Python functions are not smooth, see functions.with_breaks
@@ -874,6 +976,9 @@ class ForceMethods:
         name: str | None = None,
     ) -> Force:
         """Linear damping of all relative motion: the force on the point of b is -c u [N], u the velocity of that point as seen from a [m/s] and `damping` c [N s/m]; the torque on b is -C w [N m], w the angular velocity of b against a [rad/s] and `rotational_damping` C [N m s/rad]. Both act back on a, at the point of b.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.linear_damping("ground", body, at=(0, 0, 0))
 
         at                  its point (3,) [m]
         damping             against the velocity of the point [N s/m], a number or a function of time; 0
@@ -903,6 +1008,9 @@ class ForceMethods:
         name: str | None = None,
     ) -> Force:
         """Contact of a sphere of b, by its center and `radius` [m], with a plane of a, by a point and the normal toward b; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.sphere_plane_contact("ground", body, at=((0, 0, -0.1), (1, 0, 0)), normal=(0, 0, 1), radius=2, stiffness=100)
 
         at          a point of the plane and a point of b: a pair of (3,) [m]
         normal      of the plane (3,), toward b, of any length; fixed in a
@@ -937,6 +1045,9 @@ class ForceMethods:
         name: str | None = None,
     ) -> Force:
         """Contact of a sphere of a with a sphere of b, by their centers and radii [m]; stiffness K [N/m^n] and exponent n, hysteresis factor c, coefficient of friction, transition speed [m/s]. F = K d^n (1 + c d_dot / d_dot_0) at the depth d [m], d_dot_0 the speed at which contact began; see linkwork.contact_hysteresis.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.sphere_sphere_contact("ground", body, at=((0, 0, 0), (1, 0, 0)), radius_a=2, radius_b=2, stiffness=100)
 
         at          a point of a and a point of b: a pair of (3,) [m]
         radius_a    of the sphere of a [m], a number, above 0

@@ -123,6 +123,8 @@ class SpecialJointMethods:
         A belt, a differential gear, a finger that follows another: what a transmission demands, wherever its
         wheels are. 1 equation, among all bodies of the joints.
 
+            model.coupler([("motor pin", 1.0), ("wheel pin", -2.5)])   # 2.5 turns of the motor for one
+
         coordinates  (joint, factor), or (joint, coordinate, factor) where a joint has several; joints that
                      were added before, or their names. Coordinates as `Result.coordinate` gives them [rad, m]
         offset       a number or a function of time; in the unit of the sum
@@ -170,6 +172,9 @@ class SpecialJointMethods:
 
         The curve is the cubic spline through the points with the lengths of the chords as parameter; one that
         is not closed goes on straight beyond its ends. 2 equations.
+
+            cart = model.body("cart", mass=1.0, inertia=(0.1, 0.1, 0.1))
+            model.point_on_curve("ground", cart, points=[(0, 0, 0), (1, 0, 0.3), (2, 0, 0)], at=(0, 0, 0))
 
         points  of the curve (k, 3) [m]: two or more, three or more of a closed one
         at      the point of b (3,) [m], on the curve; a pose that is off it is corrected by `assemble`

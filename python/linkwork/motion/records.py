@@ -26,7 +26,13 @@ __all__ = [
 
 
 class Reaction(NamedTuple):
-    """What a joint does to its second body at the joint's point: force [N] and torque [N m] (k, 3)."""
+    """What a joint does to its second body: force [N] and torque [N m] (k, 3).
+
+    The reference point is the joint's point on that second body, where `at` put it, and moves with the body:
+    the force acts there, and the torque is about it. `Result.joint_points(joint)[:, 1]` is that point in
+    space, and the viewer draws the arrows of reactions from it. A coupler's reaction is on the second body of
+    its first joint; a distance's is along the line between its two points.
+    """
 
     force: Floats
     torque: Floats

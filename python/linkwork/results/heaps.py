@@ -1,8 +1,8 @@
 """The heaps in which HDF5 keeps texts, looked at before HDF5 reads them.
 
 A heap is a row of objects, each with its length in front of it; HDF5 walks from one to the next, and for ever
-where an object that is free has no length, as in a heap of which a part was set to zero or is missing. Where a
-heap is not what it should be in another way, HDF5 says so itself.
+where an object that is free has no length, as in a heap of which a part was set to zero or is missing.
+Where a heap is not what it should be in another way, HDF5 says so itself.
 """
 
 from __future__ import annotations

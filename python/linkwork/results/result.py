@@ -284,7 +284,9 @@ class Result:
         return Reaction(self._field("reaction_force"), self._field("reaction_torque"))
 
     def reaction(self, name: Named, frame: Frame = "inertial") -> Reaction:
-        """Force and torque (k, 3) that a joint exerts on its second body, at the joint's point.
+        """Force and torque (k, 3) that a joint exerts on its second body, at the joint's point on that body.
+
+        The torque is about that point, `joint_points(name)[:, 1]`, which moves with the second body.
 
         `frame="joint"` gives the components along the joint's own axes, which move with its first body.
         `unique_reactions` says whether it follows from the motion.

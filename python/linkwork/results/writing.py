@@ -163,7 +163,8 @@ class ResultWriter:
         fields = _event_fields(self._header.body_count)
         sizes = {name: _event_bytes(shape) for name, (shape, _) in fields.items()}
         self._reserve_or_end(
-            max(len(occurrences) * size, CHUNK_BYTES[0]) + max(size, CHUNK_BYTES[0]) for size in sizes.values()
+            max(len(occurrences) * size, CHUNK_BYTES[0]) + max(size, CHUNK_BYTES[0])
+            for size in sizes.values()
         )
         with self._failures():
             group = self._file.require_group("events")
@@ -282,7 +283,9 @@ class ResultWriter:
         checkpoints.beside(target).unlink(missing_ok=True)
         head, digest = self._head(run)
         begun = target.with_name(f".{target.name}.{run}.begun")
-        self._descriptor = os.open(begun, os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666)
+        self._descriptor = os.open(
+            begun, os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666
+        )
         try:
             _write_whole(self._descriptor, head)
             self._reserved = len(head) + MARGIN_BYTES

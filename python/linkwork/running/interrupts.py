@@ -16,7 +16,6 @@ from types import FrameType, TracebackType
 from typing import Any, Self
 
 
-
 class Terminated(KeyboardInterrupt):
     """SIGTERM, as a scheduler or a shutting down machine sends it, ends a run like ctrl-C."""
 

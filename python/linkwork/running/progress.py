@@ -31,6 +31,9 @@ log = logging.getLogger(__name__)
 #: A run is silent for this long [s]: most are over by then.
 SILENT_SECONDS = 2.0
 
+#: Of the bar on a terminal, in characters.
+BAR = 16
+
 #: Between two lines in a log, and between two updates in a notebook [s].
 LOG_SECONDS, NOTEBOOK_SECONDS = 10.0, 0.5
 
@@ -141,6 +144,15 @@ def describe(info: ProgressInfo) -> str:
     return f"t = {info.t:.4g} of {info.t_end:g} s, {_quantity(info.rate)} steps/s{left}{step}{violation}"
 
 
+def fitting(text: str, width: int) -> str:
+    """In one line: without as many of the last parts, between commas, as it takes."""
+    parts = text.split(", ")
+    while len(parts) > 1 and len(", ".join(parts)) > width:
+        parts.pop()
+    shorter = ", ".join(parts)
+    return shorter if len(shorter) <= width else shorter[: max(width - 1, 0)] + "…"
+
+
 def _left(elapsed: float, fraction: float) -> str:
     return f", {_duration(elapsed * (1 / fraction - 1))} left" if 0 < fraction < 1 else ""
 
@@ -193,6 +205,7 @@ class _Terminal:
             self._progress = _terminal_progress()
             self._progress.start()
             self._progress.add_task("", total=1.0)
+        text = fitting(text, self._progress.console.width - BAR - len(" 100%  "))
         self._progress.update(self._progress.task_ids[0], completed=fraction, description=text)
 
     def close(self) -> None:
@@ -241,7 +254,7 @@ def _terminal_progress() -> Progress:
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
     return Progress(
-        BarColumn(bar_width=24),
+        BarColumn(bar_width=BAR),
         TaskProgressColumn(),
         TextColumn("{task.description}"),
         console=Console(stderr=True),

@@ -29,7 +29,16 @@ from linkwork.running.progress import Report
 if TYPE_CHECKING:
     from linkwork.running.estimation import ErrorEstimator
 
-__all__ = ["Checkpoints", "PythonStep", "Recorder", "StopIterationIsError", "frame_bytes", "pieces", "record", "recorder"]
+__all__ = [
+    "Checkpoints",
+    "PythonStep",
+    "Recorder",
+    "StopIterationIsError",
+    "frame_bytes",
+    "pieces",
+    "record",
+    "recorder",
+]
 
 Frames = Mapping[str, Floats]
 
@@ -144,7 +153,9 @@ class _File:
         try:
             found = Result._read(self._writer.path, trusted=True)
         except FileError as error:
-            raise replaced(self._writer.path, "was removed") if error.code == "not_found" else error
+            if error.code != "not_found":
+                raise
+            raise replaced(self._writer.path, "was removed") from error
         if found._run != self._writer.run:
             raise replaced(self._writer.path, "was replaced by that of another run")
         return found
@@ -197,9 +208,7 @@ def record(
 
 
 @contextmanager
-def kept(
-    run: _core.Run, to: Recorder, labels: Sequence[str], checkpoints: Checkpoints
-) -> Iterator[None]:
+def kept(run: _core.Run, to: Recorder, labels: Sequence[str], checkpoints: Checkpoints) -> Iterator[None]:
     """Close the file where the run, or what is said about it at the end, does not come to its end."""
     try:
         yield

@@ -9,7 +9,7 @@ of a joint follows from its equations: which translations and rotations they hol
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -110,21 +110,21 @@ def solids(result: Result) -> list[Solid]:
     thickness = _thickness(header, points)
     given = header.shapes.by_body()
     telescopes = _telescopes(header, holds, given, thickness)
+    default = _once_each(thickness)
     halves = {body: rod for it in telescopes.values() for body, rod in it.items()}
     parts = [_element(it, header.body_count) for it in machine_elements.solid_parts(result, thickness)]
     wheels = {it.body for it in parts if it.layer == "body"}
     found = [
         Solid("body", i, i, shape, shape.color or body_color(i, header.body_count))
         for i in range(header.body_count)
-        for shape in given.get(i)
-        or halves.get(i)
-        or default_shapes(points[i], header.mass[i], header.inertia[i], thickness)
+        for shape in given.get(i) or halves.get(i) or default(points[i], header.mass[i], header.inertia[i])
         if i in given or i not in wheels or isinstance(shape, Rod)  # a wheel needs no solid of its inertia
     ]
     found += [Solid("ground", -1, -1, shape, shape.color or GROUND_COLOR) for shape in given.get(-1, ())]
     slides = _slides(result, [j for j, it in enumerate(holds) if it.sliding])
+    symbols: Symbols = {}
     for j, it in enumerate(holds):
-        found += [] if j in telescopes else _joint(header, j, it, thickness, slides.get(j))
+        found += [] if j in telescopes else _joint(header, j, it, thickness, slides.get(j), symbols)
     return found + parts
 
 
@@ -134,8 +134,21 @@ def body_color(body: int, count: int) -> str:
         return BODY_COLORS[body % len(BODY_COLORS)]
     place = body / (count - 1) * (len(RAMP) - 1)
     first = min(int(place), len(RAMP) - 2)
-    a, b = (np.array(list(bytes.fromhex(RAMP[k][1:]))) for k in (first, first + 1))
-    return "#" + bytes(np.round(a + (place - first) * (b - a)).astype(np.uint8)).hex()
+    pairs = zip(bytes.fromhex(RAMP[first][1:]), bytes.fromhex(RAMP[first + 1][1:]), strict=True)
+    return "#" + bytes(round(a + (place - first) * (b - a)) for a, b in pairs).hex()
+
+
+def _once_each(thickness: float) -> Callable[[Sequence[Floats], float, Floats], list[Shape]]:
+    """default_shapes, the same for bodies that are alike: a long chain has few different ones."""
+    made: dict[tuple[bytes, ...], list[Shape]] = {}
+
+    def shapes(points: Sequence[Floats], mass: float, inertia: Floats) -> list[Shape]:
+        key = (*(point.tobytes() for point in points), np.float64(mass).tobytes(), inertia.tobytes())
+        if key not in made:
+            made[key] = default_shapes(points, mass, inertia, thickness)
+        return made[key]
+
+    return shapes
 
 
 # --- cylinders and pistons ---------------------------------------------------------------------------------
@@ -345,10 +358,15 @@ def _thickness(header: Header, points: dict[int, list[Floats]]) -> float:
     return usual / 36 or 0.02
 
 
+#: The symbols of joints that hold the same, at the same place on their first bodies.
+Symbols = dict[tuple[tuple[bool, bool, bool], int, bytes, bytes], list[Shape]]
+
 # --- joints ------------------------------------------------------------------------------------------------
 
 
-def _joint(header: Header, j: int, it: Holds, r: float, slide: tuple[float, float] | None) -> list[Solid]:
+def _joint(
+    header: Header, j: int, it: Holds, r: float, slide: tuple[float, float] | None, symbols: Symbols
+) -> list[Solid]:
     """The symbol at the joint's point on its first body, a rail where it slides, a foot on the ground."""
     if not it.placed:
         return []
@@ -360,7 +378,10 @@ def _joint(header: Header, j: int, it: Holds, r: float, slide: tuple[float, floa
         foot = [
             at(Box((4.4 * r, 4.4 * r, 1.2 * r)), header.joint_origin[j, side], header.joint_frame[j, side])
         ]
-    found = [Solid("joint", j, first, shape, JOINT_COLOR) for shape in _symbol(it, origin, axes, r)]
+    key = it.translations, it.rotations, origin.tobytes(), axes.tobytes()
+    if key not in symbols:
+        symbols[key] = _symbol(it, origin, axes, r)
+    found = [Solid("joint", j, first, shape, JOINT_COLOR) for shape in symbols[key]]
     found += [Solid("ground", j, -1, shape, GROUND_COLOR) for shape in foot]
     if it.sliding:  # the sleeve is where the second body is
         low, high = slide or (0.0, 0.0)

@@ -151,7 +151,8 @@ def _plots(result: Result) -> str:
     figures = [
         f'<figure><figcaption>{heading}</figcaption><img alt="{heading}" src="{_png(figure)}"></figure>'
         for kind, heading in PLOTS.items()
-        if (figure := kinds.plot(result, kind=kind))
+        if (kind != "step" or result.manifest.get("options", {}).get("rtol"))  # fixed steps are one number
+        and (figure := kinds.plot(result, kind=kind))
     ]
     return f'<div class="plots">{"".join(figures)}</div>'
 

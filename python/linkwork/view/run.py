@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -219,10 +219,13 @@ def _extent(result: Result, drawn: Scene) -> tuple[Floats, Floats]:
     """A box (low, high) around all that is seen, from a sample of frames [m]."""
     n = result.header.body_count
     low, high = np.full((n + 1, 3), np.inf), np.full((n + 1, 3), -np.inf)  # by body, the ground last
-    corners = [(it.body, corner) for it in drawn.solids for corner in _corners(it.shape)]
+    around = _of_each(_corners)
+    corners = [(it.body, corner) for it in drawn.solids for corner in around(it.shape)]
     corners += [pair for it in drawn.spans for pair in zip(it.bodies, it.ends, strict=True)]
-    for body, corner in corners:
-        low[body], high[body] = np.minimum(low[body], corner), np.maximum(high[body], corner)
+    if corners:
+        bodies, points = np.array([body for body, _ in corners]), np.array([corner for _, corner in corners])
+        np.minimum.at(low, bodies, points)
+        np.maximum.at(high, bodies, points)
     missing = ~np.isfinite(low)
     low, high = np.where(missing, 0.0, low), np.where(missing, 0.0, high)
     every = max(1, len(result) // 40)
@@ -232,10 +235,22 @@ def _extent(result: Result, drawn: Scene) -> tuple[Floats, Floats]:
     for corner in range(8):
         s = np.where([(corner >> axis) & 1 for axis in range(3)], high[:n], low[:n])
         found.append((r + np.einsum("kiab,ib->kia", A, s)).reshape(-1, 3))
-    points = np.concatenate(found)
-    if not len(points):
+    everything = np.concatenate(found)
+    if not len(everything):
         return -np.ones(3), np.ones(3)
-    return points.min(axis=0), points.max(axis=0)
+    return everything.min(axis=0), everything.max(axis=0)
+
+
+def _of_each(function: Callable[[Shape], Any]) -> Callable[[Shape], Any]:
+    """Called once for a shape that many bodies share."""
+    found: dict[int, tuple[Shape, Any]] = {}  # with the shape, or another could get its identity
+
+    def once(shape: Shape) -> Any:
+        if id(shape) not in found:
+            found[id(shape)] = shape, function(shape)
+        return found[id(shape)][1]
+
+    return once
 
 
 def _corners(shape: Shape) -> Floats:
@@ -260,11 +275,12 @@ def _add_solids(pack: Pack, drawn: list[Solid]) -> list[dict[str, Any]]:
         mesh = id(solid.shape.vertices) if isinstance(solid.shape, Mesh) else 0
         groups[solid.layer, _geometry(solid.shape), mesh, solid.clear].append(solid)
     found = []
+    place = _of_each(_place)
     for number, ((layer, geometry, _, clear), several) in enumerate(groups.items()):
         key = f"solids{number}"
         pack.add(f"{key}.body", np.array([it.body for it in several]), "i4")
         pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
-        pack.add(f"{key}.place", np.array([_place(it.shape) for it in several]), "f4")
+        pack.add(f"{key}.place", np.array([place(it.shape) for it in several]), "f4")
         pack.add(f"{key}.color", _colors(several), "u1")
         if isinstance(mesh_shape := several[0].shape, Mesh):
             pack.add(f"{key}.vertices", mesh_shape.vertices, "f4")
