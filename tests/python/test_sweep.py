@@ -369,6 +369,30 @@ def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
         lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "b")
 
 
+def test_a_function_that_builds_something_else_now_is_refused(tmp_path: Path) -> None:
+    def build(mass: float) -> lw.Model:
+        return rod(LENGTH[0]).replaced("rod", mass=mass)
+
+    lw.sweep(build, {"mass": [1.0]}, "final", **FEW, directory=tmp_path)
+    LENGTH[0] = 2.0
+    with pytest.raises(lw.FileError, match="the function build built another model of .*'mass': 1.0"):
+        lw.sweep(build, {"mass": [2.0]}, "final", **FEW, directory=tmp_path)
+
+
+LENGTH = [1.0]
+
+
+def test_machines_of_other_instruction_sets_are_told(tmp_path: Path) -> None:
+    lw.sweep(rod(), {"rod.mass": [1.0]}, "final", **FEW, directory=tmp_path)
+    (file,) = (tmp_path / "cases").iterdir()
+    head, body = file.read_text().split("\n", 1)
+    other = {**json.loads(head), "machine": {"cpu": "another", "instruction_set": "aarch64"}}
+    file.write_text(json.dumps(other) + "\n" + body)
+    with pytest.warns(lw.LinkworkWarning, match="several instruction sets took part .*aarch64"):
+        study = lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **FEW, directory=tmp_path)
+    assert study.manifest["machines"][0]["cpu"] == "another"
+
+
 # --- samplers and tables ---
 
 
@@ -428,7 +452,22 @@ def test_tables_for_other_tools_have_all_of_it(tmp_path: Path) -> None:
     assert_array_equal(read["status"].values.astype(str), study.status)
 
 
+def test_without_xarray_and_pandas_there_is_a_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, "energy.max", **FEW)
+    for package, method in (("xarray", study.to_xarray), ("pandas", study.to_frame)):
+        monkeypatch.setitem(sys.modules, package, None)
+        with pytest.raises(lw.OptionError, match=rf"needs the package {package}.*'linkwork\[{package}\]'"):
+            method()
+    assert study.to_table()["energy.max"].tolist() == study.outputs["energy.max"].tolist()
+
+
 # --- bookkeeping ---
+
+
+def test_progress_tells_rate_and_failures(caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level("INFO", logger="linkwork.studies"):
+        lw.sweep(rod(), {"rod.mass": [1, -1, 2]}, "final", **FEW)
+    assert re.fullmatch(r"3 of 3 cases, \S+ cases/s, 1 failed", caplog.messages[-1])
 
 
 def test_chunks_take_seconds_whatever_cases_cost_and_files_are_bounded() -> None:

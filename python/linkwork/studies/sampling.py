@@ -38,6 +38,12 @@ class Cases:
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))
 
+    def as_floats(self) -> Cases:
+        """The same, of numbers alone: 1 and 1.0 are one case."""
+        columns = {name: [np.asarray(value, dtype=float).tolist() for value in values]
+                   for name, values in self.columns.items()}  # fmt: skip
+        return Cases(columns, self.how)
+
     def case(self, number: int) -> dict[str, Any]:
         return {name: values[number] for name, values in self.columns.items()}
 

@@ -123,6 +123,7 @@ def sweep(
     _check_options(options)
     drawn = cases_of(parameters, sampler, cases, seed)
     source = source_of(model, drawn.columns)
+    drawn = drawn if isinstance(source, Built) else drawn.as_floats()
     wanted_times, run_options = check_times(times, float(t_end), options)
     asked = wanted.outputs_of(outputs)
     _check_names(drawn, asked)
@@ -133,7 +134,8 @@ def sweep(
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
     check_executor(executor, processes, runner)
     identity = _identity(runner, drawn)
-    keys = [digest(identity, _version(), drawn.case(k)) for k in range(len(drawn))]
+    head = digest(identity, _version())
+    keys = [digest(head, drawn.case(k)) for k in range(len(drawn))]
     about = _about(runner, drawn, seed)
     store = None if directory is None else Store(directory, identity, about)
     if store is not None and isinstance(source, Built):
