@@ -150,6 +150,35 @@ def test_paths_lead_to_points_and_parts() -> None:
         Changed.of(model, ["spring.at[0]"])
 
 
+@pytest.mark.parametrize("name", ["four_bar", "bricard", "spatial_slider_crank", "double_wishbone", "rolling_disc",
+                                  "planetary_gear", "flyball_governor", "stewart_platform"])  # fmt: skip
+def test_a_models_own_values_make_the_same_model(name: str) -> None:
+    """By Model.hash, which has every bit of it."""
+    model = lw.mechanisms.MECHANISMS[name].function()
+    body = model.values(lw.simulate(model, 1e-3, 1e-3, progress=False).body_names[-1])["name"]
+    changed = Changed.of(model, [f"{body}.mass", f"{body}.velocity", "gravity[0]"])
+    own = {path: changed.value(path) for path in changed.addresses}
+    assert changed.model(own).hash() == model.hash()
+    heavier = changed.model({**own, f"{body}.mass": 2 * own[f"{body}.mass"] + 1})
+    assert heavier.hash() != model.hash()
+
+
+def test_turns_of_the_model_are_not_lost_where_poses_are_varied() -> None:
+    """A spring wound up by one turn pulls three times as much, or its study is refused."""
+    model = lw.Model()
+    body = model.body("wheel", mass=1.0, inertia=(1, 1, 1))
+    model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper(model.ground, body, at=(0, 0, 0), axis=(0, 0, 1), stiffness=1.0, damping=0.0,
+                                  name="spring")  # fmt: skip
+    wound = model.with_initial_state([[0, 0, 0, 1, 0, 0, 0]], np.zeros((1, 6)), [2 * np.pi])
+    study = lw.sweep(wound, {"spring.stiffness": [1.0, 3.0]}, "force('spring').torque.z.abs_max", **FEW)
+    assert study.outputs["force('spring').torque.z.abs_max"] == pytest.approx(
+        [2 * np.pi, 6 * np.pi], rel=1e-12
+    )
+    with pytest.raises(lw.OptionError, match="begins with full turns"):
+        lw.sweep(wound, {"spring.attachment.origin[0][2]": [1.0]}, "final", **FEW)
+
+
 def test_a_function_of_time_is_varied_by_its_numbers() -> None:
     """A driver turns the rod by c t^2, of which c is varied."""
     model = rod()

@@ -133,6 +133,8 @@ class Changed:
             ) from error
         found = {name: _address(name, record) for name in names}
         _check_apart(list(found.values()))
+        if any(_moves(address, record) for address in found.values()):
+            _begin_anew(record, names)
         changed = cls(record, found)
         for name in names:
             changed.value(name)
@@ -175,6 +177,26 @@ class Changed:
 
     def identity(self) -> str:
         return digest("changed", canonical(self.record))
+
+
+def _moves(address: _Address, record: Record) -> bool:
+    """Whether it says where something is, and so what history variables begin with."""
+    if not address.where or address.where[0] == "bodies":
+        return address.field in ("position", "orientation")
+    it = _object_of(record, address)
+    return address.field not in KINDS[ROLES[address.where[0]]][it["kind"]].parameters
+
+
+def _begin_anew(record: Record, names: Sequence[str]) -> None:
+    """History variables follow from the pose. OptionError: those of the model have something else to tell."""
+    history = record.pop("history", [])
+    usual = list(built(Model(), record).compiled().initial_history) or [0.0] * len(history)
+    if usual != list(history):
+        raise OptionError(
+            f"parameters {', '.join(names)}: the model begins with full turns or contacts under way, which "
+            "another pose would not have: give a function build(**parameters)",
+            code="parameters",
+        )
 
 
 def _parts_hint(name: str, shape: tuple[int, ...]) -> str:
