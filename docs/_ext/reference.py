@@ -163,6 +163,11 @@ PAGES = {
             "linkwork.comparison.order.OrderStudy",
         ),
     ),
+    "studies": Page(
+        "Studies",
+        "One mechanism in many variants.",
+        ("sweep", "Study"),
+    ),
     "system": Page(
         "Equations of motion",
         "The right-hand side itself, for integrators and codes of your own.",

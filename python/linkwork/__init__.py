@@ -46,6 +46,8 @@ _PLACES = {
     "linkwork.modeling.shapes": ("Box", "Cylinder", "Mesh", "Rod", "Shape", "Sphere"),
     "linkwork.running.simulation": ("simulate",),
     "linkwork.equations.system": ("System",),
+    "linkwork.studies.study": ("Study",),
+    "linkwork.studies.sweeping": ("sweep",),
     "linkwork.accuracy.verdict": ("StepEstimate", "Verdict"),
 }  # fmt: skip
 _HOME = {name: module for module, names in _PLACES.items() for name in names}

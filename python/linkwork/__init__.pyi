@@ -36,6 +36,8 @@ from linkwork.results.result import Result
 from linkwork.running.events import Event, State
 from linkwork.running.progress import ProgressInfo
 from linkwork.running.simulation import simulate
+from linkwork.studies.study import Study
+from linkwork.studies.sweeping import sweep
 
 __version__: str
 
@@ -82,6 +84,7 @@ __all__ = [
     "State",
     "StepEstimate",
     "StepSizeError",
+    "Study",
     "System",
     "Verdict",
     "ViolationError",
@@ -102,4 +105,5 @@ __all__ = [
     "rotation",
     "sensitivity",
     "simulate",
+    "sweep",
 ]

@@ -36,7 +36,7 @@ SPECIAL = {
 #: Suffixes of the files that are written, by what is in them.
 SUFFIXES = {
     "result": (".h5", ".hdf5", ".hdf"), "table": (".csv",), "page": (".html", ".htm"),
-    "movie": (".mp4", ".gif"),
+    "movie": (".mp4", ".gif"), "data set": (".nc",),
     "picture": (".png", ".pdf", ".svg", ".eps", ".ps", ".jpg", ".jpeg", ".tif", ".tiff", ".webp"),
     "model": (".yaml", ".yml", ".json"), "robot": (".urdf", ".sdf", ".xml"),
 }  # fmt: skip

@@ -11,6 +11,7 @@ from linkwork.cli import base, shells
 from linkwork.cli.bench_commands import bench
 from linkwork.cli.exporting import export, movie, plot
 from linkwork.cli.report import report
+from linkwork.cli.sweeping import sweep
 from linkwork.cli.view import view
 
 if TYPE_CHECKING:
@@ -192,6 +193,7 @@ def validate(context: click.Context, problems: tuple[str, ...], as_json: bool) -
         context.exit(1)
 
 
+linkwork.add_command(sweep)
 linkwork.add_command(view)
 linkwork.add_command(report)
 linkwork.add_command(plot)

@@ -22,7 +22,7 @@ from linkwork.modeling.handles import Body, Force, Joint
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-__all__ = ["replaced", "values", "without"]
+__all__ = ["built", "replaced", "values", "without"]
 
 #: How many names a message lists.
 LISTED = 5
@@ -86,7 +86,7 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
     record[section][place] = {**old, **{what: _plain(x, what) for what, x in changes.items()}}
     if changes.get("name", old["name"]) != old["name"]:
         _rename(record, section, old["name"], changes["name"])
-    return _begun_anew(model, record) if elsewhere or "kind" in changes else _built(model, record)
+    return _begun_anew(model, record) if elsewhere or "kind" in changes else built(model, record)
 
 
 def _begun_anew(model: Model, record: Record) -> Model:
@@ -95,9 +95,9 @@ def _begun_anew(model: Model, record: Record) -> Model:
     if history:
         begun = _record(model)
         del begun["history"]
-        if _built(model, begun).compiled().initial_history != history:
+        if built(model, begun).compiled().initial_history != history:
             warn(f"model '{model.name}': full turns and contacts under way begin anew in the changed model")
-    return _built(model, record)
+    return built(model, record)
 
 
 def _plain(value: Any, what: str) -> Any:
@@ -176,8 +176,11 @@ def _rename(record: Record, section: str, old: str, new: str) -> None:
             it["bodies"] = [new if body == old else body for body in it["bodies"]]
 
 
-def _built(model: Model, record: Record) -> Model:
-    """ModelError: a value that its object cannot have, or a field that it has not."""
+def built(model: Model, record: Record) -> Model:
+    """A model from a record that was changed.
+
+    ModelError: a value that its object cannot have, or a field that it has not.
+    """
     try:
         return from_changed_record(record, type(model))
     except ModelFileError as error:

@@ -1,0 +1,93 @@
+"""`linkwork sweep`: the cases of a study, here or as one of many jobs."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from linkwork.cli import base
+
+if TYPE_CHECKING:
+    from linkwork.studies import Study
+
+__all__ = ["sweep"]
+
+
+@click.command(cls=base.Command)
+@click.argument("file", type=click.Path())
+@click.option("--shard", metavar="K/N", help="Only every Nth case: job K of N, from 0 or from 1 on.")
+@click.option("--gather", is_flag=True, help="Run nothing; collect what the shards have done.")
+@click.option("--processes", type=click.IntRange(1), metavar="N", help="Local processes; one a processor.")
+@click.option("--output", "-o", type=click.Path(), metavar="FILE", help="All cases: .csv, or netCDF (.nc).")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+def sweep(file: str, shard: str | None, gather: bool, processes: int | None, output: str | None,
+          as_json: bool) -> None:  # fmt: skip
+    """Simulate a mechanism in many variants, as a file says.
+
+    \b
+    linkwork sweep study.yaml --output study.csv
+    linkwork sweep study.yaml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT
+    linkwork sweep study.yaml --gather --output study.nc
+
+    Every case is kept in the study's directory at once: the same command again runs what is missing.
+    """
+    from linkwork.cli import output as out
+    from linkwork.studies.files import read_study
+    from linkwork.studies.sweeping import sweep as run
+
+    part = None if shard is None else _shard(shard)
+    if output is not None:
+        out.check_writable(output, "data set" if output.endswith(".nc") else "table")
+    given = read_study(file)
+    try:
+        study = run(**given, shard=part, gather=gather, processes=processes)
+    except KeyboardInterrupt as stop:
+        raise type(stop)(f"interrupted; '{given['directory']}' has the cases so far") from stop
+    if output is not None:
+        save = study.save if output.endswith(".nc") else study.to_csv
+        save(output, overwrite=True)
+    if as_json:
+        out.print_json(_document(study, given, output))
+    else:
+        _print(study)
+        out.print_pairs([("directory", str(given["directory"])), ("output", output or "")])
+
+
+def _shard(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", text)
+    if found is None:
+        raise click.UsageError(f"--shard '{text}' is no K/N, such as 3/100")
+    return int(found[1]), int(found[2])
+
+
+def _counts(study: Study) -> dict[str, int]:
+    return {name: int((study.status == name).sum()) for name in ("finished", "failed", "skipped")}
+
+
+def _document(study: Study, given: dict[str, Any], output: str | None) -> dict[str, Any]:
+    table = study.to_table()
+    return {
+        "cases": len(study), **_counts(study), "directory": str(given["directory"]), "output": output,
+        "table": {name: table[name] for name in table.dtype.names or ()},
+        "errors": {str(number): dict(error) for number, error in study.errors.items()},
+        "units": dict(study.units),
+    }  # fmt: skip
+
+
+def _print(study: Study) -> None:
+    """How the cases ended, and the spread of the outputs that are numbers."""
+    import numpy as np
+
+    from linkwork.cli import output as out
+
+    print(str(study)[1:].split(">", 1)[0] + "\n" + "\n".join(str(study).splitlines()[1:]))
+    rows = []
+    for name, values in study.outputs.items():
+        kept = values[np.isfinite(values)] if values.ndim == 1 else np.zeros(0)
+        if len(kept):
+            spread = (kept.min(), np.median(kept), kept.max())
+            rows.append([name, *(f"{it:.6g}" for it in spread), study.units.get(name, "")])
+    if rows:
+        out.print_table(["output", "least", "median", "most", "unit"], rows)

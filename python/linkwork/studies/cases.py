@@ -1,0 +1,174 @@
+"""One case: a model, its run, and at once what is kept of it; what fails is kept as failed."""
+
+from __future__ import annotations
+
+import threading
+import time
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from linkwork import _core
+from linkwork.arguments import whole
+from linkwork.arrays import Floats
+from linkwork.errors import LinkworkError, OptionError
+from linkwork.results.result import Result
+from linkwork.running.manifest import platform_facts
+from linkwork.running.simulation import simulate
+from linkwork.studies.outputs import Output
+from linkwork.studies.variants import Source
+
+__all__ = ["Answer", "Case", "Run", "Runner"]
+
+#: Characters of remarks that are kept of a case.
+REMARKS = 300
+
+
+@dataclass(frozen=True)
+class Case:
+    """One that is to be run."""
+
+    number: int
+    key: str
+    values: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Run:
+    """What became of one, in plain data.
+
+    status   "finished" or "failed"
+    outputs  by label, in lists; none of one that failed
+    error    of one that failed: type, code, message, and `reached`, the simulated time [s] up to there
+    verdict  level, sentence and error of Result.verdict; nothing where there is none
+    seconds  wall time
+    """
+
+    key: str
+    status: str
+    outputs: Mapping[str, Any] = field(default_factory=dict)
+    error: Mapping[str, Any] = field(default_factory=dict)
+    verdict: Mapping[str, Any] = field(default_factory=dict)
+    remarks: str = ""
+    seconds: float = 0.0
+    values: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a process gives back for several cases."""
+
+    machine: Mapping[str, Any]
+    runs: Sequence[Run]
+
+
+@dataclass(frozen=True)
+class Runner:
+    """Everything that the cases have in common; it goes to other processes."""
+
+    source: Source
+    t_end: float
+    options: Mapping[str, Any]
+    outputs: Sequence[Output]
+    times: Floats | None
+
+    def __call__(self, cases: Sequence[Case]) -> Answer:
+        return Answer(machine(), [self.run(case) for case in cases])
+
+    def run(self, case: Case) -> Run:
+        """Whatever it raises, it is a Run."""
+        found: dict[str, Any]
+        started = time.perf_counter()
+        with _remarked() as remarks:
+            try:
+                result = self.result(case.values)
+                found = {"status": "finished", "outputs": self._kept(result), "verdict": _verdict(result)}
+            except Exception as error:
+                found = {"status": "failed", "error": facts_of(error)}
+        seconds = time.perf_counter() - started
+        return Run(case.key, **found, remarks="; ".join(remarks)[:REMARKS], seconds=seconds,
+                   values=dict(case.values))  # fmt: skip
+
+    def result(self, values: Mapping[str, Any]) -> Result:
+        """The whole run of a case."""
+        return simulate(self.source.model(values), self.t_end, progress=False, **self.options)
+
+    def _kept(self, result: Result) -> dict[str, Any]:
+        return {output.label: output.value(result, self.times).tolist() for output in self.outputs}
+
+
+def facts_of(error: BaseException) -> dict[str, Any]:
+    """Class, code, message, and the simulated time that was reached [s]."""
+    found: dict[str, Any] = {
+        "type": type(error).__name__,
+        "code": "",
+        "message": " ".join(str(error).split()),
+    }
+    if isinstance(error, LinkworkError):
+        found["code"] = error.code
+        reached = error.time
+        if reached is None and error.result is not None and len(error.result):
+            reached = float(error.result.t[-1])
+        found["reached"] = None if reached is None else float(reached)
+    return found
+
+
+def machine() -> dict[str, str]:
+    """Where numbers come from: bits may differ between instruction sets."""
+    return {"cpu": str(platform_facts()["cpu"]), "instruction_set": _core.instruction_set()}
+
+
+@contextmanager
+def _remarked() -> Iterator[list[str]]:
+    """Warnings go to the case. In threads, which share what becomes of warnings, they go where they go."""
+    texts: list[str] = []
+    if threading.current_thread() is not threading.main_thread():
+        yield texts
+        return
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield texts
+        texts.extend(dict.fromkeys(str(it.message) for it in caught))
+
+
+def _verdict(result: Result) -> dict[str, Any]:
+    verdict = result.verdict
+    if verdict is None:
+        return {}
+    return {"level": verdict.level, "error": float(verdict.error), "sentence": verdict.sentence}
+
+
+def check_times(times: Any, t_end: float, options: Mapping[str, Any]) -> tuple[Floats | None, dict[str, Any]]:
+    """The times of arrays (k,) [s], and options with frames there.
+
+    OptionError: not ascending, beyond the run, or between the frames of fixed steps.
+    """
+    made = {"record_every": 1, "on_inaccurate": "pass", **options}
+    if times is None:
+        return None, made
+    try:
+        wanted = np.atleast_1d(np.array(times, dtype=float))
+    except (TypeError, ValueError) as error:
+        raise OptionError(f"times {times!r:.80} are no numbers", code="times") from error
+    good = wanted.ndim == 1 and len(wanted) and np.isfinite(wanted).all()
+    if not good or (np.diff(wanted) <= 0).any() or wanted[0] < 0 or wanted[-1] > t_end:
+        raise OptionError(f"times {times!r:.80} are not ascending, from 0 to {t_end:g} s", code="times")
+    if options.get("rtol") is not None or options.get("atol") is not None:
+        if options.get("record_every") is None:
+            del made["record_every"]
+        made["times"] = np.union1d(wanted, [0.0, t_end]).tolist()
+        return wanted, made
+    apart = float(options.get("step") or t_end) * whole(made["record_every"], 1, "record_every")
+    off = np.abs(wanted / apart - np.round(wanted / apart)) * apart > 1e-9 * max(t_end, 1.0)
+    off &= wanted < t_end
+    if off.any():
+        raise OptionError(
+            f"times: {wanted[off][0]:.9g} s is between the frames of this run, {apart:g} s apart: give "
+            "multiples of that, or rtol instead of step",
+            code="times",
+        )
+    return wanted, made

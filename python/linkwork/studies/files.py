@@ -1,0 +1,127 @@
+"""Studies in files (.yaml, .yml, .json), for the command line and for arrays of jobs.
+
+linkwork_study: 1
+model: crank.yaml                 # beside this file, or the name of a mechanism
+t_end: 2.0
+simulation: {step: 1e-3}          # arguments of simulate
+parameters:
+  crank.mass: [1.0, 3.0]          # values; with a sampler bounds, or a distribution of scipy.stats:
+  motor pin.at[2]: {norm: {loc: 0.0, scale: 1e-4}}
+sampler: sobol
+cases: 64
+seed: 1
+outputs: ["final", "reaction('motor pin').force.max"]   # or {label: name}
+directory: variants               # without it that of this file's name
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field, ValidationError
+
+from linkwork.arguments import is_number
+from linkwork.errors import Fault, Faults, ModelFileError, OptionError, nearest
+from linkwork.mechanisms import MECHANISMS, named
+from linkwork.modeling.files.messages import faults_of_schema
+from linkwork.modeling.files.schema import Number, Record, Word
+from linkwork.modeling.files.syntax import Syntax, Where, field, parse
+
+__all__ = ["VERSION", "read_study"]
+
+#: Of the format.
+VERSION = 1
+
+
+class _Document(Record):
+    linkwork_study: Literal[1]
+    model: Word
+    t_end: Number = Field(gt=0)
+    parameters: dict[Word, Any]
+    outputs: Any
+    simulation: dict[Word, Any] = Field({})
+    times: list[Number] | None = None
+    sampler: Word | None = None
+    cases: int | None = Field(None, ge=1)
+    seed: int | None = Field(None, ge=0)
+    directory: Word | None = None
+
+
+def read_study(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """The arguments of `sweep`. FileError: it cannot be read. ModelFileError: what is wrong, with its line.
+
+    OptionError: no such mechanism.
+    """
+    syntax = parse(path)
+    document = _checked(path, syntax)
+    folder = Path(path).absolute().parent
+    given = document.model_dump(exclude={"linkwork_study", "model", "simulation", "parameters"},
+                                exclude_none=True)  # fmt: skip
+    beside = document.model not in MECHANISMS
+    mechanism = named(str(folder / document.model) if beside else document.model)
+    settings = {name: it for name, it in mechanism.settings.items() if name != "t_end"}
+    return {
+        **({} if {"rtol", "atol"} & document.simulation.keys() else settings),
+        **document.simulation,
+        **given,
+        "model": mechanism.function(),
+        "parameters": {name: _parameter(name, value) for name, value in document.parameters.items()},
+        "directory": folder / (document.directory or Path(path).stem),
+    }
+
+
+def _checked(path: str | os.PathLike[str], syntax: Syntax) -> _Document:
+    """ModelFileError: all that is wrong in it."""
+    data, faults = syntax.data, Faults()
+    if not isinstance(data, dict):
+        raise ModelFileError(path, [Fault(1, "", "a study is a mapping: linkwork_study: 1, model: ...")])
+    known = list(_Document.model_fields)
+    for name in data.keys() - set(known):
+        faults.add(Fault(_line(syntax, (name,)), name, f"is not known here{nearest(name, known)}"))
+    try:
+        document = _Document.model_validate({name: it for name, it in data.items() if name in known})
+    except ValidationError as error:
+        for where, message in faults_of_schema(error, data):
+            faults.add(Fault(_line(syntax, where), field(where), message))
+    if faults.count:
+        raise ModelFileError(path, faults.all())
+    return document
+
+
+def _line(syntax: Syntax, where: Where) -> int:
+    """Of the value, or of the nearest around it that is there."""
+    try:
+        return syntax.line(where)
+    except (KeyError, IndexError):
+        return _line(syntax, where[:-1]) if where else 1
+
+
+def _parameter(name: str, value: Any) -> Any:
+    """Values as they are; {norm: {loc: 0, scale: 1}} is a distribution. OptionError: it is none."""
+    if not isinstance(value, Mapping):
+        return value
+    from scipy import stats
+
+    known = [
+        it for it in dir(stats) if isinstance(getattr(stats, it), stats.rv_continuous | stats.rv_discrete)
+    ]
+    if len(value) != 1 or not isinstance(next(iter(value.values())), Mapping):
+        raise OptionError(
+            f"parameter '{name}': a distribution is written {{norm: {{loc: 0.0, scale: 1.0}}}}",
+            code="parameters",
+        )
+    ((kind, numbers),) = value.items()
+    if kind not in known:
+        raise OptionError(
+            f"parameter '{name}': scipy.stats has no distribution '{kind}'{nearest(kind, known)}",
+            code="parameters",
+        )
+    try:
+        if not all(map(is_number, numbers.values())):
+            raise TypeError("its parameters are numbers")
+        return getattr(stats, kind)(**numbers)
+    except (TypeError, ValueError) as error:
+        raise OptionError(f"parameter '{name}': {kind}: {error}", code="parameters") from error

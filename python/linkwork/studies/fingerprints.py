@@ -1,0 +1,68 @@
+"""Content hashes of what a study consists of: equal for equal values, in any process, on any machine."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import hashlib
+import re
+from collections.abc import Mapping, Set
+from types import CodeType, FunctionType, MethodType
+from typing import Any
+
+import numpy as np
+
+__all__ = ["canonical", "digest", "plain"]
+
+#: Where an object is in memory, which says nothing about it.
+ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
+
+
+def digest(*values: Any) -> str:
+    """32 hexadecimal digits."""
+    return hashlib.blake2b(canonical(values).encode(), digest_size=16).hexdigest()
+
+
+def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
+    """A text with every bit of the value. Functions count by their code, defaults and closures, not by the
+    modules that they use."""
+    if isinstance(value, np.generic | np.ndarray):
+        value = value.tolist()
+    if isinstance(value, float):
+        return value.hex()
+    if value is None or isinstance(value, bool | int | str | bytes):
+        return repr(value)
+    if id(value) in inside:
+        return "itself"
+    below = inside | {id(value)}
+    parts = [canonical(part, below) for part in _parts(value)]
+    if isinstance(value, Set | Mapping):
+        parts.sort()
+    kind = "list" if isinstance(value, list | tuple) else type(value).__name__
+    return f"{kind}({','.join(parts)})" if parts else ADDRESS.sub("", f"{kind} {value!r}")
+
+
+def _parts(value: Any) -> list[Any]:
+    if isinstance(value, list | tuple | Set):
+        return list(value)
+    if isinstance(value, Mapping):
+        return [*value.items()]
+    if isinstance(value, FunctionType):
+        cells = [cell.cell_contents for cell in value.__closure__ or ()]
+        return [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, cells]
+    if isinstance(value, CodeType):
+        return [value.co_code, value.co_consts, value.co_names, value.co_varnames]
+    if isinstance(value, MethodType):
+        return [value.__func__, value.__self__]
+    if isinstance(value, functools.partial):
+        return [value.func, value.args, value.keywords]
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return [(it.name, getattr(value, it.name)) for it in dataclasses.fields(value)]
+    return []
+
+
+def plain(value: Any) -> Any:
+    """Numbers of Python in lists, as JSON has them; what is no number or array stays."""
+    if isinstance(value, np.generic | np.ndarray):
+        return value.tolist()
+    return [plain(part) for part in value] if isinstance(value, list | tuple) else value

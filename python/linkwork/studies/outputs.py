@@ -1,0 +1,311 @@
+"""What a study keeps of a run: quantities by name, functions of a Result, arrays at given times.
+
+A name is what one writes after `result.`, and at the end what becomes of it over time:
+"energy_error.max", "reaction('motor pin').force.max", "body('rod').position.z.min",
+"coordinate('motor pin').value.final".
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from linkwork.arrays import Floats
+from linkwork.errors import LinkworkError, OptionError, nearest
+from linkwork.modeling.coordinates import coordinate_of
+from linkwork.results.result import Result
+from linkwork.results.tables import COORDINATES
+from linkwork.studies.fingerprints import canonical
+
+__all__ = ["REDUCTIONS", "Output", "checked", "identity", "outputs_of"]
+
+#: What one may ask a result for.
+PROPERTIES = {
+    "position": "m", "velocity": "m/s", "acceleration": "m/s2", "orientation": "1", "omega": "rad/s",
+    "omega_inertial": "rad/s", "angular_acceleration": "rad/s2", "kinetic_energy": "J",
+    "potential_energy": "J", "energy": "J", "work": "J", "energy_error": "J", "multipliers": "",
+    "violation": "", "history": "",
+}  # fmt: skip
+METHODS = ("body", "reaction", "coordinate", "force")
+
+#: And then what these give for.
+PARTS = {"force": "N", "torque": "N m", "power": "W", "potential": "J", "deflection": "", "value": "",
+         "rate": ""}  # fmt: skip
+
+#: Vectors in space: their sizes are what reductions look at.
+VECTORS = {"position", "velocity", "acceleration", "omega", "omega_inertial", "angular_acceleration",
+           "force", "torque"}  # fmt: skip
+
+COMPONENTS = ("x", "y", "z")
+
+#: Times that are one, relative to the end of the run.
+SAME_TIME = 1e-9
+
+
+def _mean(values: Floats, t: Floats) -> Floats:
+    """Over time, by the trapezoidal rule: frames need not be equally far apart."""
+    if t[-1] <= t[0]:
+        return np.asarray(values[-1])
+    steps = np.diff(t).reshape(-1, *[1] * (values.ndim - 1))
+    return np.asarray(((values[1:] + values[:-1]) / 2 * steps).sum(axis=0) / (t[-1] - t[0]))
+
+
+#: From values (k, ...) at the frames to one.
+REDUCTIONS: Mapping[str, tuple[str, Callable[[Floats, Floats], Floats]]] = {
+    "max": ("largest", lambda values, t: values.max(axis=0)),
+    "min": ("smallest", lambda values, t: values.min(axis=0)),
+    "abs_max": ("largest absolute", lambda values, t: np.abs(values).max(axis=0)),
+    "mean": ("mean over time", _mean),
+    "rms": ("root of the mean square over time", lambda values, t: np.sqrt(_mean(values**2, t))),
+    "range": ("largest less smallest", lambda values, t: np.ptp(values, axis=0)),
+    "final": ("last", lambda values, t: values[-1]),
+}
+
+Step = tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Output:
+    """One of them. A function gets the Result; else the steps lead from it to an array."""
+
+    label: str
+    unit: str = ""
+    about: str = ""
+    steps: tuple[Step, ...] = ()
+    function: Callable[[Result], Any] | None = None
+    reduction: str = ""
+
+    @property
+    def over_time(self) -> bool:
+        """Whether it is an array at the times of the study."""
+        return self.function is None and not self.reduction
+
+    def value(self, result: Result, times: Floats | None) -> Floats:
+        """OptionError: what is no number, or no frame at a time."""
+        if self.function is not None:
+            return _numbers(self.label, self.function(result))
+        found = _followed(result, self.steps)
+        if not isinstance(found, np.ndarray):
+            raise OptionError(f"output '{self.label}': is no array over time", code="outputs")
+        if not self.reduction:
+            return found if times is None else _at_times(self.label, result.t, found, times)
+        if self._of_sizes(found):
+            found = np.linalg.norm(found, axis=-1)
+        return np.asarray(REDUCTIONS[self.reduction][1](found, result.t))
+
+    def _of_sizes(self, values: Floats) -> bool:
+        named = self.steps[-1][0] == "get" and self.steps[-1][1] in VECTORS
+        return named and values.ndim > 1 and values.shape[-1] == 3 and self.reduction != "final"
+
+    def described(self, values: Floats) -> str:
+        """In words, for attributes of a data set; `values` are those over time."""
+        if not self.reduction:
+            return self.about
+        size = " magnitude" if self._of_sizes(values) else " value"
+        return f"{REDUCTIONS[self.reduction][0]}{size} over the recorded frames"
+
+
+def outputs_of(given: Any) -> list[Output]:
+    """From names, or labels with a name, a function of a Result, or a pair of function and unit.
+
+    OptionError: something else, or a name that cannot be read.
+    """
+    if isinstance(given, str) or callable(given):
+        given = [given]
+    if not isinstance(given, Mapping | list | tuple) or not given:
+        raise OptionError(
+            f"outputs {given!r:.80}: give names of quantities, such as ['energy_error.max', 'final'], or "
+            "{label: function of a Result}",
+            code="outputs",
+        )
+    pairs = given.items() if isinstance(given, Mapping) else [(None, what) for what in given]
+    found = [it for label, what in pairs for it in _made(label, what)]
+    labels = [it.label for it in found]
+    double = next((label for label in labels if labels.count(label) > 1), None)
+    if double is not None:
+        raise OptionError(f"outputs: '{double}' is given twice: give {{label: what}}", code="outputs")
+    return found
+
+
+def _made(label: Any, what: Any) -> Iterator[Output]:
+    unit = ""
+    if isinstance(what, tuple) and len(what) == 2 and callable(what[0]) and isinstance(what[1], str):
+        what, unit = what
+    if label is not None and (not isinstance(label, str) or not label):
+        raise OptionError(f"outputs: label {label!r:.60} is no text", code="outputs")
+    if callable(what):
+        yield Output(
+            label or str(getattr(what, "__name__", type(what).__name__)),
+            unit,
+            (getattr(what, "__doc__", "") or "").split("\n")[0],
+            function=what,
+        )
+    elif what == "final":
+        head = label or "final"
+        yield Output(f"{head}.q", "m, 1", "last position and Euler parameters of each body",
+                     function=_final_q)  # fmt: skip
+        yield Output(f"{head}.v", "m/s, rad/s", "last velocity and angular velocity of each body",
+                     function=_final_v)  # fmt: skip
+    elif isinstance(what, str):
+        yield _read(label or what, what)
+    else:
+        raise OptionError(f"outputs: {what!r:.80} is no name and no function of a Result", code="outputs")
+
+
+def _final_q(result: Result) -> Floats:
+    return result.recorded("q", -1)
+
+
+def _final_v(result: Result) -> Floats:
+    return result.recorded("v", -1)
+
+
+def _numbers(label: str, found: Any) -> Floats:
+    try:
+        if np.iscomplexobj(found):
+            raise TypeError
+        return np.array(found, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise OptionError(
+            f"output '{label}': its function gives {found!r:.60}, no number or array of numbers",
+            code="outputs",
+        ) from error
+
+
+# --- names ---
+
+
+def _read(label: str, text: str) -> Output:
+    try:
+        steps = list(_steps(ast.parse(text.strip(), mode="eval").body))
+    except (SyntaxError, ValueError, TypeError) as error:
+        raise OptionError(
+            f"output '{text}': is no name of a quantity, such as \"reaction('pin').force.max\"",
+            code="outputs",
+        ) from error
+    root = steps[0][1]
+    known = [*PROPERTIES, *METHODS]
+    if root not in known:
+        raise OptionError(
+            f"output '{text}': a result has no quantity '{root}'{nearest(root, [*known, 'final'])}",
+            code="outputs",
+        )
+    if root in METHODS and (len(steps) < 2 or steps[1][0] != "call"):
+        raise OptionError(f"output '{text}': {root} needs a name: {root}('...')", code="outputs")
+    reduction = steps.pop()[1] if steps[-1][0] == "get" and steps[-1][1] in REDUCTIONS else ""
+    if not steps:
+        raise OptionError(f"output '{text}': of what?", code="outputs")
+    return Output(label, about=text, steps=tuple(steps), reduction=reduction)
+
+
+def _steps(node: ast.AST) -> Iterator[Step]:
+    """From the inside out: ("get", name), ("call", arguments, keywords), ("index", key)."""
+    if isinstance(node, ast.Name):
+        yield "get", node.id
+    elif isinstance(node, ast.Attribute):
+        yield from _steps(node.value)
+        yield "get", node.attr
+    elif isinstance(node, ast.Call):
+        yield from _steps(node.func)
+        words = tuple((str(word.arg), ast.literal_eval(word.value)) for word in node.keywords)
+        yield "call", tuple(map(ast.literal_eval, node.args)), words
+    elif isinstance(node, ast.Subscript):
+        yield from _steps(node.value)
+        yield "index", _key(node.slice)
+    else:
+        raise ValueError
+
+
+def _key(node: ast.expr) -> Any:
+    if isinstance(node, ast.Tuple):
+        return tuple(map(_key, node.elts))
+    if isinstance(node, ast.Slice):
+        ends = (node.lower, node.upper, node.step)
+        return slice(*(None if end is None else ast.literal_eval(end) for end in ends))
+    return ast.literal_eval(node)
+
+
+def _followed(result: Result, steps: Sequence[Step]) -> Any:
+    found: Any = result
+    for step in steps:
+        if step[0] == "index":
+            found = np.asarray(found)[step[1]]
+        elif step[0] == "call":
+            found = found(*step[1], **dict(step[2]))
+        elif isinstance(found, np.ndarray) and step[1] in COMPONENTS and found.shape[-1:] == (3,):
+            found = found[..., COMPONENTS.index(step[1])]
+        else:
+            found = _part(found, step[1])
+    return found
+
+
+def _part(holder: Any, name: str) -> Any:
+    """OptionError: it has none of this name."""
+    known = [it for it in (*PROPERTIES, *PARTS, *METHODS) if hasattr(holder, it)]
+    if isinstance(holder, np.ndarray) or name not in known:
+        vector = isinstance(holder, np.ndarray) and holder.shape[-1:] == (3,)
+        there = [*REDUCTIONS, *(COMPONENTS if vector else ())] if isinstance(holder, np.ndarray) else known
+        raise OptionError(f"no part '{name}'{nearest(name, there)}", code="outputs")
+    return getattr(holder, name)
+
+
+def checked(output: Output, result: Result, times: Floats | None) -> Output:
+    """With its unit and its description, from a result of one frame.
+
+    OptionError: an output that does not exist, or that is no number where no times are given.
+    """
+    if output.function is not None:
+        return output
+    try:
+        values = _followed(result, output.steps)
+    except (LinkworkError, IndexError, TypeError, ValueError) as error:
+        raise OptionError(f"output '{output.label}': {error}", code="outputs") from error
+    if not isinstance(values, np.ndarray) or values.ndim < 1 or len(values) != len(result):
+        raise OptionError(
+            f"output '{output.label}': is no array over time; name a part of it, and what becomes of it: "
+            f"{', '.join(REDUCTIONS)}",
+            code="outputs",
+        )
+    if output.over_time and times is None:
+        raise OptionError(
+            f"output '{output.label}': is an array over time: give times=[...], or add one of "
+            f"{', '.join('.' + name for name in REDUCTIONS)}",
+            code="outputs",
+        )
+    unit = _unit(output.steps, result)
+    return Output(output.label, unit, output.described(values), output.steps, None, output.reduction)
+
+
+def _unit(steps: Sequence[Step], result: Result) -> str:
+    names = [step[1] for step in steps if step[0] == "get" and step[1] not in COMPONENTS]
+    if names[0] == "coordinate":
+        joint = result.index("joint", steps[1][1][0])
+        given = [*steps[1][1][1:], *(value for _, value in steps[1][2])]
+        kind, name = result.header.joint_kinds[joint], result.joint_names[joint]
+        unit = COORDINATES[coordinate_of(kind, name, given[0] if given else None)]
+        return f"{unit}/s" if names[-1] == "rate" else unit
+    return {**PROPERTIES, **PARTS}.get(names[-1], "")
+
+
+def _at_times(label: str, t: Floats, values: Floats, times: Floats) -> Floats:
+    """Rows at the times; NaN beyond the end of a run that an event ended. OptionError: no frame there."""
+    at = np.abs(t[None, :] - times[:, None]).argmin(axis=1)
+    tolerance = SAME_TIME * max(1.0, float(np.abs(times).max()))
+    over = times > t[-1] + tolerance
+    off = ~over & (np.abs(t[at] - times) > tolerance)
+    if off.any():
+        raise OptionError(
+            f"output '{label}': the run has no frame at t = {times[off][0]:.9g} s", code="times"
+        )
+    found = values[at].astype(float)
+    found[over] = np.nan
+    return np.asarray(found)
+
+
+def identity(outputs: Sequence[Output]) -> list[str]:
+    """What decides on their values."""
+    return [canonical([it.label, it.steps, it.function, it.reduction]) for it in outputs]

@@ -1,0 +1,246 @@
+"""The cases of a study: grids, tables, and points of SciPy's samplers and distributions."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from linkwork.arguments import is_number, one_of, whole
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError
+from linkwork.studies.fingerprints import plain
+
+__all__ = ["SAMPLERS", "Cases", "cases_of"]
+
+#: By name: points in the unit cube. They are scrambled, and need a seed.
+SAMPLERS: Mapping[str, str] = {"sobol": "Sobol", "halton": "Halton", "latin_hypercube": "LatinHypercube"}
+
+#: What `sampler` may be, beside an engine of scipy.stats.qmc.
+NAMES = ("grid", "table", "random", *SAMPLERS)
+
+#: More cases than a store holds.
+MOST = 10**7
+
+
+@dataclass(frozen=True)
+class Cases:
+    """Values of the parameters (k,), each a number, a list of numbers, or what a function takes."""
+
+    columns: Mapping[str, Sequence[Any]]
+    how: str  # they were made
+
+    def __len__(self) -> int:
+        return len(next(iter(self.columns.values())))
+
+    def as_floats(self) -> Cases:
+        """The same, of numbers alone: 1 and 1.0 are one case."""
+        columns = {name: [np.asarray(value, dtype=float).tolist() for value in values]
+                   for name, values in self.columns.items()}  # fmt: skip
+        return Cases(columns, self.how)
+
+    def case(self, number: int) -> dict[str, Any]:
+        return {name: values[number] for name, values in self.columns.items()}
+
+
+def cases_of(parameters: Any, sampler: Any, count: int | None, seed: int | None) -> Cases:
+    """OptionError: no cases, columns of other lengths, a distribution without seed, ..."""
+    if seed is not None:
+        whole(seed, 0, "seed")
+    columns = _columns(parameters)
+    kind = _kind(parameters, columns, sampler)
+    if kind in ("grid", "table") and count is not None:
+        raise OptionError(
+            f"cases {count!r:.40}: a {kind} has as many as it has; cases= is for samplers", code="cases"
+        )
+    if kind == "grid":
+        return _grid({name: _values(name, given, single=True) for name, given in columns.items()})
+    if kind == "table":
+        return _table({name: _values(name, given, single=False) for name, given in columns.items()})
+    if count is None:
+        raise OptionError(f"cases is missing: sampler '{kind}' needs their number", code="cases")
+    count = whole(count, 1, "cases")
+    if count > MOST:
+        raise OptionError(f"cases {count} are more than {MOST:.0e}", code="cases")
+    return _sampled(columns, sampler, kind, count, seed)
+
+
+def _columns(parameters: Any) -> dict[str, Any]:
+    """By name: a mapping, a table of pandas, rows as mappings, or an array with names of its fields."""
+    if isinstance(parameters, Mapping):
+        found = dict(parameters)
+    elif hasattr(parameters, "columns") and hasattr(parameters, "to_dict"):
+        found = {name: parameters[name].tolist() for name in parameters.columns}
+    elif isinstance(parameters, np.ndarray) and parameters.dtype.names:
+        found = {name: parameters[name] for name in parameters.dtype.names}
+    elif isinstance(parameters, Sequence) and all(isinstance(row, Mapping) for row in parameters):
+        found = _of_rows(parameters)
+    else:
+        raise OptionError(
+            f"parameters {parameters!r:.80} is no mapping of names to values, no list of such mappings, no "
+            "table of pandas and no array with named fields",
+            code="parameters",
+        )
+    if not found:
+        raise OptionError("parameters: there are none, so there is no case", code="parameters")
+    wrong = next((name for name in found if not isinstance(name, str)), None)
+    if wrong is not None:
+        raise OptionError(f"parameter {wrong!r:.80}: its name is no text", code="parameters")
+    return found
+
+
+def _of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    names = list(rows[0]) if rows else []
+    for number, row in enumerate(rows):
+        if set(row) != set(names):
+            odd = sorted(map(str, set(row) ^ set(names)))
+            raise OptionError(
+                f"parameters: case {number} and case 0 differ in '{odd[0]}': give it in all or in none",
+                code="parameters",
+            )
+    return {name: [row[name] for row in rows] for name in names}
+
+
+def _kind(parameters: Any, columns: Mapping[str, Any], sampler: Any) -> str:
+    if sampler is not None and not isinstance(sampler, str):
+        return "engine"
+    drawn = [name for name, given in columns.items() if _is_distribution(given)]
+    if sampler is None:
+        usual = "grid" if isinstance(parameters, Mapping) else "table"
+        return "random" if drawn else usual
+    kind = one_of(sampler, NAMES, "sampler")
+    if drawn and kind in ("grid", "table"):
+        raise OptionError(
+            f"parameter '{drawn[0]}': is a distribution, which a {kind} cannot have", code="sampler"
+        )
+    return kind
+
+
+def _values(name: str, given: Any, *, single: bool) -> list[Any]:
+    """OptionError: none. A single value is a list of one where `single`."""
+    if isinstance(given, str | bytes | Mapping) or not isinstance(given, Iterable):
+        if not single:
+            raise OptionError(f"parameter '{name}': {given!r:.60} is no list of values", code="parameters")
+        given = [given]
+    found = [plain(value) for value in given]
+    if not found:
+        raise OptionError(f"parameter '{name}': has no values, so there is no case", code="parameters")
+    return found
+
+
+def _grid(columns: Mapping[str, list[Any]]) -> Cases:
+    """Full factorial; the last parameter changes first."""
+    count = math.prod(map(len, columns.values()))
+    if count > MOST:
+        raise OptionError(f"parameters: a grid of {count} cases is more than {MOST:.0e}", code="cases")
+    rows = list(itertools.product(*columns.values()))
+    return Cases({name: [row[k] for row in rows] for k, name in enumerate(columns)}, "grid")
+
+
+def _table(columns: Mapping[str, list[Any]]) -> Cases:
+    first = next(iter(columns))
+    for name, values in columns.items():
+        if len(values) != len(columns[first]):
+            raise OptionError(
+                f"parameter '{name}': has {len(values)} values, '{first}' {len(columns[first])}; a table has "
+                "equally many of all",
+                code="parameters",
+            )
+    return Cases(columns, "table")
+
+
+# --- samplers ---
+
+
+def _sampled(columns: Mapping[str, Any], sampler: Any, kind: str, count: int, seed: int | None) -> Cases:
+    quantiles = {name: _quantile(name, given) for name, given in columns.items()}
+    if kind == "engine":
+        points, kind = _of_engine(sampler, len(columns), count)
+    else:
+        drawn = next((name for name in columns if _is_distribution(columns[name])), "")
+        if seed is None:
+            what = f"parameter '{drawn}': is a distribution" if drawn else f"sampler '{kind}' is random"
+            raise OptionError(f"{what}: give a seed, a whole number, so that it can be repeated", code="seed")
+        points = _random(columns, count, seed) if kind == "random" else _scrambled(columns, kind, count, seed)
+    # the ends of the unit interval are quantiles at infinity
+    inside = np.clip(points, 2.0**-54, 1 - 2.0**-53)
+    return Cases(
+        {name: quantile(inside[:, k]).tolist() for k, (name, quantile) in enumerate(quantiles.items())}, kind
+    )
+
+
+def _random(columns: Mapping[str, Any], count: int, seed: int) -> Floats:
+    """(count, p): the first points are those of fewer cases, and of a parameter those without the others."""
+    streams = [np.random.SeedSequence([seed, *name.encode()]) for name in columns]
+    return np.stack([np.random.Generator(np.random.PCG64(it)).random(count) for it in streams], axis=1)
+
+
+def _scrambled(columns: Mapping[str, Any], kind: str, count: int, seed: int) -> Floats:
+    from scipy.stats import qmc
+
+    engine = getattr(qmc, SAMPLERS[kind])(d=len(columns), seed=seed)
+    points: Floats = engine.random(count)
+    return points
+
+
+def _of_engine(engine: Any, dimensions: int, count: int) -> tuple[Floats, str]:
+    """From its beginning, whatever was drawn from it before. OptionError: none, or one without seed."""
+    from scipy.stats import qmc
+
+    if not isinstance(engine, qmc.QMCEngine):
+        raise OptionError(
+            f"sampler {engine!r:.80} is none of {', '.join(NAMES)}, and no engine of scipy.stats.qmc",
+            code="sampler",
+        )
+    if engine.d != dimensions:
+        raise OptionError(
+            f"sampler: has {engine.d} dimensions, and there are {dimensions} parameters", code="sampler"
+        )
+    if not _is_repeatable(engine):
+        raise OptionError(
+            f"sampler {type(engine).__name__}: has no seed of at most 64 bits: give it one, so that it "
+            "can be repeated",
+            code="seed",
+        )
+    points: Floats = copy.deepcopy(engine).reset().random(count)
+    return points, type(engine).__name__
+
+
+def _is_repeatable(engine: Any) -> bool:
+    """Without a seed SciPy takes one of 128 bits from the system."""
+    from scipy.stats import qmc
+
+    if isinstance(engine, qmc.Sobol | qmc.Halton) and not engine.scramble:
+        return True
+    generator = getattr(getattr(engine, "rng_seed", None), "bit_generator", None)
+    entropy = getattr(getattr(generator, "seed_seq", None), "entropy", None)
+    return isinstance(entropy, int) and entropy < 2**64
+
+
+def _is_distribution(given: Any) -> bool:
+    """Frozen, of one variable."""
+    return callable(getattr(given, "ppf", None)) and hasattr(given, "dist")
+
+
+def _quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
+    """From the unit interval to values. OptionError: neither bounds nor a distribution."""
+    if _is_distribution(given):
+        if not np.isfinite(given.ppf(0.5)):
+            raise OptionError(f"parameter '{name}': its distribution is none: check its numbers",
+                              code="parameters")  # fmt: skip
+        return lambda u: np.asarray(given.ppf(u), dtype=float)
+    bounds = given.tolist() if isinstance(given, np.ndarray) else given
+    good = isinstance(bounds, tuple | list) and len(bounds) == 2 and all(map(is_number, bounds))
+    if not good or not bounds[0] < bounds[1]:
+        raise OptionError(
+            f"parameter '{name}': {given!r:.60} is no pair (low, high) and no frozen distribution of "
+            "scipy.stats, which a sampler needs",
+            code="parameters",
+        )
+    low, high = map(float, bounds)
+    return lambda u: low + (high - low) * u

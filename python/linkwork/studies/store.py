@@ -1,0 +1,147 @@
+"""A study on disk: each case once, whoever ran it, whatever was interrupted.
+
+directory/study.json          what is studied; seed, versions, machine of who began it
+directory/cases/<hash>.jsonl  the cases of one task: a line for the task with a digest of the others, and one
+                              a case with its key, values, status and outputs
+
+Files are written beside, brought to the disk and renamed: they are whole or not there, also on file systems
+of a network, and nobody locks anything. A file's name follows from its cases: two who run the same write the
+same file. Of a case that is in several, one counts.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import uuid
+import zlib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from linkwork import arguments
+from linkwork.errors import FileError, cause, unwritable, warn
+from linkwork.studies.cases import Answer, Run
+from linkwork.studies.fingerprints import digest
+
+__all__ = ["Store", "write_whole"]
+
+#: Of the format.
+VERSION = 1
+
+
+class Store:
+    """A directory with the cases of one study. FileError: it cannot be written, or belongs to another."""
+
+    def __init__(self, directory: Any, identity: Mapping[str, Any], about: Mapping[str, Any]) -> None:
+        self.directory = arguments.path(directory, "directory")
+        self._cases = self.directory / "cases"
+        try:
+            self._claim(dict(identity), dict(about))
+            self._cases.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise unwritable("directory", self.directory, error) from error
+
+    def example(self) -> Mapping[str, Any]:
+        """Values of a case and the hash of its model, of who began the study; nothing where they are gone."""
+        stored = json.loads((self.directory / "study.json").read_text(encoding="utf-8"))
+        found: Mapping[str, Any] = stored.get("example", {})
+        return found
+
+    def keep(self, answer: Answer) -> None:
+        """FileError: the disk is full, say; what was kept before stays readable."""
+        lines = [json.dumps(asdict(run)) for run in answer.runs]
+        body = "\n".join(lines) + "\n"
+        head = {"linkwork_cases": VERSION, "cases": len(lines), "digest": zlib.crc32(body.encode()),
+                "machine": dict(answer.machine)}  # fmt: skip
+        name = digest([run.key for run in answer.runs])
+        try:
+            write_whole(self._cases / f"{name}.jsonl", json.dumps(head) + "\n" + body)
+        except OSError as error:
+            raise unwritable("directory", self.directory, error) from error
+
+    def found(self, keys: Iterable[str]) -> tuple[dict[str, Run], list[Mapping[str, Any]]]:
+        """Those of these keys that are there, and the machines that ran them."""
+        wanted = set(keys)
+        runs: dict[str, Run] = {}
+        machines: list[Mapping[str, Any]] = []
+        for machine, run in self._all():
+            if run.key in wanted and run.key not in runs:
+                runs[run.key] = run
+                if machine not in machines:
+                    machines.append(machine)
+        return runs, machines
+
+    def _all(self) -> Iterator[tuple[Mapping[str, Any], Run]]:
+        """LinkworkWarning: a damaged file, whose cases count as not there."""
+        try:
+            files = sorted(self._cases.glob("*.jsonl"))
+            for file in files:
+                machine, runs = _read(file)
+                yield from ((machine, run) for run in runs)
+        except OSError as error:
+            raise FileError(f"directory '{self.directory}': {cause(error)}", code="not_readable") from error
+
+    def _claim(self, identity: dict[str, Any], about: dict[str, Any]) -> None:
+        path = self.directory / "study.json"
+        try:
+            stored = json.loads(path.read_text(encoding="utf-8"))["identity"]
+        except FileNotFoundError:
+            self._refuse_strangers()
+            self.directory.mkdir(parents=True, exist_ok=True)
+            write_whole(path, json.dumps({"linkwork_study": VERSION, "identity": identity, **about},
+                                         indent=2, default=str) + "\n")  # fmt: skip
+            return
+        except (ValueError, KeyError, TypeError) as error:
+            raise FileError(
+                f"directory '{self.directory}': its study.json is none of a study; give another directory",
+                code="other_study",
+            ) from error
+        for name, value in identity.items():
+            if stored.get(name) != value:
+                raise FileError(
+                    f"directory '{self.directory}': holds a study with another {name}"
+                    f"{_difference(stored.get(name), value)}; give another directory, or remove this one",
+                    code="other_study",
+                )
+
+    def _refuse_strangers(self) -> None:
+        ours = re.compile(r"cases|(\.?study\.json.*)")  # of another who begins it at this moment
+        if self.directory.is_dir() and not all(ours.fullmatch(it.name) for it in self.directory.iterdir()):
+            raise FileError(
+                f"directory '{self.directory}': holds something else than a study; give a new one",
+                code="other_study",
+            )
+
+
+def _difference(stored: Any, value: Any) -> str:
+    short = all(len(str(it)) <= 60 for it in (stored, value)) and not str(value).isalnum()
+    return f": {stored!r}, not {value!r}" if short or isinstance(value, int | float) else ""
+
+
+def _read(file: Path) -> tuple[Mapping[str, Any], Sequence[Run]]:
+    head, _, body = file.read_text(encoding="utf-8").partition("\n")
+    try:
+        about = json.loads(head)
+        if about["linkwork_cases"] != VERSION or about["digest"] != zlib.crc32(body.encode()):
+            raise ValueError("digest")
+        return about["machine"], [Run(**json.loads(line)) for line in body.splitlines()]
+    except (ValueError, KeyError, TypeError):
+        warn(f"file '{file}': is damaged: its cases count as not there")
+        return {}, []
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Under its name only when it is on the disk. OSError."""
+    beside = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
+    try:
+        with open(beside, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(beside, path)
+    except OSError:
+        beside.unlink(missing_ok=True)
+        raise

@@ -1,0 +1,278 @@
+"""What a study found: parameters, outputs and status of every case, as arrays and as tables."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.arguments import check_new, optional_package
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError, unwritable
+from linkwork.results.result import Result
+from linkwork.studies.cases import Run, Runner
+from linkwork.studies.outputs import Output
+from linkwork.studies.sampling import Cases
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+__all__ = ["Study", "assembled"]
+
+#: Causes of failure that a summary lists.
+LISTED = 3
+
+
+@dataclass(frozen=True, repr=False)
+class Study:
+    """n cases of a study: `parameters`, `outputs` and `status`, case by case.
+
+    parameters  by name: values (n, ...)
+    outputs     by label: (n, ...) in SI units, see `units`; NaN in cases that did not finish
+    status      (n,) "finished", "failed", or "skipped": of another shard, or not yet run
+    errors      by case: type, code, message of what failed, and `reached`, the simulated time [s]; why a
+                case was lost
+    verdict     (n,) "good", "coarse" or "wrong", see linkwork.Verdict; empty where there is none
+    accuracy    (n,) the estimated relative error of the run, Verdict.error; NaN where there is none
+    seconds     (n,) wall time
+    remarks     by case: warnings of the run
+    units       of parameters and outputs that are known
+    times       (k,) [s] of outputs that are arrays over time, whose second axis they are; None: of none
+    manifest    what was run: hashes, versions, seed, machines
+    """
+
+    parameters: Mapping[str, NDArray[Any]]
+    outputs: Mapping[str, Floats]
+    status: NDArray[np.str_]
+    errors: Mapping[int, Mapping[str, Any]]
+    verdict: NDArray[np.str_]
+    accuracy: Floats
+    seconds: Floats
+    remarks: Mapping[int, str]
+    units: Mapping[str, str]
+    times: Floats | None
+    manifest: Mapping[str, Any]
+    described: Mapping[str, str] = field(default_factory=dict)  #: outputs in words
+    over_time: frozenset[str] = frozenset()  #: outputs that are arrays over `times`
+    runner: Runner | None = field(default=None, compare=False)  #: what runs a case
+    cases: Cases | None = field(default=None, compare=False)  #: what was asked for
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    def __repr__(self) -> str:
+        counts = Counter(self.status.tolist())
+        parts = [f"{counts[name]} {name}" for name in ("finished", "failed", "skipped") if counts[name]]
+        doubtful = Counter(self.verdict.tolist())
+        parts += [f"{doubtful[name]} of them {name}" for name in ("coarse", "wrong") if doubtful[name]]
+        why = Counter(str(it["message"]) for it in self.errors.values()).most_common(LISTED)
+        lines = [f"<Study: {len(self)} cases of {', '.join(self.parameters)}: {', '.join(parts)}>"]
+        return "\n".join([*lines, *(f"  {count} x {message}" for message, count in why)])
+
+    def case(self, number: int) -> dict[str, Any]:
+        """Everything of one case. OptionError: there is no such case."""
+        k = self._number(number)
+        found = {name: values[k] for name, values in (*self.parameters.items(), *self.outputs.items())}
+        return {**found, "status": str(self.status[k]), "verdict": str(self.verdict[k]),
+                "accuracy": float(self.accuracy[k]), "seconds": float(self.seconds[k]),
+                "error": dict(self.errors.get(k, {})), "remarks": self.remarks.get(k, "")}  # fmt: skip
+
+    def simulate(self, number: int) -> Result:
+        """The whole motion of one case, run again, to the same bits on a processor of the same kind.
+
+        OptionError: there is no such case. What the run raises where it failed.
+        """
+        k = self._number(number)
+        assert self.runner is not None
+        assert self.cases is not None
+        return self.runner.result(self.cases.case(k))
+
+    def _number(self, number: int) -> int:
+        whole = isinstance(number, int | np.integer) and not isinstance(number, bool)
+        if not whole or not -len(self) <= number < len(self):
+            raise OptionError(f"case {number!r:.40} is none of the {len(self)} of this study", code="case")
+        return int(number) % len(self)
+
+    # --- tables ---
+
+    def to_table(self) -> NDArray[Any]:
+        """A structured array (n,): parameters, outputs, "status", "verdict", "accuracy", "seconds"."""
+        columns = {**self.parameters, **self.outputs, "status": self.status, "verdict": self.verdict,
+                   "accuracy": self.accuracy, "seconds": self.seconds}  # fmt: skip
+        kinds = [(name, values.dtype, values.shape[1:]) for name, values in columns.items()]
+        table = np.empty(len(self), dtype=kinds)
+        for name, values in columns.items():
+            table[name] = values
+        return table
+
+    def to_frame(self) -> pandas.DataFrame:
+        """A table of pandas, a row a case; arrays have a column a number: "path[0]". Units in `attrs`.
+
+        OptionError: pandas is not installed.
+        """
+        package = optional_package("pandas", "pandas", "to_frame", instead="to_table needs nothing")
+        columns = dict(self._flat())
+        frame: pandas.DataFrame = package.DataFrame(columns, index=package.RangeIndex(len(self), name="case"))
+        frame["error"] = [self.errors.get(k, {}).get("message", "") for k in range(len(self))]
+        frame.attrs.update(units=dict(self.units))
+        return frame
+
+    def to_csv(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write the table of `to_frame` as text (.csv), a row a case, numbers to the last bit.
+
+        overwrite  whether it may replace a file
+
+        FileError: there is a file, it has another suffix, or cannot be written.
+        """
+        target = check_new(path, "table", overwrite)
+        columns = dict(self._flat())
+        columns["error"] = np.array([self.errors.get(k, {}).get("message", "") for k in range(len(self))])
+        try:
+            with open(target, "w", newline="", encoding="utf-8") as file:
+                writer = csv.writer(file, lineterminator="\n")
+                writer.writerow(["case", *columns])
+                writer.writerows(
+                    zip(range(len(self)), *(it.tolist() for it in columns.values()), strict=True)
+                )
+        except OSError as error:
+            raise unwritable("table", target, error) from error
+
+    def _flat(self) -> Iterator[tuple[str, NDArray[Any]]]:
+        """Columns (n,) of the table; of arrays one a number."""
+        for name in (table := self.to_table()).dtype.names or ():
+            values = table[name]
+            for place in np.ndindex(values.shape[1:]):
+                yield name + "".join(f"[{k}]" for k in place), values[(slice(None), *place)]
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A data set of xarray over the dimension "case": parameters, status, verdict, ... as coordinates,
+        outputs as variables, units as attributes, the manifest as text.
+
+        OptionError: xarray is not installed.
+        """
+        package = optional_package("xarray", "xarray", "to_xarray", instead="to_table needs nothing")
+        coordinates: dict[str, Any] = {"case": np.arange(len(self))}
+        for name, values in self.parameters.items():
+            coordinates[name] = self._variable(name, values, "parameter")
+        for name in ("status", "verdict", "accuracy", "seconds"):
+            unit = {"seconds": "s", "accuracy": "1"}.get(name)
+            coordinates[name] = ("case", getattr(self, name), {"units": unit} if unit else {})
+        coordinates["error"] = "case", [self.errors.get(k, {}).get("message", "") for k in range(len(self))]
+        if self.over_time:
+            coordinates["time"] = "time", self.times, {"units": "s"}
+        variables = {name: self._variable(name, it, self.described.get(name, ""))
+                     for name, it in self.outputs.items()}  # fmt: skip
+        attributes = {"manifest": json.dumps(self.manifest, default=str)}
+        found: xarray.Dataset = package.Dataset(variables, coordinates, attributes)
+        return found
+
+    def _variable(self, name: str, values: NDArray[Any], about: str) -> tuple[Any, Any, dict[str, str]]:
+        dims = [f"{name}_{k}" for k in range(1, values.ndim)]
+        if name in self.over_time:
+            dims[0] = "time"
+        attributes = {"units": self.units.get(name, ""), "long_name": about}
+        return ("case", *dims), values, {key: text for key, text in attributes.items() if text}
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write the data set of `to_xarray` as netCDF: .nc, which xarray.load_dataset reads.
+
+        overwrite  whether it may replace a file
+
+        OptionError: xarray is not installed. FileError: there is a file, it has another suffix, or cannot be
+        written.
+        """
+        target = check_new(path, "data set", overwrite)
+        data = self.to_xarray()
+        try:
+            data.to_netcdf(target)
+        except (OSError, ValueError) as error:
+            raise unwritable("data set", target, error) from error
+
+
+# --- from runs ---
+
+
+def assembled(
+    cases: Cases, keys: Sequence[str], runs: Mapping[str, Run], lost: Mapping[str, str],
+    runner: Runner, manifest: Mapping[str, Any],
+) -> Study:  # fmt: skip
+    """Case by case; of a function whose arrays differ in shape, those unlike the first are failures."""
+    ordered = [runs.get(key) for key in keys]
+    shapes = _shapes(ordered)
+    ordered = [None if run is None else _of_shape(run, shapes) for run in ordered]
+    outputs = {it.label: _column(ordered, it, shapes, runner.times) for it in runner.outputs}
+    errors: dict[int, Mapping[str, Any]] = {
+        k: run.error for k, run in enumerate(ordered) if run is not None and run.error
+    }
+    for k, key in enumerate(keys):
+        if ordered[k] is None and key in lost:
+            errors[k] = {"type": "Lost", "code": "lost", "message": lost[key], "reached": None}
+    verdicts = [{} if run is None else run.verdict for run in ordered]
+    return Study(
+        parameters={name: _array(values) for name, values in cases.columns.items()},
+        outputs=outputs,
+        status=np.array([_status(run, key in lost) for run, key in zip(ordered, keys, strict=True)]),
+        errors=errors,
+        verdict=np.array([it.get("level", "") for it in verdicts], dtype="<U6"),
+        accuracy=np.array([it.get("error", np.nan) for it in verdicts], dtype=float),
+        seconds=np.array([np.nan if run is None else run.seconds for run in ordered]),
+        remarks={k: run.remarks for k, run in enumerate(ordered) if run is not None and run.remarks},
+        units={name: unit for name, unit in {
+            **runner.source.units(list(cases.columns)), **{it.label: it.unit for it in runner.outputs}
+        }.items() if unit},
+        times=runner.times,
+        manifest=manifest,
+        described={it.label: it.about for it in runner.outputs},
+        over_time=frozenset(it.label for it in runner.outputs if it.over_time),
+        runner=runner,
+        cases=cases,
+    )  # fmt: skip
+
+
+def _array(values: Sequence[Any]) -> NDArray[Any]:
+    """(n, ...); what a function takes, and no array can hold, in words."""
+    try:
+        found = np.array(values)
+    except ValueError:
+        found = np.array([], dtype=object)
+    return found if found.dtype.kind in "biufU" else np.array([str(value) for value in values])
+
+
+def _status(run: Run | None, lost: bool) -> str:
+    return ("failed" if lost else "skipped") if run is None else run.status
+
+
+def _shapes(runs: Sequence[Run | None]) -> dict[str, tuple[int, ...]]:
+    """Of the outputs, from the first case that finished."""
+    first = next((run for run in runs if run is not None and run.status == "finished"), None)
+    return {} if first is None else {label: np.shape(it) for label, it in first.outputs.items()}
+
+
+def _of_shape(run: Run, shapes: Mapping[str, tuple[int, ...]]) -> Run:
+    for label, found in run.outputs.items():
+        if np.shape(found) != shapes[label]:
+            message = (
+                f"output '{label}' has shape {np.shape(found)}, not {shapes[label]} as in the first case"
+            )
+            error = {"type": "OptionError", "code": "shape", "message": message, "reached": None}
+            return replace(run, status="failed", outputs={}, error=error)
+    return run
+
+
+def _column(
+    runs: Sequence[Run | None], output: Output, shapes: Mapping[str, tuple[int, ...]], times: Floats | None
+) -> Floats:
+    usual = (len(times),) if output.over_time and times is not None else ()
+    column = np.full((len(runs), *shapes.get(output.label, usual)), np.nan)
+    for k, run in enumerate(runs):
+        if run is not None and run.status == "finished":
+            column[k] = run.outputs[output.label]
+    return column

@@ -1,0 +1,351 @@
+"""`sweep`: from a model and its parameters to a Study."""
+
+from __future__ import annotations
+
+import datetime
+import inspect
+import logging
+import os
+import time
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
+from contextlib import closing
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork import integrators
+from linkwork.arguments import whole
+from linkwork.comparison.workers import Lost
+from linkwork.equations.system import System
+from linkwork.errors import FileError, LinkworkError, OptionError, warn
+from linkwork.modeling.model import Model
+from linkwork.motion.header import Header
+from linkwork.options import TABLE, check_name, check_number, check_option
+from linkwork.options import names as option_names
+from linkwork.results.result import Result
+from linkwork.running import recording, schedule
+from linkwork.running.events import compile_events
+from linkwork.running.manifest import platform_facts
+from linkwork.running.progress import ShowOption, counting
+from linkwork.running.simulation import simulate
+from linkwork.studies import outputs as wanted
+from linkwork.studies.cases import Case, Run, Runner, check_times, machine
+from linkwork.studies.chunks import check_executor, run_cases
+from linkwork.studies.fingerprints import canonical, digest
+from linkwork.studies.sampling import Cases, cases_of
+from linkwork.studies.store import Store
+from linkwork.studies.study import Study, assembled
+from linkwork.studies.variants import Built, Source, source_of
+
+__all__ = ["sweep"]
+
+log = logging.getLogger(__name__)
+
+#: Arguments of `simulate` that a study has in another way, or cannot have.
+OTHERS = {
+    "output": "a study keeps outputs; Study.simulate runs one case again",
+    "overwrite": "a study keeps outputs; Study.simulate runs one case again",
+    "start": "give the model another initial state, model.with_initial_state(q, v)",
+    "progress": "it is that of the study",
+}
+
+#: Columns of every study.
+OWN = ("case", "status", "verdict", "accuracy", "seconds", "error", "remarks", "time")
+
+#: Of how many cases one is looked for that has a model, on which outputs are checked.
+LOOKED_AT = 20
+
+
+def sweep(
+    model: Model | Callable[..., Model],
+    parameters: Any,
+    outputs: Any,
+    *,
+    t_end: float,
+    times: ArrayLike | None = None,
+    sampler: Any = None,
+    cases: int | None = None,
+    seed: int | None = None,
+    executor: Executor | None = None,
+    processes: int | None = None,
+    directory: str | os.PathLike[str] | None = None,
+    shard: tuple[int, int] | None = None,
+    gather: bool = False,
+    progress: ShowOption = None,
+    **options: Any,
+) -> Study:
+    """Simulate a mechanism in many variants, and keep of each what is asked for.
+
+        study = lw.sweep(model, {"rod.mass": [1, 2, 3], "gravity[2]": [-9.81, -1.62]},
+                         ["energy_error.abs_max", "body('rod').position.z.min"], t_end=2.0, step=1e-3)
+
+    model       a model, whose parameters are named by path: "crank.mass", "crank.inertia[1]",
+                "spring.stiffness", "motor pin.at[2]", "gravity[2]"; in the units of `Model.values`. Or a
+                function build(**parameters) -> Model, where the topology changes
+    parameters  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
+                named fields: a case a row. With a sampler {name: (low, high)}, or frozen distributions of
+                scipy.stats
+    outputs     names of quantities of a Result, with what becomes of them over the recorded frames (max, min,
+                abs_max, mean, rms, range, final): "reaction('pin').force.max". Of vectors in space all but
+                final are those of the magnitude; .x, .y, .z are components. "final": the last q and v.
+                Functions of a Result that give numbers. {label: ...} names them; a pair (function, unit) has
+                a unit. Names without max, ... are arrays at `times`
+    t_end       of every case [s]
+    times       of outputs that are arrays [s]; with a fixed step multiples of it
+    sampler     None, "grid", "table" (columns of equal length), "random", "sobol", "halton",
+                "latin_hypercube", or an engine of scipy.stats.qmc
+    cases       how many, of a sampler
+    seed        of a sampler: the same cases again, of "random" also with more of them
+    executor    any of concurrent.futures; None: local processes
+    processes   how many of them; None: one a processor
+    directory   keeps every case, so that a study that was interrupted, or has more cases now, runs what is
+                missing. It may be on a file system that machines share
+    shard       (k, n): only every nth case, of arrays of jobs that begin at 0 or 1; needs `directory`
+    gather      only collect what is in `directory`
+    progress    None: a line on a terminal or in a notebook; False: nothing
+    options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
+                recorded, so that nothing between frames is missed; on_inaccurate is "pass": see Study.verdict
+
+    A case gives the bits that `simulate` gives, whatever runs beside it. One that fails is kept as failed; a
+    process that dies takes no case with it but the one that ended it. Ctrl-C keeps in `directory` what is
+    done, but for tasks of a few seconds under way.
+
+    OptionError, ModelError: a parameter or output that does not exist, a value of another shape, no cases, a
+    sampler without seed, an option that cannot be: before the first case. FileError: `directory` belongs to
+    another study, or cannot be written. LinkworkError: the executor works no more. LinkworkWarning: machines
+    of several instruction sets took part.
+    """  # Long: the arguments alone are twenty lines.
+    check_number("t_end", t_end, positive=True, unit="s")
+    _check_places(shard, gather, directory, processes)
+    _check_options(options)
+    drawn = cases_of(parameters, sampler, cases, seed)
+    source = source_of(model, drawn.columns)
+    drawn = drawn if isinstance(source, Built) else drawn.as_floats()
+    wanted_times, run_options = check_times(times, float(t_end), options)
+    asked = wanted.outputs_of(outputs)
+    _check_names(drawn, asked)
+    example = _example(model, source, drawn)
+    _check_run(example, t_end, run_options)
+    checked = [wanted.checked(it, _probe(example, run_options), wanted_times) for it in asked]
+    _check_reductions(checked, run_options)
+    runner = Runner(source, float(t_end), run_options, checked, wanted_times)
+    check_executor(executor, processes, runner)
+    identity = _identity(runner, drawn)
+    head = digest(identity, _version())
+    keys = [digest(head, drawn.case(k)) for k in range(len(drawn))]
+    about = _about(runner, drawn, seed)
+    store = None if directory is None else Store(directory, identity, about)
+    if store is not None and isinstance(source, Built):
+        _check_example(source, store)
+    known, machines = ({}, []) if store is None else store.found(keys)
+    todo = [] if gather else _todo(drawn, keys, known, shard)
+    lost = _carried_out(runner, todo, known, machines, store, executor, processes, progress)
+    _tell_machines(machines)
+    return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
+
+
+# --- before the first case ---
+
+
+def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> None:
+    """OptionError: a shard that there is not, or parts of a study that nobody keeps."""
+    if processes is not None:
+        whole(processes, 1, "processes")
+    if not isinstance(gather, bool):
+        raise OptionError(f"gather {gather!r:.40} is not True or False", code="gather")
+    if shard is not None:
+        good = isinstance(shard, tuple | list) and len(shard) == 2
+        good = good and all(isinstance(it, int) and not isinstance(it, bool) for it in shard)
+        if not good or not shard[1] >= 1 or not 0 <= shard[0] <= shard[1]:
+            raise OptionError(
+                f"shard {shard!r:.40}: give (k, n), k from 0 to n - 1 or from 1 to n", code="shard"
+            )
+        if gather:
+            raise OptionError("shard and gather: gather collects what all shards did", code="conflict")
+    if directory is None and (shard is not None or gather):
+        what = "shard" if shard is not None else "gather"
+        raise OptionError(f"{what} needs a directory, where the cases are kept", code="directory")
+
+
+def _check_names(cases: Cases, outputs: Sequence[wanted.Output]) -> None:
+    """OptionError: parameters and outputs that the table of a study could not tell apart."""
+    taken = dict.fromkeys(OWN, "a column that every study has")
+    for what, names in (("parameter", list(cases.columns)), ("output", [it.label for it in outputs])):
+        for name in names:
+            if name in taken:
+                raise OptionError(
+                    f"{what} '{name}': is the name of {taken[name]}: choose another", code="names"
+                )
+            taken[name] = f"a {what}"
+
+
+def _check_options(options: Mapping[str, Any]) -> None:
+    """OptionError: none of `simulate`, or one that a study has in another way."""
+    known = [*list(inspect.signature(simulate).parameters)[2:-1], *TABLE]
+    for name in options:
+        if name in OTHERS:
+            raise OptionError(f"option '{name}' is none of a study: {OTHERS[name]}", code="option")
+        check_option(name, known)
+
+
+def _example(model: Any, source: Source, cases: Cases) -> Model:
+    """The model of the first case that has one. What its building raises where none of many has one."""
+    first: Exception | None = None
+    for k in range(min(len(cases), LOOKED_AT)):
+        try:
+            return source.model(cases.case(k))
+        except Exception as error:
+            first = first or error
+    if isinstance(model, Model):
+        return model
+    assert first is not None
+    raise first
+
+
+def _check_run(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
+    """OptionError: a choice that does not exist or cannot be honored."""
+    step, rtol, atol, every, at = (
+        options.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
+    )
+    if isinstance(options.get("integrator"), str):
+        integrators.named(options["integrator"])
+    check_name("on_inaccurate", options["on_inaccurate"], option_names()["on_inaccurate"])
+    compile_events(options.get("events", ()), model)
+    schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(model), 0.0)
+    try:
+        System(model, **{name: value for name, value in options.items() if name in TABLE})
+    except OptionError:
+        raise
+    except LinkworkError as error:  # this case alone may fail
+        log.info("%s", error)
+
+
+def _probe(model: Model, options: Mapping[str, Any]) -> Result:
+    """A result of one frame, in which outputs are looked for."""
+    core = model.compiled()
+    try:
+        dynamics = System(model, **{name: it for name, it in options.items() if name in TABLE}).compiled()
+    except LinkworkError:
+        dynamics = None
+    header = Header.of(core, dynamics, {"model": model.name}, shapes=model.shapes, curves=model.curves)
+    frames = {name: np.zeros((1, *shape)) for name, shape in header.frame_shapes().items()}
+    frames["q"], frames["v"] = core.q0.reshape(1, -1, 7), core.v0.reshape(1, -1, 6)
+    return Result(frames, header, {})
+
+
+def _check_reductions(outputs: Sequence[wanted.Output], options: Mapping[str, Any]) -> None:
+    """OptionError: a largest value over frames that are at a few times only."""
+    for it in outputs:
+        if "times" in options and it.reduction not in ("", "final"):
+            raise OptionError(
+                f"output '{it.label}': with tolerances and times= frames are at these times only, and would "
+                "miss what is between: give a fixed step, or two studies",
+                code="outputs",
+            )
+
+
+# --- what it is ---
+
+
+def _version() -> str:
+    return str(platform_facts()["versions"]["linkwork"])
+
+
+def _identity(runner: Runner, cases: Cases) -> dict[str, Any]:
+    """What a directory is for: more cases may come, but no other model, outputs or options."""
+    return {
+        "model": runner.source.identity(), "parameters": sorted(cases.columns), "t_end": runner.t_end,
+        "outputs": digest(wanted.identity(runner.outputs)),
+        "times": digest(runner.times),
+        "options": {name: canonical(value) for name, value in sorted(runner.options.items())},
+    }  # fmt: skip
+
+
+def _hash_of(source: Source, values: Mapping[str, Any]) -> str:
+    """Of the model of a case; empty where there is none."""
+    try:
+        return source.model(values).hash()
+    except Exception:
+        return ""
+
+
+def _check_example(source: Built, store: Store) -> None:
+    """FileError: what a function builds is not what it was, though its code is: it uses something else."""
+    example = store.example()
+    if example and _hash_of(source, example["values"]) != example["model"]:
+        raise FileError(
+            f"directory '{store.directory}': the function {source.name} built another model of "
+            f"{example['values']} then; give another directory",
+            code="other_study",
+        )
+
+
+def _about(runner: Runner, cases: Cases, seed: int | None) -> dict[str, Any]:
+    """For the manifest."""
+    return {
+        "example": {"values": cases.case(0), "model": _hash_of(runner.source, cases.case(0))},
+        "sampler": cases.how, "cases": len(cases), "seed": seed,
+        "outputs": [it.label for it in runner.outputs], **platform_facts(), "machine": machine(),
+        "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
+    }  # fmt: skip
+
+
+def _todo(
+    cases: Cases, keys: Sequence[str], known: Mapping[str, Run], shard: tuple[int, int] | None
+) -> list[Case]:
+    """Each key once, of this shard, that is not known."""
+    k, n = (0, 1) if shard is None else (shard[0] % shard[1], shard[1])
+    fresh = {key: number for number, key in reversed(list(enumerate(keys))) if key not in known}
+    return [Case(number, key, cases.case(number))
+            for key, number in sorted(fresh.items(), key=lambda it: it[1]) if number % n == k]  # fmt: skip
+
+
+# --- the cases ---
+
+
+def _carried_out(
+    runner: Runner, todo: Sequence[Case], known: dict[str, Run], machines: list[Mapping[str, Any]],
+    store: Store | None, executor: Any, processes: int | None, progress: ShowOption,
+) -> dict[str, str]:  # fmt: skip
+    """Adds to `known` and `machines`; gives back why cases were lost."""
+    lost: dict[str, str] = {}
+    if not todo:
+        return lost
+    done, counts, started = 0, Counter[str](), time.monotonic()
+    with counting(progress, len(todo)) as report:
+
+        def beat() -> None:
+            report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
+
+        with closing(run_cases(runner, todo, executor, processes, beat)) as found:
+            for chunk, answer in found:
+                done += len(chunk)
+                if isinstance(answer, Lost):
+                    lost.update({case.key: answer.reason for case in chunk})
+                else:
+                    if store is not None:
+                        store.keep(answer)
+                    known.update({run.key: run for run in answer.runs})
+                    counts.update(run.status for run in answer.runs)
+                    if answer.machine not in machines:
+                        machines.append(answer.machine)
+                beat()
+    log.info("%s", _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
+    return lost
+
+
+def _line(done: int, total: int, elapsed: float, failed: int) -> str:
+    rate = f", {done / elapsed:.3g} cases/s" if done and elapsed > 0 else ""
+    return f"{done} of {total} cases{rate}" + (f", {failed} failed" if failed else "")
+
+
+def _tell_machines(machines: Sequence[Mapping[str, Any]]) -> None:
+    sets = sorted({str(it.get("instruction_set")) for it in machines})
+    if len(sets) > 1:
+        warn(
+            f"study: processors of several instruction sets took part ({', '.join(sets)}): their last bits "
+            "may differ"
+        )

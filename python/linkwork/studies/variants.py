@@ -1,0 +1,377 @@
+"""Where the models of a study come from: other values in one model, by path, or a function that builds them.
+
+A path is the name of a body, joint or force element, a field of its record in a model file, and where that
+has parts an index or a name: "crank.mass", "crank.inertia[1]", "spring.stiffness", "motor pin.at[2]",
+"motor.angle.harmonic.amplitude"; "gravity" and "gravity[2]" are those of the model.
+"""
+
+from __future__ import annotations
+
+import copy
+import inspect
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+from linkwork import rotation
+from linkwork.arrays import Floats
+from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.modeling.editing import ATTACHED, NAMES, ROLES, SECTIONS, built
+from linkwork.modeling.elements import KINDS
+from linkwork.modeling.files import record_of
+from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
+from linkwork.modeling.model import Model, check_model
+from linkwork.studies.fingerprints import canonical, digest, plain
+
+__all__ = ["Built", "Changed", "Source", "source_of"]
+
+Record = dict[str, Any]
+
+#: Fields of bodies and of the model.
+UNITS = {
+    "mass": "kg", "inertia": "kg m2", "position": "m", "velocity": "m/s", "omega": "rad/s",
+    "gravity": "m/s2", "at": "m", "orientation": "1",
+}  # fmt: skip
+
+#: A field, and what is in it.
+FIELD = re.compile(r"(\w+)((?:\[\d+\]|\.\w+)*)\Z")
+STEP = re.compile(r"\[(\d+)\]|\.(\w+)")
+
+#: Two points of a joint that are one, relative to where they are.
+SAME_POINT = 1e-9
+
+
+class Source(Protocol):
+    """What makes the models of the cases."""
+
+    def model(self, case: Mapping[str, Any]) -> Model:
+        """Of the values of one case. ModelError and others: there is none."""
+
+    def units(self, names: Sequence[str]) -> dict[str, str]:
+        """Of parameters; empty: not known."""
+
+    def identity(self) -> str:
+        """A digest of what is varied."""
+
+
+def source_of(model: Model | Callable[..., Model], columns: Mapping[str, Sequence[Any]]) -> Source:
+    """OptionError: a parameter that there is not, or a value of another shape. ModelError: no model."""
+    if isinstance(model, Model):
+        changed = Changed.of(model, list(columns))
+        for name, values in columns.items():
+            changed.check(name, values)
+        return changed
+    if not callable(model):
+        check_model(model)
+    source = Built(model)
+    source.check(list(columns))
+    return source
+
+
+@dataclass(frozen=True)
+class Built:
+    """A function build(**parameters) -> Model: where the topology changes, or a path does not suffice."""
+
+    build: Callable[..., Model]
+
+    @property
+    def name(self) -> str:
+        return str(getattr(self.build, "__name__", type(self.build).__name__))
+
+    def check(self, names: Sequence[str]) -> None:
+        """OptionError: it does not take these parameters."""
+        try:
+            inspect.signature(self.build).bind(**dict.fromkeys(names))
+        except TypeError as error:
+            raise OptionError(
+                f"parameters {', '.join(names)}: the function {self.name} does not take them ({error})",
+                code="parameters",
+            ) from error
+
+    def model(self, case: Mapping[str, Any]) -> Model:
+        made = self.build(**case)
+        if not isinstance(made, Model):
+            raise ModelError(f"function {self.name}: gives {made!r:.80}, no model", code="not_a_model")
+        return made
+
+    def units(self, names: Sequence[str]) -> dict[str, str]:
+        return {}
+
+    def identity(self) -> str:
+        return digest("built", self.build)
+
+
+@dataclass(frozen=True)
+class _Address:
+    """Where a value is in the record of a model."""
+
+    name: str
+    where: tuple[str | int, ...]  # section and place of the object; () for the model
+    field: str
+    inside: tuple[str | int, ...]
+    unit: str
+
+
+@dataclass(frozen=True)
+class Changed:
+    """One model with other values of what paths lead to. Bodies first: joints stay where they are on them."""
+
+    record: Record
+    addresses: Mapping[str, _Address]
+
+    @classmethod
+    def of(cls, model: Model, names: Sequence[str]) -> Changed:
+        """OptionError: a path that leads nowhere, or two to the same value. ModelError: a Python function."""
+        try:
+            record = record_of(model, {})
+        except ModelError as error:
+            raise ModelError(
+                f"{error}; give a function build(**parameters) instead of the model", code=error.code
+            ) from error
+        found = {name: _address(name, record) for name in names}
+        _check_apart(list(found.values()))
+        if any(_moves(address, record) for address in found.values()):
+            _begin_anew(record, names)
+        changed = cls(record, found)
+        for name in names:
+            changed.value(name)
+        return changed
+
+    def model(self, case: Mapping[str, Any]) -> Model:
+        record = copy.deepcopy(self.record)
+        order = sorted(self.addresses, key=lambda name: self.addresses[name].where[:1] != ("bodies",))
+        for name in order:
+            _put(record, self.addresses[name], plain(case[name]))
+        return built(Model(name=record.get("name", "")), record)
+
+    def value(self, name: str) -> Any:
+        """Of the model as it was given. OptionError: it is none that can be varied."""
+        address = self.addresses[name]
+        found = _get(copy.deepcopy(self.record), address)
+        if not _is_numeric(found) and not (isinstance(found, str | dict) and not address.inside):
+            raise OptionError(f"parameter '{name}': is no number but {found!r:.60}", code="parameters")
+        return found
+
+    def check(self, name: str, values: Sequence[Any]) -> None:
+        """OptionError: values of another shape than those of the model, or that are not finite."""
+        base = self.value(name)
+        shape = np.shape(base) if _is_numeric(base) else ()
+        for number, value in enumerate(values):
+            if not _is_numeric(value) or not np.isfinite(value).all():
+                raise OptionError(
+                    f"parameter '{name}': {value!r:.60} of case {number} is not made of finite numbers",
+                    code="parameters",
+                )
+            if np.shape(value) != shape:
+                raise OptionError(
+                    f"parameter '{name}': the value of case {number} has shape {np.shape(value)}, not {shape}"
+                    + _parts_hint(name, shape),
+                    code="shape",
+                )
+
+    def units(self, names: Sequence[str]) -> dict[str, str]:
+        return {name: self.addresses[name].unit for name in names}
+
+    def identity(self) -> str:
+        return digest("changed", canonical(self.record))
+
+
+def _moves(address: _Address, record: Record) -> bool:
+    """Whether it says where something is, and so what history variables begin with."""
+    if not address.where or address.where[0] == "bodies":
+        return address.field in ("position", "orientation")
+    it = _object_of(record, address)
+    return address.field not in KINDS[ROLES[address.where[0]]][it["kind"]].parameters
+
+
+def _begin_anew(record: Record, names: Sequence[str]) -> None:
+    """History variables follow from the pose. OptionError: those of the model have something else to tell."""
+    history = record.pop("history", [])
+    usual = list(built(Model(), record).compiled().initial_history) or [0.0] * len(history)
+    if usual != list(history):
+        raise OptionError(
+            f"parameters {', '.join(names)}: the model begins with full turns or contacts under way, which "
+            "another pose would not have: give a function build(**parameters)",
+            code="parameters",
+        )
+
+
+def _parts_hint(name: str, shape: tuple[int, ...]) -> str:
+    return f"; one part is '{name}{'[0]' * len(shape)}'" if shape else ""
+
+
+def _check_apart(found: Sequence[_Address]) -> None:
+    """OptionError: two paths to one value, of which one would win."""
+    for k, one in enumerate(found):
+        for other in found[:k]:
+            shorter = min(len(one.inside), len(other.inside))
+            same = (one.where, one.field) == (other.where, other.field)
+            if same and one.inside[:shorter] == other.inside[:shorter]:
+                raise OptionError(
+                    f"parameters '{other.name}' and '{one.name}' are the same value: give one of them",
+                    code="parameters",
+                )
+
+
+def _address(name: str, record: Record) -> _Address:
+    if not isinstance(name, str):
+        raise OptionError(
+            f"parameter {name!r:.80} is no path such as 'crank.mass' or 'gravity[2]'", code="parameters"
+        )
+    where, rest = ((), name) if re.match(r"gravity\b", name) else _object(name, record)
+    found = FIELD.match(rest)
+    fields = {"gravity": "m/s2"} if not where else _fields(record, where)
+    if found is None or found[1] not in fields:
+        word = rest if found is None else found[1]
+        raise OptionError(
+            f"parameter '{name}': {_called(record, where)} has no '{word}'{nearest(word, fields)}",
+            code="parameters",
+        )
+    inside = tuple(int(index) if index else word for index, word in STEP.findall(found[2]))
+    return _Address(name, where, found[1], inside, fields[found[1]])
+
+
+def _object(name: str, record: Record) -> tuple[tuple[str, int], str]:
+    """Section and place of what a path begins with, and its rest."""
+    found = [
+        (len(it["name"]), section, place)
+        for section in SECTIONS
+        for place, it in enumerate(record.get(section, []))
+        if name.startswith(it["name"] + ".")
+    ]
+    longest = [it for it in found if it[0] == max(found)[0]]
+    if len(longest) > 1:
+        kinds = " and ".join(f"a {SECTIONS[section]}" for _, section, _ in longest)
+        raise OptionError(
+            f"parameter '{name}': '{name[: longest[0][0]]}' is {kinds}: name them apart", code="parameters"
+        )
+    if not longest:
+        known = [it["name"] for section in SECTIONS for it in record.get(section, [])[:1000]]
+        raise OptionError(
+            f"parameter '{name}': no body, joint or force element "
+            f"'{name.rpartition('.')[0] or name}'{nearest(name.rpartition('.')[0] or name, known)}",
+            code="parameters",
+        )
+    size, section, place = longest[0]
+    return (section, place), name[size + 1 :]
+
+
+def _called(record: Record, where: tuple[Any, ...]) -> str:
+    if not where:
+        return "the model"
+    return f"{SECTIONS[where[0]]} '{record[where[0]][where[1]]['name']}'"
+
+
+def _fields(record: Record, where: tuple[Any, ...]) -> dict[str, str]:
+    """What can be varied of an object, with units."""
+    it = record[where[0]][where[1]]
+    if where[0] == "bodies":
+        return {name: UNITS[name] for name in BodyRecord.model_fields if name in UNITS}
+    parameters = KINDS[ROLES[where[0]]][it["kind"]].parameters
+    fields = {name: parameters[name].unit if name in parameters else "" for name in _type_of(where, it)}
+    placed = {"at": UNITS["at"], ATTACHED: ""} if ATTACHED in it else {}
+    return {**{name: unit for name, unit in fields.items() if name not in NAMES}, **placed}
+
+
+def _type_of(where: tuple[Any, ...], it: Record) -> Mapping[str, Any]:
+    """The fields of an object's record, by name."""
+    if where[0] == "bodies":
+        return BodyRecord.model_fields
+    form = form_of(it)
+    assert form is not None
+    return element_type(ROLES[where[0]], *form).model_fields
+
+
+def _is_numeric(value: Any) -> bool:
+    try:
+        found = np.asarray(value)
+    except ValueError:
+        return False
+    return found.dtype.kind in "iuf" and found.size > 0
+
+
+def _get(record: Record, address: _Address) -> Any:
+    """OptionError: an index or a name that there is not."""
+    holder, key = _holder(record, address)
+    return holder[key]
+
+
+def _put(record: Record, address: _Address, value: Any) -> None:
+    holder, key = _holder(record, address)
+    holder[key] = float(value) if isinstance(value, int) else value
+    if address.field == "at":
+        it = _object_of(record, address)
+        _attach(record, it, np.array(it.pop("at"), dtype=float))
+
+
+def _object_of(record: Record, address: _Address) -> Record:
+    """The record of a body, joint or force element; that of the model."""
+    it: Any = record
+    for step in address.where:
+        it = it[step]
+    found: Record = it
+    return found
+
+
+def _holder(record: Record, address: _Address) -> tuple[Any, Any]:
+    """The list or mapping that has the value, and its key there; fields that were left out are filled in."""
+    it: Any = _object_of(record, address)
+    if address.where:
+        if address.field == "at":
+            it["at"] = _at(record, it, address).tolist()
+        elif address.field not in it:
+            it[address.field] = copy.deepcopy(_type_of(address.where, it)[address.field].default)
+        named = it[address.field]
+        if isinstance(named, str) and named in record.get("functions", {}):
+            it[address.field] = copy.deepcopy(record["functions"][named])
+    key: Any = address.field
+    for step in address.inside:
+        it, key = it[key], step
+        good = (isinstance(step, int) and isinstance(it, list) and step < len(it)) or (
+            isinstance(step, str) and isinstance(it, dict) and step in it
+        )
+        if not good:
+            known = list(it) if isinstance(it, dict) else []
+            size = f"; indices are 0 to {len(it) - 1}" if isinstance(it, list) else ""
+            raise OptionError(
+                f"parameter '{address.name}': {address.field} has no part {step!r}"
+                f"{size or nearest(str(step), known)}",
+                code="parameters",
+            )
+    return it, key
+
+
+def _pose(record: Record, body: str) -> tuple[Floats, Floats]:
+    """Position and rotation matrix of a body, or of the ground."""
+    if body == "ground":
+        return np.zeros(3), np.eye(3)
+    it = next(it for it in record["bodies"] if it["name"] == body)
+    p = np.array(it.get("orientation", [1.0, 0.0, 0.0, 0.0]))
+    return np.array(it.get("position", [0.0, 0.0, 0.0])), rotation.matrix(p / np.linalg.norm(p))
+
+
+def _at(record: Record, it: Record, address: _Address) -> Floats:
+    """The point of an element (3,), inertial. OptionError: it has two."""
+    points = [
+        r + A @ np.array(s)
+        for (r, A), s in zip(
+            (_pose(record, it[side]) for side in ("a", "b")), it[ATTACHED]["origin"], strict=True
+        )
+    ]
+    size = max(1.0, *(float(np.abs(point).max()) for point in points))
+    if float(np.abs(points[0] - points[1]).max()) > SAME_POINT * size:
+        raise OptionError(
+            f"parameter '{address.name}': '{it['name']}' has a point on each of its bodies: "
+            f"'{it['name']}.attachment.origin[0]' and [1], in body coordinates",
+            code="parameters",
+        )
+    return np.asarray(points[0])
+
+
+def _attach(record: Record, it: Record, at: Floats) -> None:
+    """Both bodies to the point `at`, inertial; the axes stay."""
+    poses = (_pose(record, it[side]) for side in ("a", "b"))
+    it[ATTACHED]["origin"] = [(A.T @ (at - r)).tolist() for r, A in poses]

@@ -1,0 +1,614 @@
+"""Studies: each case has the bits of its own run, once, whatever fails, dies or is interrupted."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import json
+import multiprocessing
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.cli import run
+from linkwork.studies.chunks import FILES, chunked
+from linkwork.studies.files import read_study
+from linkwork.studies.fingerprints import digest
+from linkwork.studies.variants import Changed
+from numpy.testing import assert_array_equal
+
+RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "progress": False}
+FEW: dict[str, Any] = {**RUN, "processes": 1}
+GRID = {"rod.mass": [1.0, 2.0, 3.0], "gravity[2]": [-9.81, -1.62]}
+
+
+RANDOM: dict[str, Any] = {"parameters": {"rod.mass": (1, 2)}, "sampler": "random", "cases": 4, "seed": 1}
+
+
+def rod(length: float = 1.0, gravity: float = 9.81, speed: float = 0.0) -> lw.Model:
+    """A slender rod on a hinge, released from the side."""
+    model = lw.Model(gravity=(0, 0, -gravity), name="rod")
+    J = length**2 / 12
+    body = model.body("rod", mass=1.0, inertia=(1e-3, J, J), position=(length / 2, 0, 0),
+                      velocity=(0, 0, -speed * length / 2), omega=(0, speed, 0))  # fmt: skip
+    model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    return model
+
+
+def dying(mass: float) -> lw.Model:
+    """Ends its process where the mass is 3 kg and the file says so."""
+    if mass == 3.0 and Path(os.environ["DYING"]).exists():
+        os.kill(os.getpid(), signal.SIGKILL)
+    return rod().replaced("rod", mass=mass)
+
+
+def keys_in(directory: Path) -> Counter[str]:
+    lines = [line for file in (directory / "cases").glob("*.jsonl") for line in file.read_text().splitlines()]
+    return Counter(found["key"] for line in lines if "key" in (found := json.loads(line)))
+
+
+def same(one: lw.Study, other: lw.Study) -> None:
+    assert one.status.tolist() == other.status.tolist()
+    for label in one.outputs:
+        assert_array_equal(one.outputs[label], other.outputs[label])
+
+
+# --- what is computed ---
+
+
+def test_a_case_has_the_bits_of_simulate() -> None:
+    study = lw.sweep(rod(), GRID, ["reaction('pin').force.max", "final"], **FEW)
+    for k in range(len(study)):
+        model = lw.Model((0, 0, study.parameters["gravity[2]"][k]))
+        base = rod().values("rod")
+        kept = {name: base[name] for name in ("inertia", "position")}
+        body = model.body("rod", mass=study.parameters["rod.mass"][k], **kept)
+        model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+        result = lw.simulate(model, RUN["t_end"], RUN["step"], record_every=1)
+        assert_array_equal(study.outputs["final.q"][k], result.q[-1])
+        assert_array_equal(study.outputs["final.v"][k], result.v[-1])
+        force = np.linalg.norm(result.reaction("pin").force, axis=1)
+        assert study.outputs["reaction('pin').force.max"][k] == force.max()
+        assert_array_equal(study.simulate(k).q, result.q)
+
+
+def test_period_of_small_swings_is_that_of_length_and_gravity() -> None:
+    """T = 2 pi sqrt(2 L / 3 g) of a slender rod, for small angles."""
+
+    def period(result: lw.Result) -> float:
+        z, t = result.body("rod").velocity[:, 0], result.t
+        k = np.flatnonzero((z[:-1] < 0) & (z[1:] >= 0))[0]
+        return float(t[k] - z[k] * (t[k + 1] - t[k]) / (z[k + 1] - z[k]))
+
+    def hanging(length: float, gravity: float) -> lw.Model:
+        model = lw.Model(gravity=(0, 0, -gravity))
+        J, angle = length**2 / 12, 1e-3
+        turned = lw.rotation.about((0, 1, 0), angle)
+        body = model.body("rod", mass=1.0, inertia=(J, J, 1e-3), orientation=turned,
+                          position=(-length / 2 * np.sin(angle), 0, -length / 2 * np.cos(angle)))  # fmt: skip
+        model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0))
+        return model
+
+    study = lw.sweep(hanging, {"length": [0.1, 0.2], "gravity": [5.0, 9.81, 20.0]}, {"period": (period, "s")},
+                     t_end=1.5, step=2e-3, progress=False, processes=2)  # fmt: skip
+    L, g = study.parameters["length"], study.parameters["gravity"]
+    assert study.outputs["period"] == pytest.approx(2 * np.pi * np.sqrt(2 * L / (3 * g)), rel=1e-5)
+    assert study.units["period"] == "s"
+
+
+def test_reductions_are_over_magnitudes_and_over_time() -> None:
+    names = ["body('rod').velocity.max", "body('rod').velocity.z.min", "body('rod').velocity.mean",
+             "body('rod').velocity.rms", "body('rod').velocity.final", "body('rod').velocity.z.range",
+             "body('rod').velocity.z.abs_max", "violation[:, 0].max"]  # fmt: skip
+    study = lw.sweep(rod(), {"rod.mass": 1.0}, names, t_end=0.2, rtol=1e-6, processes=1)
+    result = study.simulate(0)
+    v, t = result.body("rod").velocity, result.t
+    size = np.linalg.norm(v, axis=1)
+    steps = np.diff(t)
+
+    def mean(x: Any) -> float:
+        return float(((x[1:] + x[:-1]) / 2 * steps).sum() / 0.2)
+
+    expected = [size.max(), v[:, 2].min(), mean(size), np.sqrt(mean(size**2)), v[-1], np.ptp(v[:, 2]),
+                np.abs(v[:, 2]).max(), result.violation[:, 0].max()]  # fmt: skip
+    for name, value in zip(names, expected, strict=True):
+        assert study.outputs[name][0] == pytest.approx(value, rel=1e-14), name
+    assert np.ptp(steps) > 0  # the mean over frames would be another
+
+
+@pytest.mark.parametrize("how", [{"step": 5e-3}, {"rtol": 1e-6}])
+def test_arrays_are_at_the_times_that_are_given(how: dict[str, float]) -> None:
+    times = [0.01, 0.035, 0.05]
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, ["body('rod').position"], t_end=0.05, times=times,
+                     processes=1, **how)  # fmt: skip
+    result = lw.simulate(rod(), 0.05, rtol=1e-10, times=[*times])
+    assert study.outputs["body('rod').position"].shape == (2, 3, 3)
+    assert study.outputs["body('rod').position"][0] == pytest.approx(result.body("rod").position, abs=1e-7)
+
+
+def test_paths_lead_to_points_and_parts() -> None:
+    model = rod()
+    model.spring_damper(
+        model.ground, "rod", at=((0, 0, 1), (1, 0, 0)), stiffness=10.0, damping=1.0, name="spring"
+    )
+    paths = {"pin.at[2]": 0.1, "spring.stiffness": 20.0, "rod.inertia[1]": 0.0835, "rod.omega": [0, 1, 0]}
+    changed = Changed.of(model, list(paths)).model(paths)
+    assert changed.values("spring")["stiffness"] == 20.0
+    assert changed.values("rod")["inertia"] == [1e-3, 0.0835, 1 / 12]
+    assert changed.values("rod")["omega"] == [0, 1, 0]
+    assert changed.values("pin")["attachment"]["origin"] == [[0, 0, 0.1], [-0.5, 0, 0.1]]
+    assert model.values("spring")["stiffness"] == 10.0
+    with pytest.raises(lw.OptionError, match=r"'spring.at\[0\]': 'spring' has a point on each"):
+        Changed.of(model, ["spring.at[0]"])
+
+
+@pytest.mark.parametrize("name", ["four_bar", "bricard", "spatial_slider_crank", "double_wishbone", "rolling_disc",
+                                  "planetary_gear", "flyball_governor", "stewart_platform"])  # fmt: skip
+def test_a_models_own_values_make_the_same_model(name: str) -> None:
+    """By Model.hash, which has every bit of it."""
+    model = lw.mechanisms.MECHANISMS[name].function()
+    body = model.values(lw.simulate(model, 1e-3, 1e-3, progress=False).body_names[-1])["name"]
+    changed = Changed.of(model, [f"{body}.mass", f"{body}.velocity", "gravity[0]"])
+    own = {path: changed.value(path) for path in changed.addresses}
+    assert changed.model(own).hash() == model.hash()
+    heavier = changed.model({**own, f"{body}.mass": 2 * own[f"{body}.mass"] + 1})
+    assert heavier.hash() != model.hash()
+
+
+def test_turns_of_the_model_are_not_lost_where_poses_are_varied() -> None:
+    """A spring wound up by one turn pulls three times as much, or its study is refused."""
+    model = lw.Model()
+    body = model.body("wheel", mass=1.0, inertia=(1, 1, 1))
+    model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper(model.ground, body, at=(0, 0, 0), axis=(0, 0, 1), stiffness=1.0, damping=0.0,
+                                  name="spring")  # fmt: skip
+    wound = model.with_initial_state([[0, 0, 0, 1, 0, 0, 0]], np.zeros((1, 6)), [2 * np.pi])
+    study = lw.sweep(wound, {"spring.stiffness": [1.0, 3.0]}, "force('spring').torque.z.abs_max", **FEW)
+    assert study.outputs["force('spring').torque.z.abs_max"] == pytest.approx(
+        [2 * np.pi, 6 * np.pi], rel=1e-12
+    )
+    with pytest.raises(lw.OptionError, match="begins with full turns"):
+        lw.sweep(wound, {"spring.attachment.origin[0][2]": [1.0]}, "final", **FEW)
+
+
+def test_a_function_of_time_is_varied_by_its_numbers() -> None:
+    """A driver turns the rod by c t^2, of which c is varied."""
+    model = rod()
+    angle = lw.functions.polynomial(0.0, 0.0, 1.0)
+    model.angle_driver(model.ground, "rod", at=(0, 0, 0), axis=(0, 1, 0), angle=angle, name="motor")
+    study = lw.sweep(model, {"motor.angle.polynomial[2]": [0.4, 1.2]}, "coordinate('pin').value.final",
+                     t_end=0.5, step=1e-3, processes=1, assemble=True)  # fmt: skip
+    assert study.outputs["coordinate('pin').value.final"] == pytest.approx([0.1, 0.3], rel=1e-8)
+
+
+# --- who computes it ---
+
+
+def test_bits_do_not_depend_on_processes_executors_or_shards(tmp_path: Path) -> None:
+    outputs = ["final", "reaction('pin').torque.max"]
+    one = lw.sweep(rod(), GRID, outputs, **FEW)
+    same(one, lw.sweep(rod(), GRID, outputs, **RUN, processes=2))
+    with concurrent.futures.ThreadPoolExecutor(2) as threads:
+        same(one, lw.sweep(rod(), GRID, outputs, **RUN, executor=threads))
+    for shard in ((3, 3), (1, 3)):  # of arrays from 1
+        part = lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, shard=shard)
+        assert (part.status == "finished").sum() >= 2
+    partly = lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, gather=True)
+    assert Counter(partly.status.tolist()) == {"finished": 4, "skipped": 2}
+    lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, shard=(2, 3))
+    same(one, lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, gather=True))
+    assert set(keys_in(tmp_path).values()) == {1}
+
+
+def test_other_processes_of_an_executor_give_the_same_bits() -> None:
+    context = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(1, mp_context=context) as pool:
+        study = lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **RUN, executor=pool)
+        with pytest.raises(lw.OptionError, match="cannot go to another process"):
+            lw.sweep(rod(), {"rod.mass": [1]}, lambda result: 1.0, **RUN, executor=pool)
+    same(study, lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **FEW))
+
+
+def test_a_rerun_runs_what_is_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    first = lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **FEW, directory=tmp_path)
+    before = keys_in(tmp_path)
+    more = lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path)
+    assert len(keys_in(tmp_path) - before) == 1
+    assert set(keys_in(tmp_path).values()) == {1}
+    assert_array_equal(more.outputs["final.q"][1:], first.outputs["final.q"])
+    damaged = next((tmp_path / "cases").glob("*.jsonl"))
+    damaged.write_text(damaged.read_text().replace("finished", "finishes"))
+    with pytest.warns(lw.LinkworkWarning, match="is damaged"):
+        same(more, lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path))
+
+
+def test_a_killed_process_takes_its_case_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    switch = tmp_path / "switch"
+    switch.touch()
+    monkeypatch.setenv("DYING", str(switch))
+    masses = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
+    where = tmp_path / "study"
+    study = lw.sweep(dying, {"mass": masses}, "final", **RUN, processes=2, directory=where)
+    assert study.status.tolist() == ["finished", "finished", "failed", *["finished"] * 5]
+    assert "SIGKILL" in study.errors[2]["message"]
+    switch.unlink()
+    whole = lw.sweep(dying, {"mass": masses}, "final", **RUN, processes=2, directory=where)
+    assert (whole.status == "finished").all()
+    assert len(keys_in(where)) == 8 and set(keys_in(where).values()) == {1}
+    same(whole, lw.sweep(rod(), {"rod.mass": masses}, "final", **FEW))
+
+
+def test_an_interrupted_study_keeps_what_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from linkwork.studies.store import Store
+
+    keep = Store.keep
+
+    def interrupted(store: Store, answer: Any) -> None:
+        keep(store, answer)
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Store, "keep", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            lw.sweep(rod(), GRID, "final", **FEW, directory=tmp_path)
+    done = len(keys_in(tmp_path))
+    assert done >= 1
+    assert (lw.sweep(rod(), GRID, "final", **FEW, directory=tmp_path).status == "finished").all()
+    assert set(keys_in(tmp_path).values()) == {1}
+
+
+def test_a_broken_executor_says_so_and_leaves_a_study_that_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    switch, where = tmp_path / "switch", tmp_path / "study"
+    switch.touch()
+    monkeypatch.setenv("DYING", str(switch))
+    masses = {"mass": [1.0, 2.0, 3.0, 4.0]}
+    with (
+        concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("fork")) as pool,
+        pytest.raises(lw.LinkworkError, match="executor: works no more.*run the study again") as caught,
+    ):
+        lw.sweep(dying, masses, "final", **RUN, directory=where, executor=pool)
+    assert caught.value.code == "executor"
+    done = keys_in(where)
+    switch.unlink()
+    assert (lw.sweep(dying, masses, "final", **FEW, directory=where).status == "finished").all()
+    assert done and not done - keys_in(where)
+    assert set(keys_in(where).values()) == {1} and len(keys_in(where)) == 4
+
+
+# --- what fails ---
+
+
+def test_failed_cases_are_kept_with_their_reason(tmp_path: Path) -> None:
+    def fails(result: lw.Result) -> float:
+        if result.header.mass[0] == 3.0:
+            raise ZeroDivisionError("of mine")
+        return 1.0
+
+    study = lw.sweep(rod(), {"rod.mass": [1, -2, 3, 4]}, {"one": fails}, **FEW, directory=tmp_path)
+    assert study.status.tolist() == ["finished", "failed", "failed", "finished"]
+    assert study.errors[1]["type"] == "ModelError"
+    assert "mass" in study.errors[1]["message"]
+    assert study.errors[2]["type"] == "ZeroDivisionError"
+    assert_array_equal(study.outputs["one"], [1, np.nan, np.nan, 1])
+    again = lw.sweep(rod(), {"rod.mass": [1, -2, 3, 4]}, {"one": fails}, **FEW, directory=tmp_path)
+    same(study, again)
+    assert again.errors[1] == study.errors[1]
+
+
+def test_a_run_that_fails_says_how_far_it_came() -> None:
+    def stiff(speed: float) -> lw.Model:
+        return rod(speed=speed)
+
+    study = lw.sweep(stiff, {"speed": [0.0, 30.0]}, "final", t_end=0.5, step=0.05, processes=1,
+                     on_violation="stop", violation_limit=1e-2)  # fmt: skip
+    assert study.status.tolist() == ["finished", "failed"]
+    assert study.errors[1]["type"] == "ViolationError"
+    assert 0 < study.errors[1]["reached"] <= 0.5
+
+
+def test_arrays_of_a_function_that_differ_in_shape_are_failures() -> None:
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, {"it": lambda it: np.ones(int(it.header.mass[0]))}, **FEW)
+    assert study.status.tolist() == ["finished", "failed"]
+    assert "shape (2,), not (1,)" in study.errors[1]["message"]
+
+
+def test_an_inaccurate_case_has_its_verdict() -> None:
+    study = lw.sweep(rod(speed=20.0), {"rod.mass": [1]}, "final", t_end=1.0, step=0.1, processes=1)
+    assert study.verdict[0] in ("coarse", "wrong")
+    assert study.accuracy[0] > 0.01
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"parameters": {"rot.mass": [1]}}, lw.OptionError, "no body, joint or force element 'rot'.*'rod'"),
+        ({"parameters": {"rod.mas": [1]}}, lw.OptionError, "body 'rod' has no 'mas'.*'mass'"),
+        ({"parameters": {"gravity[3]": [1]}}, lw.OptionError, "indices are 0 to 2"),
+        ({"parameters": {"rod.position": [1.0]}}, lw.OptionError, r"shape \(\), not \(3,\)"),
+        ({"parameters": {"rod.mass": [[1, 2]]}}, lw.OptionError, r"shape \(2,\), not \(\)"),
+        ({"parameters": {"rod.mass": ["heavy"]}}, lw.OptionError, "not made of finite numbers"),
+        ({"parameters": {"gravity": [[0, 0, 1]], "gravity[2]": [1]}}, lw.OptionError, "same value"),
+        ({"parameters": {"rod.mass": []}}, lw.OptionError, "'rod.mass': has no values, so there is no case"),
+        ({"parameters": {}}, lw.OptionError, "no case"),
+        ({"parameters": [{"rod.mass": 1}, {}]}, lw.OptionError, "case 1 and case 0 differ in 'rod.mass'"),
+        ({"parameters": {"rod.mass": (1, 2)}, "sampler": "sobol", "cases": 4}, lw.OptionError, "give a seed"),
+        ({**RANDOM, "parameters": {"rod.mass": (2, 1)}}, lw.OptionError, "low"),
+        ({**RANDOM, "cases": 0}, lw.OptionError, "cases 0"),
+        ({**RANDOM, "cases": None}, lw.OptionError, "cases is missing"),
+        ({"sampler": "sobel"}, lw.OptionError, "sampler 'sobel'.*'sobol'"),
+        ({"outputs": ["energi.max"]}, lw.OptionError, "no quantity 'energi'.*'energy'"),
+        ({"outputs": ["reaction('pim').force.max"]}, lw.OptionError, "'pim'.*'pin'"),
+        ({"outputs": ["reaction('pin').forse.max"]}, lw.OptionError, "'forse'.*'force'"),
+        ({"outputs": ["energy"]}, lw.OptionError, "array over time"),
+        ({"outputs": ["energy.maximum"]}, lw.OptionError, "'maximum'"),
+        ({"outputs": ["__import__('os')"]}, lw.OptionError, "no quantity"),
+        ({"outputs": []}, lw.OptionError, "outputs"),
+        ({"times": [0.001]}, lw.OptionError, "between the frames"),
+        ({"times": [9.0]}, lw.OptionError, "ascending"),
+        ({"stepp": 1}, lw.OptionError, "'stepp'.*'step'"),
+        ({"output": "a.h5"}, lw.OptionError, "Study.simulate"),
+        ({"formulation": "none"}, lw.OptionError, "formulation"),
+        ({"integrator": "rk5"}, lw.OptionError, "'rk5'.*'rk"),
+        ({"on_inaccurate": "cry"}, lw.OptionError, "'cry'"),
+        ({"events": 3}, lw.LinkworkError, "vent"),
+        ({"outputs": {"rod.mass": "energy.max"}}, lw.OptionError, "'rod.mass': is the name of a parameter"),
+        ({"outputs": {"status": "energy.max"}}, lw.OptionError, "column that every study has"),
+        ({"step": -1.0}, lw.OptionError, "step"),
+        ({"shard": (1, 2)}, lw.OptionError, "directory"),
+        ({"shard": (3, 2), "directory": "x"}, lw.OptionError, "shard"),
+        ({"executor": 3, "processes": None}, lw.OptionError, "executor"),
+        ({"model": rod}, lw.OptionError, "function rod does not take"),
+        ({"model": 3}, lw.ModelError, "linkwork.Model"),
+    ],
+)  # fmt: skip
+def test_wrong_input_is_refused_before_the_first_case(
+    change: dict[str, Any], error: type[Exception], message: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("linkwork.studies.cases.simulate", lambda *_, **__: pytest.fail("a case was run"))
+    given = {"model": rod(), "parameters": {"rod.mass": [1]}, "outputs": "final", **FEW, **change}
+    with pytest.raises(error, match=message):
+        lw.sweep(given.pop("model"), given.pop("parameters"), given.pop("outputs"), **given)
+
+
+def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
+    lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "a")
+    for change in ({"t_end": 0.1}, {"step": 1e-2}, {"outputs": "energy.max"}, {"model": rod(2.0)},
+                   {"parameters": {"gravity[2]": [1]}}):  # fmt: skip
+        usual: dict[str, Any] = {"model": rod(), "parameters": {"rod.mass": [1]}, "outputs": "final"}
+        given: dict[str, Any] = {**usual, **FEW, **change}
+        with pytest.raises(lw.FileError, match="holds a study with another"):
+            lw.sweep(given.pop("model"), given.pop("parameters"), given.pop("outputs"), **given,
+                     directory=tmp_path / "a")  # fmt: skip
+    (tmp_path / "c" / "cases").mkdir(parents=True)  # one who begins it now comes so far
+    (tmp_path / "c" / ".study.json.1f").touch()
+    lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "c")
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "diary.txt").touch()
+    with pytest.raises(lw.FileError, match="something else than a study"):
+        lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "b")
+
+
+def test_a_function_that_builds_something_else_now_is_refused(tmp_path: Path) -> None:
+    def build(mass: float) -> lw.Model:
+        return rod(LENGTH[0]).replaced("rod", mass=mass)
+
+    lw.sweep(build, {"mass": [1.0]}, "final", **FEW, directory=tmp_path)
+    LENGTH[0] = 2.0
+    with pytest.raises(lw.FileError, match="the function build built another model of .*'mass': 1.0"):
+        lw.sweep(build, {"mass": [2.0]}, "final", **FEW, directory=tmp_path)
+
+
+LENGTH = [1.0]
+
+
+def test_machines_of_other_instruction_sets_are_told(tmp_path: Path) -> None:
+    lw.sweep(rod(), {"rod.mass": [1.0]}, "final", **FEW, directory=tmp_path)
+    (file,) = (tmp_path / "cases").iterdir()
+    head, body = file.read_text().split("\n", 1)
+    other = {**json.loads(head), "machine": {"cpu": "another", "instruction_set": "aarch64"}}
+    file.write_text(json.dumps(other) + "\n" + body)
+    with pytest.warns(lw.LinkworkWarning, match="several instruction sets took part .*aarch64"):
+        study = lw.sweep(rod(), {"rod.mass": [1, 2]}, "final", **FEW, directory=tmp_path)
+    assert study.manifest["machines"][0]["cpu"] == "another"
+
+
+# --- samplers and tables ---
+
+
+def test_samplers_fill_their_bounds_and_repeat_by_their_seed() -> None:
+    from linkwork.studies.sampling import cases_of
+    from scipy import stats
+    from scipy.stats import qmc
+
+    bounds = {"a": (1.0, 3.0), "b": stats.norm(5.0, 0.1)}
+    for sampler in ("random", "sobol", "halton", "latin_hypercube", qmc.Sobol(2, seed=7)):
+        found = cases_of(bounds, sampler, 256, 7)
+        a, b = np.array(found.columns["a"]), np.array(found.columns["b"])
+        assert 1 <= a.min() < 1.1 and 2.9 < a.max() <= 3
+        assert stats.kstest(b, stats.norm(5.0, 0.1).cdf).pvalue > 1e-3
+        assert found.columns == cases_of(bounds, sampler, 256, 7).columns
+        if isinstance(sampler, str):
+            assert found.columns != cases_of(bounds, sampler, 256, 8).columns
+    fewer = cases_of(bounds, None, 100, 7)  # distributions alone mean random
+    assert fewer.columns["b"] == cases_of(bounds, "random", 256, 7).columns["b"][:100]
+    with pytest.raises(lw.OptionError, match=r"'b': is a distribution: give a seed"):
+        cases_of(bounds, "random", 4, None)
+    with pytest.raises(lw.OptionError, match="has no seed"):
+        cases_of(bounds, qmc.Halton(2), 4, None)
+
+
+def test_rows_columns_frames_and_arrays_are_the_same_table() -> None:
+    import pandas
+    from linkwork.studies.sampling import cases_of
+
+    rows = [{"a": 1.0, "b": 5.0}, {"a": 2.0, "b": 6.0}]
+    array = np.array([(1.0, 5.0), (2.0, 6.0)], dtype=[("a", float), ("b", float)])
+    for given, sampler in ((rows, None), (pandas.DataFrame(rows), None), (array, None),
+                           ({"a": [1.0, 2.0], "b": [5.0, 6.0]}, "table")):  # fmt: skip
+        assert cases_of(given, sampler, None, None).columns == {"a": [1.0, 2.0], "b": [5.0, 6.0]}
+
+
+def test_tables_for_other_tools_have_all_of_it(tmp_path: Path) -> None:
+    import xarray
+
+    times = [0.02, 0.05]
+    outputs = {"z": "body('rod').position.z", "force": "reaction('pin').force.max"}
+    study = lw.sweep(rod(), {"rod.mass": [1, -1]}, outputs, times=times, **FEW)
+    table, frame, data = study.to_table(), study.to_frame(), study.to_xarray()
+    assert_array_equal(table["z"], study.outputs["z"])
+    assert_array_equal(frame["z[1]"], study.outputs["z"][:, 1])
+    assert data["z"].dims == ("case", "time") and data["z"].attrs["units"] == "m"
+    assert data["force"].attrs["long_name"] == "largest magnitude over the recorded frames"
+    assert data["rod.mass"].attrs["units"] == "kg" and "mass" in str(data["error"].values[1])
+    study.save(tmp_path / "study.nc")
+    lw.sweep(rod(), GRID, ["reaction('pin').force.max", "final"], **FEW).save(tmp_path / "names.nc")
+    named = xarray.load_dataset(tmp_path / "names.nc")
+    assert named["reaction('pin').force.max"].attrs["units"] == "N" and "gravity[2]" in named.coords
+    with pytest.raises(lw.FileError, match="already"):
+        study.save(tmp_path / "study.nc")
+    read = xarray.load_dataset(tmp_path / "study.nc")
+    assert_array_equal(read["z"].values, study.outputs["z"])
+    assert_array_equal(read["status"].values.astype(str), study.status)
+
+
+def test_without_xarray_and_pandas_there_is_a_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, "energy.max", **FEW)
+    for package, method in (("xarray", study.to_xarray), ("pandas", study.to_frame)):
+        monkeypatch.setitem(sys.modules, package, None)
+        with pytest.raises(lw.OptionError, match=rf"needs the package {package}.*'linkwork\[{package}\]'"):
+            method()
+    assert study.to_table()["energy.max"].tolist() == study.outputs["energy.max"].tolist()
+
+
+# --- bookkeeping ---
+
+
+def test_progress_tells_rate_and_failures(caplog: pytest.LogCaptureFixture) -> None:
+    with caplog.at_level("INFO", logger="linkwork.studies"):
+        lw.sweep(rod(), {"rod.mass": [1, -1, 2]}, "final", **FEW)
+    assert re.fullmatch(r"3 of 3 cases, \S+ cases/s, 1 failed", caplog.messages[-1])
+
+
+def test_chunks_take_seconds_whatever_cases_cost_and_files_are_bounded() -> None:
+    cases: Any = range(1_000_000)
+    for seconds in (1e-5, 1e-3, 0.1, 10.0, 1000.0):
+        chunks = chunked(cases, seconds, 2)
+        assert sum(map(len, chunks)) == len(cases)
+        assert len(chunks) <= FILES
+        assert len(chunks[0]) * seconds <= max(3.0, seconds * len(cases) / FILES)
+    assert len(chunked(range(8), 1e-3, 2)) == 8  # type: ignore[arg-type]
+
+
+def test_digests_tell_functions_apart_by_what_they_do() -> None:
+    def scaled(factor: float) -> Any:
+        return lambda x: factor * x
+
+    assert digest(scaled(2.0)) == digest(scaled(2.0))
+    assert digest(scaled(2.0)) != digest(scaled(3.0))
+    assert digest({"a": 1, "b": 2.0}) == digest({"b": 2.0, "a": 1})
+    assert digest(0.1) != digest(np.nextafter(0.1, 1))
+    assert digest(np.array([1.0, 2.0])) == digest([1.0, 2.0])
+
+
+# --- files and the command line ---
+
+STUDY = """\
+linkwork_study: 1
+model: rod.yaml
+t_end: 0.05
+simulation: {step: 0.005}
+parameters:
+  rod.mass: [1.0, 2.0, -3.0]
+outputs: {force: "reaction('pin').force.max"}
+directory: kept
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    rod().save(tmp_path / "rod.yaml")
+    (tmp_path / "study.yaml").write_text(STUDY)
+    return tmp_path
+
+
+def test_command_runs_shards_and_gathers_them(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = str(folder / "study.yaml")
+    for k in range(2):
+        assert run(["sweep", file, "--shard", f"{k}/2", "--processes", "1"], False) == 0
+    assert "1 x body 'rod'" in capsys.readouterr().out
+    table = folder / "study.csv"
+    assert run(["sweep", file, "--gather", "--json", "--output", str(table)], False) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert (found["finished"], found["failed"], found["skipped"]) == (2, 1, 0)
+    study = lw.sweep(rod(), {"rod.mass": [1.0, 2.0, -3.0]}, {"force": "reaction('pin').force.max"}, **FEW)
+    assert found["table"]["force"][:2] == study.outputs["force"][:2].tolist()
+    rows = [line.split(",") for line in table.read_text().splitlines()]
+    assert [float(row[rows[0].index("force")]) for row in rows[1:3]] == study.outputs["force"][:2].tolist()
+    assert set(keys_in(folder / "kept").values()) == {1}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("t_end: 0.05", "t_ent: 0.05", r"study.yaml:3: t_ent: is not known here; the nearest is 't_end'"),
+        ("t_end: 0.05", "t_end: soon", r"study.yaml:3: t_end: 'soon' is not a number"),
+        ("linkwork_study: 1", "linkwork_study: 2", r"study.yaml:1: linkwork_study: 2 is not 1"),
+        ("model: rod.yaml", "model: rot.yaml", r"rot.yaml"),
+        ("rod.mass: [1.0, 2.0, -3.0]", "rod.mass: {norn: {loc: 1}}", "no distribution 'norn'; .*'norm'"),
+        (
+            "rod.mass: [1.0, 2.0, -3.0]",
+            "rod.mass: {norm: {loc: 1}}\ncases: 4",
+            "'rod.mass': is a distribution: give a seed",
+        ),
+    ],
+)
+def test_a_wrong_file_is_refused_with_its_line(
+    old: str, new: str, message: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "study.yaml").write_text(STUDY.replace(old, new))
+    assert run(["sweep", str(folder / "study.yaml")], False) == 1
+    assert re.search(message, capsys.readouterr().err)
+
+
+@pytest.mark.parametrize(("sign", "code"), [(signal.SIGINT, 130), (signal.SIGKILL, -signal.SIGKILL)])
+def test_a_command_that_is_ended_goes_on_where_it_was(folder: Path, sign: signal.Signals, code: int) -> None:
+    text = STUDY.replace("[1.0, 2.0, -3.0]", str([1.0 + k for k in range(40)])).replace("0.05", "2.0")
+    (folder / "study.yaml").write_text(text.replace("0.005", "0.0005"))
+    line = [sys.executable, "-c", "from linkwork.cli import main; main()", "sweep", "study.yaml",
+            "--processes", "2"]  # fmt: skip
+    process = subprocess.Popen(line, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60
+    while not any((folder / "kept" / "cases").glob("*.jsonl")) and time.monotonic() < deadline:
+        time.sleep(0.01)
+    process.send_signal(sign)
+    _, errors = process.communicate(timeout=60)
+    assert process.returncode == code, errors
+    assert sign == signal.SIGKILL or "has the cases so far" in errors
+    done = keys_in(folder / "kept")
+    assert 0 < len(done) < 40
+    assert subprocess.run(line, cwd=folder, capture_output=True, timeout=120).returncode == 0
+    whole = keys_in(folder / "kept")
+    assert len(whole) == 40 and set(whole.values()) == {1} and not done - whole
+
+
+def test_a_file_has_samplers_and_distributions(folder: Path) -> None:
+    from scipy import stats
+
+    text = STUDY.replace("[1.0, 2.0, -3.0]", "{uniform: {loc: 1.0, scale: 2.0}}") + "cases: 4\nseed: 3\n"
+    (folder / "study.yaml").write_text(text)
+    given = read_study(folder / "study.yaml")
+    study = lw.sweep(**given, processes=1)
+    direct = lw.sweep(rod(), {"rod.mass": stats.uniform(1.0, 2.0)}, {"force": "reaction('pin').force.max"},
+                      cases=4, seed=3, **FEW)  # fmt: skip
+    same(study, direct)
+    assert given["directory"] == folder / "kept"
