@@ -51,6 +51,7 @@ def test_a_file_that_may_not_grow_is_told_wherever_the_limit_is(tmp_path: Path) 
 @pytest.mark.parametrize("seconds", [0.0, 0.05, 0.4])
 def test_termination_ends_a_run_also_where_it_is_set_up(tmp_path: Path, seconds: float) -> None:
     output = tmp_path / "run.h5"
+    lw.simulate(lw.mechanisms.four_bar(), 0.01, 1e-3, output=tmp_path / "imports.h5", progress=False)
     before = signal.getsignal(signal.SIGTERM)
     honor_termination()
     soon = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGTERM))
