@@ -32,7 +32,7 @@ from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, reporting
 from linkwork.running.recording import PythonStep
 
-__all__ = ["PythonStep", "simulate"]
+__all__ = ["Prepared", "PythonStep", "prepared", "simulate"]
 
 log = logging.getLogger(__name__)
 
@@ -128,13 +128,13 @@ def simulate(
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, **options}  # fmt: skip
-        prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
+        ready = prepared(model, plan, given, options, compile_events(events, model), start)
         _check_output(output, overwrite)
-        duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
+        duration.announce(ready.system.model, options, ready.method, plan.least_steps(t_start), start)
     with Interrupts() as interrupts:
-        result, estimator = _carried_out(prepared, output, progress, started, interrupts)
+        result, estimator = _carried_out(ready, output, progress, started, interrupts)
     if verify:
-        again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
+        again: dict[str, Any] = {"integrator": ready.method, "events": events, "breaks": breaks,
                                  "start": start, "assemble": assemble}  # fmt: skip
         estimator.verify(result, output, lambda finer: simulate(
             model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
@@ -161,7 +161,7 @@ simulate.__doc__ = (
 
 
 @dataclass(frozen=True)
-class _Prepared:
+class Prepared:
     """A run before its first step."""
 
     plan: schedule.Fixed | schedule.Adaptive
@@ -188,14 +188,14 @@ class _Prepared:
         )  # fmt: skip
 
 
-def _prepared(
+def prepared(
     model: Model,
     plan: schedule.Fixed | schedule.Adaptive,
     given: Mapping[str, Any],
     options: Options,
     watched: Sequence[tuple[str, _core.Event]],
     start: Snapshot | None,
-) -> _Prepared:
+) -> Prepared:
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
     t_start = checks.start_time(start)
     checks.check_tables(model, plan.t_end)
@@ -226,11 +226,11 @@ def _prepared(
         "events": [label for label, _ in watched],
         **({} if start is None else {"resumed": resume is not None}),
     }
-    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
+    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
 
 
 def _carried_out(
-    it: _Prepared,
+    it: Prepared,
     output: str | os.PathLike[str] | None,
     progress: ProgressOption,
     started: float,
