@@ -241,6 +241,12 @@ py::array_t<double> joint_frames(const Dynamics& dynamics, const ConstVector& q)
   return out;
 }
 
+struct PathScope {
+  explicit PathScope(bool one) : wanted(one) {}
+  bool wanted;
+  std::optional<OnePath> path;
+};
+
 void bind_information(py::module_& module) {
   py::class_<LinearSolverInfo>(module, "SolverInfo", "A registered linear solver.")
       .def_readonly("name", &LinearSolverInfo::name)
@@ -253,6 +259,11 @@ void bind_information(py::module_& module) {
         return out;
       });
   module.def("linear_solvers", [] { return linear_solvers(); });
+  py::class_<PathScope>(module, "OnePath",
+                        "While it is entered, this thread computes by the instructions that every processor has.")
+      .def(py::init<bool>(), py::arg("wanted"))
+      .def("__enter__", [](PathScope& scope) { scope.path.emplace(scope.wanted); })
+      .def("__exit__", [](PathScope& scope, const py::args&) { scope.path.reset(); });
   module.def(
       "instruction_set", [] { return best_instruction_set().name; },
       "The instruction set that the hot loops use on this processor, such as x86-64-v3.");

@@ -26,6 +26,7 @@ __all__ = [
     "KindInfo",
     "Model",
     "Multistep",
+    "OnePath",
     "OptionInfo",
     "Options",
     "ParameterInfo",
@@ -747,6 +748,16 @@ class Multistep:
         starter: Tableau,
     ) -> None: ...
 
+class OnePath:
+    """
+    While it is entered, this thread computes by the instructions that every processor has.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __enter__(self) -> None: ...
+    def __exit__(self, *args) -> None: ...
+    def __init__(self, wanted: bool) -> None: ...
+
 class OptionInfo:
     """
     What an option of a run can be.
@@ -790,6 +801,7 @@ class Options:
     The choices of a run.
     """
 
+    deterministic: bool
     formulation: str
     linear_solver: str
     matrix_form: str

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/math/elementary.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double news = 0.1;     // part of a vector in any direction
 LeastSingularValue::LeastSingularValue(const System& system, const VectorXd& delassus, const DroppedRows& dropped)
     : system_(&system), scale_(delassus.cwiseSqrt()), some_(delassus.size()), none_(VectorXd::Zero(system.v_size())) {
   dropped.take_from(scale_);
-  for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = std::cos(1.0 + 2.4 * static_cast<double>(k));
+  for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = elementary::cosine(1.0 + 2.4 * static_cast<double>(k));
   some_ *= news / std::sqrt(static_cast<double>(some_.size()));
   lambda_.resize(delassus.size());
   for (VectorXd* velocities : {&x_, &momentum_}) velocities->resize(system.v_size());

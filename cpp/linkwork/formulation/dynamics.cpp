@@ -14,9 +14,9 @@
 namespace linkwork {
 namespace {
 
-constexpr int dense_rows = 32;       // up to this size a dense factorization is faster than any sparse one
-constexpr int large_model = 10000;   // bodies from which memory counts
-constexpr int timed_bodies = 20;     // below, a look at the clock takes as long as an evaluation: few of them are timed
+constexpr int dense_rows = 32;      // up to this size a dense factorization is faster than any sparse one
+constexpr int large_model = 10000;  // bodies from which memory counts
+constexpr int timed_bodies = 20;    // below, a look at the clock takes as long as an evaluation: few of them are timed
 constexpr int timed_evaluations = 17;  // the first ones, then one in so many: not always the same stage of a step
 constexpr int most_refinements = 20;
 
@@ -50,7 +50,7 @@ std::string choose_solver(const std::string& form, const FormulationInfo& info, 
   const int size = unknowns.velocities * system.v_size() + unknowns.multipliers * system.row_count();
   const auto suits = [&](const LinearSolverInfo& solver) {
     const bool best = solver.make_saddle ? regular : solver.dense == (size <= dense_rows);
-    return best && solver.available() && can_solve(form, solver);
+    return best && solver.available() && can_solve(form, solver) && !(options.deterministic && solver.blas);
   };
   const auto& all = linear_solvers();
   const auto found = std::find_if(all.begin(), all.end(), suits);
@@ -59,7 +59,7 @@ std::string choose_solver(const std::string& form, const FormulationInfo& info, 
 
 }  // namespace
 
-Dynamics::Dynamics(const Model& model, const Options& options)
+Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
     : options_(resolve(options)),
       system_(model),
       kind_(stabilization_info(options_.stabilization).kind),
@@ -78,6 +78,7 @@ Dynamics::Dynamics(const Model& model, const Options& options)
   check_masses();
   check_kkt();
   const LinearSolverInfo& solver = linear_solver_info(options_.linear_solver);
+  check_deterministic();
   formulation_ = std::make_unique<WatchedFormulation>(
       system_, at_, now_, info.make(make_saddle_solver(options_.matrix_form, solver), options_),
       DroppedRows(system_, rank_.redundant_rows));
@@ -106,6 +107,13 @@ void Dynamics::check_masses() const {
                                 describe_least_constrained_motion(system_, at_, free.front()) +
                                 "; give it mass and inertia, or hold it by joints",
                             details);
+}
+
+void Dynamics::check_deterministic() const {
+  if (!options_.deterministic || !linear_solver_info(options_.linear_solver).blas) return;
+  throw OptionError("deterministic", "deterministic: linear solver '" + options_.linear_solver +
+                                         "' uses BLAS, which has other bits on other processors; use linear solver "
+                                         "'block', 'klu', 'eigen_ldlt' or 'dense'");
 }
 
 /// The kkt matrix of the sparse and dense solvers has no place for E, and so none for dropped rows.
@@ -334,7 +342,7 @@ void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, Mutabl
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
 }
 
-Busy::Busy(const Dynamics& dynamics) : dynamics_(dynamics) {
+Busy::Busy(const Dynamics& dynamics) : dynamics_(dynamics), path_(dynamics.options().deterministic) {
   if (dynamics.busy_.test_and_set(std::memory_order_acquire))
     throw BusyError("busy",
                     "this System is at work, in another thread or for a function that calls it: it works for one "

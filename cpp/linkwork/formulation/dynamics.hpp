@@ -15,6 +15,7 @@
 #include "linkwork/formulation/options.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
 #include "linkwork/formulation/stabilization.hpp"
+#include "linkwork/math/instruction_set.hpp"
 #include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
@@ -43,7 +44,7 @@ struct FactorizationCost {
 /// work of the forces that have no potential [J] as the last entry.
 class Dynamics {
  public:
-  Dynamics(const Model& model, const Options& options);
+  Dynamics(const Model& model, const Options& options) : Dynamics(model, options, OnePath(options.deterministic)) {}
   ~Dynamics();
 
   const System& system() const { return system_; }
@@ -142,10 +143,12 @@ class Dynamics {
 
  private:
   friend class Busy;
+  Dynamics(const Model& model, const Options& options, const OnePath&);
   void look_for_switches();
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void check_masses() const;
   void check_kkt() const;
+  void check_deterministic() const;
   Gains gains_or(Gains defaults) const;
   int evaluations_on_the_clock() const;
   void look_for_nan(bool accelerations) const;
@@ -182,6 +185,7 @@ class Busy {
 
  private:
   const Dynamics& dynamics_;
+  OnePath path_;
 };
 
 /// While it is there the watch does not look at evaluations.

@@ -32,6 +32,11 @@ template <>
 constexpr const char* type_name<int> = "whole";
 template <>
 constexpr const char* type_name<Limits> = "limits";
+template <>
+constexpr const char* type_name<bool> = "switch";
+
+struct OnOrOff {};
+constexpr OnOrOff on_or_off;
 
 [[noreturn]] void conflict(const std::string& message) { throw OptionError("conflict", message); }
 
@@ -53,9 +58,13 @@ void check(const char* what, const Limits& given, const Bounds& bounds) {
   for (const double limit : given) check(what, limit, bounds, false);
 }
 
+void check(const char*, bool, OnOrOff) {}
+
 Words choices_of(const Words& names) { return names; }
 Words choices_of(const Bounds&) { return {}; }
+Words choices_of(OnOrOff) { return {}; }
 bool excludes_zero(const Words&) { return false; }
+bool excludes_zero(OnOrOff) { return false; }
 bool excludes_zero(const Bounds& bounds) { return bounds.above; }
 
 bool lists(const Words& options, const std::string& name) {

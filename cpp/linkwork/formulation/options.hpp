@@ -24,7 +24,7 @@ struct Options {
 /// What an option can be.
 struct OptionInfo {
   std::string name;
-  std::string type;                       ///< "name", "number", "whole" or "limits"
+  std::string type;                       ///< "name", "number", "whole", "limits" or "switch"
   std::vector<std::string> choices = {};  ///< of a name
   bool positive = false;                  ///< a number: not zero
   std::optional<double> usual = {};       ///< a number: where it is not given

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "linkwork/math/elementary.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -143,7 +145,8 @@ double AdaptiveSimulation::initial_step() {
   workspace_ -= rates_;
   const double steepest = std::max(speed, measure_.of_change(y_, y_, workspace_).value / first);
   if (!std::isfinite(steepest)) return 0.01 * first;
-  const double second = steepest > 0.0 ? std::pow(0.01 / steepest, 1.0 / (stepper_.pair().method.order + 1)) : most;
+  const double second =
+      steepest > 0.0 ? elementary::power(0.01 / steepest, 1.0 / (stepper_.pair().method.order + 1)) : most;
   bounded_ = bounded_ || (most < free && std::min(100.0 * first, second) >= most);
   return std::min({100.0 * first, second, most});
 }
@@ -298,7 +301,8 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
     const StepSpan step{t_, h, breaks_.after(t_), breaks_.before(t_new_)};
     const BodyMaximum error = stepper_.trial(dynamics_, measure_, step, y_);
     const bool seen = error.value > 1.0 || breaks_.seen(stepper_.pair(), step, schedule_.tolerances.relative);
-    if (!seen || (error.value <= 1.0 && violates(h))) return {std::pow(2.0, stepper_.pair().error_order + 1), -1};
+    if (!seen || (error.value <= 1.0 && violates(h)))
+      return {elementary::power(2.0, stepper_.pair().error_order + 1), -1};
     return error;
   } catch (const OptionError&) {
     throw;

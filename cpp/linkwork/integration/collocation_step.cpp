@@ -15,6 +15,7 @@ constexpr double resolved = 1e-10;       // of velocities inside; at the end abo
 constexpr double end_part = 1e-2;        // of that, at most
 constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
 constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
+constexpr double farthest_off = 1e-6;    // of a start that is not taken to the constraints, which the nodes are
 
 }  // namespace
 
@@ -23,7 +24,7 @@ bool CollocationStep::Quality::good() const {
 }
 
 bool CollocationStep::Quality::fair() const {
-  return converged && correction <= consistent && badness() <= fair_tolerance;
+  return converged && correction <= std::max(consistent, 2.0 * off) && badness() <= fair_tolerance;
 }
 
 double CollocationStep::Quality::badness() const { return std::max(resolution, energy); }
@@ -43,6 +44,7 @@ double CollocationStep::size(const ConstVector& velocities) const {
 
 void CollocationStep::begin_in_pose(double t, const VectorXd& y) {
   allocate(t, y);
+  off_ = 0.0;
   energy_before_ = energy(y);
   dynamics_.rates(rates_before_);
   v_dot_before_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
@@ -57,11 +59,14 @@ void CollocationStep::allocate(double t, const VectorXd& y) {
 
 bool CollocationStep::begin(double t, const VectorXd& y, bool on_constraints) {
   allocate(t, y);
+  VectorXd projected = y;
   try {
-    if (on_constraints) project(t, step_.y);
+    project(t, projected);
   } catch (const NotConvergedError&) {
-    return false;
+    if (on_constraints) return false;
   }
+  off_ = on_constraints ? 0.0 : std::min(displacement(y, projected), farthest_off);
+  if (on_constraints) step_.y = std::move(projected);
   dynamics_.evaluate(t, step_.y);
   energy_before_ = energy(step_.y);
   VectorXd lambda(dynamics_.system().row_count());
@@ -107,6 +112,17 @@ bool CollocationStep::iterate() {
   return false;
 }
 
+/// Of the body that is moved most [rad, or relative to the length].
+double CollocationStep::displacement(const VectorXd& from, const VectorXd& to) const {
+  double largest = 0.0;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    const double shift = (to.segment<3>(7 * body) - from.segment<3>(7 * body)).norm() / length_;
+    const double turn = 2.0 * (to.segment<4>(7 * body + 3) - from.segment<4>(7 * body + 3)).norm();
+    largest = std::max({largest, shift, turn});
+  }
+  return largest;
+}
+
 /// k_i at the state that the polynomials give, on the constraints; how much it changed, as a velocity relative to all.
 double CollocationStep::node(int i) {
   const System& system = dynamics_.system();
@@ -117,11 +133,7 @@ double CollocationStep::node(int i) {
   system.normalize(y_.head(nq));
   rates_ = y_;
   project(t, y_);
-  for (int body = 0; body < system.body_count(); ++body) {
-    const double shift = (y_.segment<3>(7 * body) - rates_.segment<3>(7 * body)).norm() / length_;
-    const double turn = 2.0 * (y_.segment<4>(7 * body + 3) - rates_.segment<4>(7 * body + 3)).norm();
-    correction_ = std::max({correction_, shift, turn});
-  }
+  correction_ = std::max(correction_, displacement(rates_, y_));
   const double speed = size(y_.segment(nq, nv)), before = size(rates_.segment(nq, nv));
   if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
   dynamics_.evaluate(t, y_);
@@ -149,6 +161,7 @@ void CollocationStep::finish(Quality& quality) {
   const auto v = step_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
   const VectorXd rest = step_.k * gauss_.last_coefficient();
   quality.correction = correction_;
+  quality.off = off_;
   quality.jump = jump_;
   quality.resolution = step_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
   quality.energy =

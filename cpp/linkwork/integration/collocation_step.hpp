@@ -30,6 +30,7 @@ class CollocationStep {
   struct Quality {
     bool converged = false;
     double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
+    double off = 0.0;         ///< the same of the start, where it is not taken to the constraints
     double jump = 0.0;        ///< the same of their velocities, relative to them
     double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
@@ -75,6 +76,7 @@ class CollocationStep {
   double node(int i);
   void finish(Quality& quality);
   double energy(const VectorXd& y) const;
+  double displacement(const VectorXd& from, const VectorXd& to) const;
 
   Dynamics& dynamics_;
   Projection projection_;
@@ -82,7 +84,7 @@ class CollocationStep {
   GaussCollocation gauss_;
   Leap step_;
   double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality
-  double energy_before_ = 0.0;
+  double off_ = 0.0, energy_before_ = 0.0;
   VectorXd y_, v_dot_, v_dot_before_, rates_, rates_before_;
 };
 

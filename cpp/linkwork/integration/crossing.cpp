@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "linkwork/constraints/closed_loops.hpp"
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -24,6 +25,7 @@ constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states 
 constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
+constexpr double part_of_foreseen = 0.5;           // way to a pose that usual steps go, as it may be nearer
 constexpr double short_steps = 4.0;                // of which a leap beside the pose is worth so many
 constexpr double least_beside = 0.4;               // of a usual leap
 constexpr double least_margin = 0.012;             // the same, where nothing better is found
@@ -155,10 +157,11 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   }
   if (tau <= enough) return true;
   if (!adaptive) return false;
-  most_step_ = tau - before_pose * usual;
-  if (!approached_ && most_step_ < usual && most_step_ > std::max(short_steps * h, least_beside * usual)) {
+  const double up_to = tau - before_pose * usual;
+  most_step_ = known_ > t ? up_to : std::min(up_to, part_of_foreseen * tau);
+  if (!approached_ && up_to < usual && up_to > std::max(short_steps * h, least_beside * usual)) {
     approached_ = true;
-    beside_ = most_step_;
+    beside_ = up_to;
   }
   return beside_ > 0.0;
 }
@@ -209,7 +212,7 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h) const 
 }
 
 /// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
-/// than wanted; of equals the shortest.
+/// than wanted, but leads over them; of equals the shortest.
 double Crossing::best_length(const Search& search) {
   const double least = limit(search, search.least), grid = search.grid;
   double best = least, distance = -1.0;
@@ -227,7 +230,7 @@ double Crossing::best_length(const Search& search) {
     for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(limit(search, factor * least));
   }
   for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.025)
-    consider(allowed_length(search, factor * least));
+    if (const double h = allowed_length(search, factor * least); h > search.poses.back()) consider(h);
   return best;
 }
 
@@ -351,7 +354,7 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
   const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
   const bool over = search.poses.front() <= leap_.h || leap_.h >= search.most;
-  quality.roundoff = precision * std::pow(search.usual / (reach * nearest * leap_.h), 2);
+  quality.roundoff = precision * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
   search.done = quality.good() && clear;
   if (search.done || (over && quality.fair() && nearest >= least_margin && quality.error() < search.error)) {
     search.best = leap_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "linkwork/math/elementary.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -23,7 +25,7 @@ double derivative_of_last(double x, const Legendre& P) {
 
 /// The k-th root of P_stages, ascending.
 double root(int k) {
-  double x = -std::cos(std::numbers::pi * (k + 0.75) / (stages + 0.5));
+  double x = -elementary::cosine(std::numbers::pi * (k + 0.75) / (stages + 0.5));
   for (int iteration = 0; iteration < 10; ++iteration) {
     const Legendre P = legendre(x);
     x -= P[stages] / derivative_of_last(x, P);

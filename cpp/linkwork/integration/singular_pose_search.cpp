@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -23,7 +24,7 @@ constexpr int most_guesses = 24, few_guesses = 4;
 
 /// |log| of the ratio of two slopes.
 double mismatch(double rise, double run, double other_rise, double other_run) {
-  return std::abs(std::log(rise / run * other_run / other_rise));
+  return std::abs(elementary::logarithm(rise / run * other_run / other_rise));
 }
 
 }  // namespace
@@ -133,18 +134,18 @@ bool SingularPoseSearch::search_single(const PivotSample& a, const PivotSample& 
   return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
 }
 
-/// The same of states that follow each other: at some places, and at that of a single zero.
+/// The same of states that follow each other: at some places, at that of a single zero, and beside the ends.
 bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
   const PivotSample a{before.t, root_at(before.t, before.y)}, c{after.t, root_at(after.t, after.y)};
   const auto between = [&](double part) { return sample_between(a, c, part); };
   std::array<PivotSample, 6> samples = {a, a, between(0.25), between(0.5), between(0.75), c};
   if (a.root > 0.0 && c.root > 0.0) samples[1] = between(a.root / (a.root + c.root));
   std::sort(samples.begin(), samples.end(), [](const PivotSample& a, const PivotSample& b) { return a.at < b.at; });
-  bool listed = false;
+  bool listed = samples[0].root < samples[1].root && search_single(samples[0], samples[1]);
   for (std::size_t k = 1; k + 1 < samples.size(); ++k)
     if (samples[k].root < samples[k - 1].root && samples[k].root < samples[k + 1].root)
       listed = search(samples[k - 1], samples[k], samples[k + 1]) || listed;
-  return listed;
+  return (samples[5].root < samples[4].root && search_single(samples[4], samples[5])) || listed;
 }
 
 double SingularPoseSearch::look_to(double t, const VectorXd& y, int parts) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwork/math/archive.hpp"
+#include "linkwork/math/elementary.hpp"
 
 namespace linkwork {
 
@@ -15,8 +16,9 @@ class StepController {
   explicit StepController(int estimate_order) : k_(estimate_order) {}
 
   double after_accepted(double h, double error) {
-    const double factor =
-        error > 0.0 ? safety * std::pow(error, -0.7 / k_) * std::pow(last_error_, 0.4 / k_) : INFINITY;
+    const double factor = error > 0.0
+                              ? safety * elementary::power(error, -0.7 / k_) * elementary::power(last_error_, 0.4 / k_)
+                              : INFINITY;
     last_error_ = std::max(error, least_error);
     const double most = rejected_ ? 1.0 : 5.0;
     rejected_ = false;
@@ -26,7 +28,7 @@ class StepController {
   /// The error may be infinite or undefined.
   double after_rejected(double h, double error) {
     rejected_ = true;
-    const double factor = std::isfinite(error) ? safety * std::pow(error, -1.0 / k_) : 0.0;
+    const double factor = std::isfinite(error) ? safety * elementary::power(error, -1.0 / k_) : 0.0;
     return h * std::clamp(factor, 0.1, 0.9);
   }
 

@@ -6,6 +6,7 @@
 
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/runge_kutta.hpp"
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -54,7 +55,7 @@ double largest_column(const Eigen::Matrix3Xd& vectors) {
 
 SecondTake in_parts(std::unique_ptr<Integrator> integrator) {
   const int order = integrator->order();
-  const double left = std::pow(golden, order + 1) + std::pow(1.0 - golden, order + 1);
+  const double left = elementary::power(golden, order + 1) + elementary::power(1.0 - golden, order + 1);
   return {std::move(integrator), golden, order > 0 ? left : 0.0};
 }
 
@@ -128,7 +129,7 @@ void StepJudge::take_again(const KeptStep& step) {
 
 void StepJudge::divide_parts(int times) {
   divisions_ = times;
-  factor_ = 1.0 / (1.0 - std::pow(take_.left, times));
+  factor_ = 1.0 / (1.0 - elementary::power(take_.left, times));
 }
 
 void StepJudge::divide(Span whole, int times, std::vector<Span>& parts) const {

@@ -58,6 +58,7 @@ struct LinearSolverInfo {
   bool positive_definite = false;
   std::unique_ptr<LinearSolver> (*make)(Storage) = nullptr;
   bool dense = false;  ///< the quickest for small systems; Cholesky of the upper triangle, or LU of all entries
+  bool blas = false;   ///< calls BLAS, which takes other ways on other processors
   /// Instead of `make`: a solver that works on the blocks of the equations themselves, without a sparse matrix.
   std::unique_ptr<SaddleSolver> (*make_saddle)() = nullptr;
   /// Why there is neither in this build; empty where there is one.

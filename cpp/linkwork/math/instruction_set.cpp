@@ -1,6 +1,28 @@
 #include "linkwork/math/instruction_set.hpp"
 
+#include <cstdlib>
+#include <string_view>
+
 namespace linkwork {
+namespace {
+
+thread_local bool one_path = false;
+
+int allowed_level() {
+  static const int level = [] {
+    const int widest = instruction_set_count() - 1;
+    const char* const wanted = std::getenv("LINKWORK_INSTRUCTION_SET");
+    for (int k = 0; wanted && k < widest; ++k)
+      if (std::string_view(wanted) == instruction_set(k).name) return k;
+    return widest;
+  }();
+  return level;
+}
+
+}  // namespace
+
+OnePath::OnePath(bool wanted) : before_(one_path) { one_path = one_path || wanted; }
+OnePath::~OnePath() { one_path = before_; }
 
 int instruction_set_count() {
 #if LINKWORK_X86
@@ -27,7 +49,7 @@ InstructionSet instruction_set(int level) {
 #endif
 }
 
-InstructionSet best_instruction_set() { return instruction_set(instruction_set_count() - 1); }
+InstructionSet best_instruction_set() { return instruction_set(one_path ? 0 : allowed_level()); }
 
 InstructionSet instruction_set_for(int count, const InstructionSet& widest) {
   for (int level = 0; level < widest.level; ++level)

@@ -15,8 +15,21 @@ constexpr int max_instruction_sets = 3;
 /// How many of them this processor has: levels 0 .. count - 1.
 int instruction_set_count();
 InstructionSet instruction_set(int level);
-/// The widest.
+/// The widest; level 0 where OnePath is; not wider than the environment variable LINKWORK_INSTRUCTION_SET says, by name.
 InstructionSet best_instruction_set();
+
+/// While it is there, this thread computes by the instructions that every processor has, and so with the same bits on
+/// all of them: `wanted`, else nothing changes.
+class OnePath {
+ public:
+  explicit OnePath(bool wanted = true);
+  ~OnePath();
+  OnePath(const OnePath&) = delete;
+  OnePath& operator=(const OnePath&) = delete;
+
+ private:
+  bool before_;
+};
 /// The narrowest whose registers hold `count` doubles, or `widest`: half-empty registers cost as much as full ones.
 InstructionSet instruction_set_for(int count, const InstructionSet& widest);
 

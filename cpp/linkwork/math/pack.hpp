@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/simd.hpp"
 
 /// A number for as many joints or bodies as a register has lanes: the `Real` of templates over the scalar. For files
@@ -34,9 +35,9 @@ struct Pack {
     for (int k = 0; k < width; ++k) out.v[k] = __builtin_rint(a.v[k]);
     return out;
   }
-  friend LINKWORK_INLINE Pack atan2(const Pack& a, const Pack& b) {
+  friend LINKWORK_INLINE Pack arc_tangent(const Pack& a, const Pack& b) {
     Pack out;
-    for (int k = 0; k < width; ++k) out.v[k] = __builtin_atan2(a.v[k], b.v[k]);
+    for (int k = 0; k < width; ++k) out.v[k] = elementary::arc_tangent(a.v[k], b.v[k]);
     return out;
   }
 };

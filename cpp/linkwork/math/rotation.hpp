@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/inline.hpp"
 #include "linkwork/math/types.hpp"
 
@@ -53,25 +54,25 @@ constexpr double second_order_angle = 1e-4, first_order_angle = 1e-8;
 /// Euler parameters of the rotation by |phi| about phi [rad].
 inline Vec4<double> exponential(const Vec3<double>& phi) {
   const double angle = phi.norm();
-  const double factor = angle < second_order_angle ? 0.5 - angle * angle / 48.0 : std::sin(0.5 * angle) / angle;
-  return {std::cos(0.5 * angle), factor * phi[0], factor * phi[1], factor * phi[2]};
+  const double factor = angle < second_order_angle ? 0.5 - angle * angle / 48.0 : elementary::sine(0.5 * angle) / angle;
+  return {elementary::cosine(0.5 * angle), factor * phi[0], factor * phi[1], factor * phi[2]};
 }
 
 /// The rotation vector phi [rad], |phi| <= pi, of unit p: the inverse of `exponential` up to the sign of p.
 inline Vec3<double> logarithm(const Vec4<double>& p) {
   const Vec3<double> e = p[0] < 0 ? Vec3<double>(-p.tail<3>()) : Vec3<double>(p.tail<3>());
   const double sine = e.norm();
-  const double factor = sine < first_order_angle ? 2.0 : 2.0 * std::atan2(sine, std::abs(p[0])) / sine;
+  const double factor = sine < first_order_angle ? 2.0 : 2.0 * elementary::arc_tangent(sine, std::abs(p[0])) / sine;
   return factor * e;
 }
 
 /// The rotation vector phi [rad], |phi| <= pi, of a rotation matrix R = exp(phi~).
 template <class Real>
 Vec3<Real> rotation_vector(const Mat3<Real>& R) {
-  using std::atan2;
+  using elementary::arc_tangent;
   const Vec3<Real> axial = Vec3<Real>(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) * Real(0.5);
   const Real sine = axial.norm(), cosine = (R.trace() - Real(1)) * Real(0.5);
-  return sine < Real(first_order_angle) ? axial : Vec3<Real>(axial * (atan2(sine, cosine) / sine));
+  return sine < Real(first_order_angle) ? axial : Vec3<Real>(axial * (arc_tangent(sine, cosine) / sine));
 }
 
 }  // namespace linkwork

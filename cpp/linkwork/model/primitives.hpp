@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/inline.hpp"
 #include "linkwork/model/body_state.hpp"
 #include "linkwork/model/rows.hpp"
@@ -153,11 +154,11 @@ void combine(const Real (&factors)[N], const Equation<Real> (&equations)[N], Row
 template <class Real>
 LINKWORK_PRIMITIVE void angle_of(const BodyState<Real>& i, const BodyState<Real>& j, const Equation<Real>& s,
                                  const Equation<Real>& c, Rows<Real, 1> out) {
-  using std::atan2;
+  using elementary::arc_tangent;
   const Real scale = Real(1) / (c.Phi * c.Phi + s.Phi * s.Phi), by_s = scale * c.Phi, by_c = -scale * s.Phi;
   const Real s_dot = s.rate(i, j), c_dot = c.rate(i, j), rate = by_s * s_dot + by_c * c_dot;
   combine<Real, 2>({by_s, by_c}, {s, c}, out);
-  out.Phi[0] = atan2(s.Phi, c.Phi);
+  out.Phi[0] = arc_tangent(s.Phi, c.Phi);
   out.gamma[0] += Real(2) * scale * rate * (c.Phi * c_dot + s.Phi * s_dot);
 }
 

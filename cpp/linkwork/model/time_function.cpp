@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -40,7 +41,7 @@ class Harmonic final : public TimeFunction {
 
   Signal<double> evaluate(double t) const override {
     const double angle = frequency_ * t + phase_;
-    const double sine = amplitude_ * std::sin(angle), cosine = amplitude_ * std::cos(angle);
+    const double sine = amplitude_ * elementary::sine(angle), cosine = amplitude_ * elementary::cosine(angle);
     return {offset_ + sine, frequency_ * cosine, -frequency_ * frequency_ * sine};
   }
 
@@ -158,8 +159,8 @@ class Cycloidal final : public TimeFunction {
     const double s = (t - start_) / duration_;
     if (s <= 0.0) return {0.0, 0.0, 0.0};
     if (s >= 1.0) return {rise_, 0.0, 0.0};
-    return {rise_ * (s - std::sin(turn * s) / turn), rise_ / duration_ * (1.0 - std::cos(turn * s)),
-            rise_ / (duration_ * duration_) * turn * std::sin(turn * s)};
+    return {rise_ * (s - elementary::sine(turn * s) / turn), rise_ / duration_ * (1.0 - elementary::cosine(turn * s)),
+            rise_ / (duration_ * duration_) * turn * elementary::sine(turn * s)};
   }
   void add_breaks(std::vector<Break>& out) const override {
     out.push_back({start_});

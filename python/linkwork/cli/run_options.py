@@ -58,7 +58,7 @@ def _option(name: str, kind: Any, text: str, names: Sequence[str] = ()) -> click
     )
 
 
-_TYPES = {"name": str, "number": float, "whole": int, "limits": _Limits()}
+_TYPES = {"name": str, "number": float, "whole": int, "limits": _Limits(), "switch": bool}
 
 
 def _all() -> list[click.Option]:

@@ -22,7 +22,9 @@ IntegratorName = Literal[tuple(METHODS)]
 def _type(option: _core.OptionInfo) -> Any:
     names: Any = Literal[tuple(option.choices)] if option.choices else None
     number, limits = float | None, float | Mapping[Level, float] | None
-    return {"name": names, "number": number, "whole": int | None, "limits": limits}[option.type]
+    return {"name": names, "number": number, "whole": int | None, "limits": limits, "switch": bool | None}[
+        option.type
+    ]
 
 
 Options: Any = TypedDict("Options", {option.name: _type(option) for option in _core.options()}, total=False)
@@ -42,7 +44,7 @@ def described(option: _core.OptionInfo) -> str:
 
 def stub() -> str:
     """The text of types.pyi."""
-    types = {"number": "float", "whole": "int", "limits": "float | Mapping[Level, float]"}
+    types = {"number": "float", "whole": "int", "limits": "float | Mapping[Level, float]", "switch": "bool"}
     fields = "\n".join(
         f"    {it.name}: " + (f"{types[it.type]} | None" if it.type in types else f"Literal{it.choices}")
         + f'\n    """{described(it)}"""' for it in _core.options()

@@ -32,7 +32,7 @@ from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, reporting
 from linkwork.running.recording import PythonStep
 
-__all__ = ["Prepared", "PythonStep", "prepared", "simulate"]
+__all__ = ["PythonStep", "check_run", "simulate"]
 
 log = logging.getLogger(__name__)
 
@@ -116,7 +116,8 @@ def simulate(
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
-    with Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError():
+    path = _core.OnePath(options.get("deterministic") is True)
+    with Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError(), path:
         checks.check_bodies(model)
         for name in options:
             check_option(name, TABLE)
@@ -128,13 +129,13 @@ def simulate(
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, **options}  # fmt: skip
-        ready = prepared(model, plan, given, options, compile_events(events, model), start)
+        prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
         _check_output(output, overwrite)
-        duration.announce(ready.system.model, options, ready.method, plan.least_steps(t_start), start)
-    with Interrupts() as interrupts:
-        result, estimator = _carried_out(ready, output, progress, started, interrupts)
+        duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
+    with Interrupts() as interrupts, path:
+        result, estimator = _carried_out(prepared, output, progress, started, interrupts)
     if verify:
-        again: dict[str, Any] = {"integrator": ready.method, "events": events, "breaks": breaks,
+        again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
                                  "start": start, "assemble": assemble}  # fmt: skip
         estimator.verify(result, output, lambda finer: simulate(
             model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
@@ -161,7 +162,7 @@ simulate.__doc__ = (
 
 
 @dataclass(frozen=True)
-class Prepared:
+class _Prepared:
     """A run before its first step."""
 
     plan: schedule.Fixed | schedule.Adaptive
@@ -188,14 +189,14 @@ class Prepared:
         )  # fmt: skip
 
 
-def prepared(
+def _prepared(
     model: Model,
     plan: schedule.Fixed | schedule.Adaptive,
     given: Mapping[str, Any],
     options: Options,
     watched: Sequence[tuple[str, _core.Event]],
     start: Snapshot | None,
-) -> Prepared:
+) -> _Prepared:
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
     t_start = checks.start_time(start)
     checks.check_tables(model, plan.t_end)
@@ -226,11 +227,18 @@ def prepared(
         "events": [label for label, _ in watched],
         **({} if start is None else {"resumed": resume is not None}),
     }
-    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
+    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
+
+
+def check_run(
+    model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options
+) -> None:
+    """All of a run but its steps. OptionError, ModelError: what cannot be run."""
+    _prepared(model, plan, given, options, compile_events(given["events"], model), None)
 
 
 def _carried_out(
-    it: Prepared,
+    it: _Prepared,
     output: str | os.PathLike[str] | None,
     progress: ProgressOption,
     started: float,

@@ -27,10 +27,9 @@ from linkwork.options import TABLE, check_name, check_number, check_option
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
-from linkwork.running.events import compile_events
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
-from linkwork.running.simulation import prepared, simulate
+from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Case, Run, Runner, check_times, machine
 from linkwork.studies.chunks import check_executor, run_cases
@@ -233,7 +232,7 @@ def _prepare(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
     chosen: Any = {name: value for name, value in options.items() if name in TABLE}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", LinkworkWarning)
-        prepared(model, plan, given, chosen, compile_events(given["events"], model), None)
+        check_run(model, plan, given, chosen)
 
 
 def _probe(model: Model, options: Mapping[str, Any]) -> Result:

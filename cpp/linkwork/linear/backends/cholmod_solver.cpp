@@ -135,6 +135,7 @@ namespace linkwork {
 
 LinearSolverInfo cholmod_info(const std::string& name, const std::string& documentation, CholmodMode mode) {
   LinearSolverInfo info{.name = name, .documentation = documentation, .positive_definite = true};
+  info.blas = mode != CholmodMode::simplicial;
 #if LINKWORK_WITH_CHOLMOD
   info.make = mode == CholmodMode::automatic    ? make<CholmodMode::automatic>
               : mode == CholmodMode::simplicial ? make<CholmodMode::simplicial>

@@ -108,6 +108,7 @@ namespace linkwork {
 
 LinearSolverInfo spqr_solver() {
   LinearSolverInfo info{.name = "spqr", .documentation = "SuiteSparseQR's rank-revealing sparse QR"};
+  info.blas = true;
 #if LINKWORK_WITH_GPL
   info.make = make;
 #else

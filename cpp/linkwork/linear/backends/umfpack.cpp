@@ -89,6 +89,7 @@ namespace linkwork {
 
 LinearSolverInfo umfpack_solver() {
   LinearSolverInfo info{.name = "umfpack", .documentation = "UMFPACK's multifrontal sparse LU"};
+  info.blas = true;
 #if LINKWORK_WITH_GPL
   info.make = make;
 #else

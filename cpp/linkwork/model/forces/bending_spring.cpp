@@ -1,5 +1,7 @@
 #include "linkwork/model/forces/coordinates.hpp"
 
+#include "linkwork/math/elementary.hpp"
+
 namespace linkwork {
 
 /// A spring and damper that hold two axes parallel, in all directions alike.
@@ -30,7 +32,7 @@ struct BendingSpring {
                        const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     // V = k beta^2 / 2;  torque on j: -k beta n - c w, n = z_i x z_j / sin(beta), w the relative rotation across z_i
     const Vec3<Real> z_i = i.A * at.z_i(), z_j = j.A * at.z_j(), normal = z_i.cross(z_j);
-    const Real sine = normal.norm(), cosine = z_i.dot(z_j), beta = std::atan2(sine, cosine);
+    const Real sine = normal.norm(), cosine = z_i.dot(z_j), beta = elementary::arc_tangent(sine, cosine);
     const Vec3<Real> omega = j.A * j.omega - i.A * i.omega, across = omega - omega.dot(z_i) * z_i;
     const Real stiffness = parameters[0].value, damping = parameters[1].value;
     Vec3<Real> torque = -damping * across;

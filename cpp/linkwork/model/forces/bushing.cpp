@@ -1,3 +1,4 @@
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/model/forces/coordinates.hpp"
 
@@ -44,8 +45,9 @@ struct Bushing {
     const Mat3<Real> tilde = skew<Real>(phi);
     const Real a2 = phi.squaredNorm(), a = std::sqrt(a2);
     constexpr double small = 1e-6;  // square of an angle up to which the series is as exact
-    const Real factor = a2 < Real(small) ? Real(1) / Real(12) + a2 / Real(720)
-                                         : Real(1) / a2 - (Real(1) + std::cos(a)) / (Real(2) * a * std::sin(a));
+    const Real factor = a2 < Real(small)
+                            ? Real(1) / Real(12) + a2 / Real(720)
+                            : Real(1) / a2 - (Real(1) + elementary::cosine(a)) / (Real(2) * a * elementary::sine(a));
     const Mat3<Real> J = Mat3<Real>::Identity() + Real(0.5) * tilde + factor * tilde * tilde;
     const Vec3<Real> phi_dot = J * (F_j.transpose() * (omega_j - omega_i));
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/model/force_kind.hpp"
 
 /// Continuous contact: F = K d^n (1 + c d_dot / d_dot_0) at the depth d, d_dot_0 the speed at which contact began. With
@@ -53,7 +54,7 @@ void contact(const ForceParameters<Real>& parameters, int first, const BodyState
   const Real rate = -n.dot(u);
   history.next = begins || history.last == Real(0) ? std::max(rate, transition) : history.last;
   if (!(depth > Real(0))) return;
-  const Real elastic = stiffness * std::pow(depth, exponent);
+  const Real elastic = stiffness * elementary::power(depth, exponent);
   const Real normal = elastic * std::max(Real(0), Real(1) + hysteresis * rate / history.next);
   const Vec3<Real> slip = u + rate * n;
   const Vec3<Real> tangential = -friction * normal / std::sqrt(slip.squaredNorm() + transition * transition) * slip;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/model/force_kind.hpp"
 #include "linkwork/model/primitives.hpp"
 
@@ -82,7 +83,8 @@ void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameter
   HistoryVariable<Real> unused;  // full turns do not matter
   Coordinate::evaluate(at, i, j, unused, along);
   const Real rate = along.rate(i, j);
-  const Real force = -parameters[0].value * std::tanh(rate / parameters[2].value) - parameters[1].value * rate;
+  const Real force =
+      -parameters[0].value * elementary::hyperbolic_tangent(rate / parameters[2].value) - parameters[1].value * rate;
   act(along, force, out);
   out.power = force * rate;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/primitives.hpp"
 
@@ -39,7 +40,7 @@ Vector cross(const Vector& a, const Vector& b) {
 
 /// a^power
 Scalar power(const Scalar& a, double power) {
-  const double value = std::pow(a.value, power), d = power * value / a.value, dd = (power - 1.0) * d / a.value;
+  const double value = elementary::power(a.value, power), d = power * value / a.value, dd = (power - 1.0) * d / a.value;
   return {value, d * a.d, dd * a.d * a.d + d * a.dd};
 }
 
