@@ -150,12 +150,15 @@ def test_paths_lead_to_points_and_parts() -> None:
         Changed.of(model, ["spring.at[0]"])
 
 
-@pytest.mark.parametrize("name", ["four_bar", "bricard", "spatial_slider_crank", "double_wishbone", "rolling_disc",
-                                  "planetary_gear", "flyball_governor", "stewart_platform"])  # fmt: skip
+OWN = ["four_bar", "bricard", "spatial_slider_crank", "double_wishbone", "rolling_disc", "planetary_gear",
+       "flyball_governor", "stewart_platform"]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OWN)
 def test_a_models_own_values_make_the_same_model(name: str) -> None:
     """By Model.hash, which has every bit of it."""
     model = lw.mechanisms.MECHANISMS[name].function()
-    body = model.values(lw.simulate(model, 1e-3, 1e-3, progress=False).body_names[-1])["name"]
+    body = model.table("bodies")[-1]["name"]
     changed = Changed.of(model, [f"{body}.mass", f"{body}.velocity", "gravity[0]"])
     own = {path: changed.value(path) for path in changed.addresses}
     assert changed.model(own).hash() == model.hash()
@@ -168,8 +171,8 @@ def test_turns_of_the_model_are_not_lost_where_poses_are_varied() -> None:
     model = lw.Model()
     body = model.body("wheel", mass=1.0, inertia=(1, 1, 1))
     model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
-    model.rotational_spring_damper(model.ground, body, at=(0, 0, 0), axis=(0, 0, 1), stiffness=1.0, damping=0.0,
-                                  name="spring")  # fmt: skip
+    place: dict[str, Any] = {"at": (0, 0, 0), "axis": (0, 0, 1)}
+    model.rotational_spring_damper(model.ground, body, **place, stiffness=1.0, damping=0.0, name="spring")
     wound = model.with_initial_state([[0, 0, 0, 1, 0, 0, 0]], np.zeros((1, 6)), [2 * np.pi])
     study = lw.sweep(wound, {"spring.stiffness": [1.0, 3.0]}, "force('spring').torque.z.abs_max", **FEW)
     assert study.outputs["force('spring').torque.z.abs_max"] == pytest.approx(
@@ -359,6 +362,7 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"output": "a.h5"}, lw.OptionError, "Study.simulate"),
         ({"formulation": "none"}, lw.OptionError, "formulation"),
         ({"integrator": "rk5"}, lw.OptionError, "'rk5'.*'rk"),
+        ({"integrator": "rk4", "step": None, "rtol": 1e-6}, lw.OptionError, "error estimate"),
         ({"on_inaccurate": "cry"}, lw.OptionError, "'cry'"),
         ({"events": 3}, lw.LinkworkError, "vent"),
         ({"outputs": {"rod.mass": "energy.max"}}, lw.OptionError, "'rod.mass': is the name of a parameter"),

@@ -128,14 +128,26 @@ def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]
         warnings.simplefilter(
             "ignore", DeprecationWarning
         )  # of fork beside threads, which the child leaves alone
-        process.start()
+        with _uninterrupted():
+            process.start()
     theirs.close()
     return _Worker(process, ours)
+
+
+@contextlib.contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Ctrl-C and SIGTERM come afterwards: what they raise while a process forks is ignored, and so lost."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _serve(connection: Connection, others: Sequence[Connection], task: Any, items: Sequence[Any]) -> None:
     """The other process: it ends when nobody is left to ask it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
     logging.getLogger("linkwork").setLevel(logging.WARNING)  # who asks tells of each item
     for other in others:  # inherited; while they are open, nobody would notice that the one who asks is gone
         other.close()

@@ -32,7 +32,7 @@ from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, reporting
 from linkwork.running.recording import PythonStep
 
-__all__ = ["PythonStep", "simulate"]
+__all__ = ["PythonStep", "check_run", "simulate"]
 
 log = logging.getLogger(__name__)
 
@@ -228,6 +228,13 @@ def _prepared(
         **({} if start is None else {"resumed": resume is not None}),
     }
     return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
+
+
+def check_run(
+    model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options
+) -> None:
+    """All of a run but its steps. OptionError, ModelError: what cannot be run."""
+    _prepared(model, plan, given, options, compile_events(given["events"], model), None)
 
 
 def _carried_out(

@@ -7,6 +7,7 @@ import inspect
 import logging
 import os
 import time
+import warnings
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
@@ -16,21 +17,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from linkwork import integrators
 from linkwork.arguments import whole
 from linkwork.comparison.workers import Lost
 from linkwork.equations.system import System
-from linkwork.errors import FileError, LinkworkError, OptionError, warn
+from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.options import TABLE, check_name, check_number, check_option
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
-from linkwork.running.events import compile_events
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
-from linkwork.running.simulation import simulate
+from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Case, Run, Runner, check_times, machine
 from linkwork.studies.chunks import check_executor, run_cases
@@ -128,7 +127,7 @@ def sweep(
     asked = wanted.outputs_of(outputs)
     _check_names(drawn, asked)
     example = _example(model, source, drawn)
-    _check_run(example, t_end, run_options)
+    _check_run(source, drawn, float(t_end), run_options)
     checked = [wanted.checked(it, _probe(example, run_options), wanted_times) for it in asked]
     _check_reductions(checked, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
@@ -205,22 +204,35 @@ def _example(model: Any, source: Source, cases: Cases) -> Model:
     raise first
 
 
-def _check_run(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
-    """OptionError: a choice that does not exist or cannot be honored."""
-    step, rtol, atol, every, at = (
-        options.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
-    )
-    if isinstance(options.get("integrator"), str):
-        integrators.named(options["integrator"])
+def _check_run(source: Source, cases: Cases, t_end: float, options: Mapping[str, Any]) -> None:
+    """OptionError: a choice that does not exist, or that none of some cases can honor."""
     check_name("on_inaccurate", options["on_inaccurate"], option_names()["on_inaccurate"])
-    compile_events(options.get("events", ()), model)
-    schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(model), 0.0)
-    try:
-        System(model, **{name: value for name, value in options.items() if name in TABLE})
-    except OptionError:
-        raise
-    except LinkworkError as error:  # this case alone may fail
-        log.info("%s", error)
+    refused: OptionError | None = None
+    for k in sorted({0, len(cases) // 2, len(cases) - 1}):
+        try:
+            _prepare(source.model(cases.case(k)), t_end, options)
+            return
+        except OptionError as error:
+            refused = refused or error
+        except Exception as error:  # this case alone may fail
+            log.info("%s", error)
+            return
+    if refused is not None:
+        raise refused
+
+
+def _prepare(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
+    """All of a run but its steps."""
+    usual = {"integrator": None, "breaks": (), "assemble": True, "verify": False, "events": ()}
+    given = {**usual, **options}
+    step, rtol, atol, every, at = (
+        given.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
+    )
+    plan = schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(model), 0.0)
+    chosen: Any = {name: value for name, value in options.items() if name in TABLE}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", LinkworkWarning)
+        check_run(model, plan, given, chosen)
 
 
 def _probe(model: Model, options: Mapping[str, Any]) -> Result:

@@ -184,7 +184,7 @@ def _moves(address: _Address, record: Record) -> bool:
     if not address.where or address.where[0] == "bodies":
         return address.field in ("position", "orientation")
     it = _object_of(record, address)
-    return address.field not in KINDS[ROLES[address.where[0]]][it["kind"]].parameters
+    return address.field not in KINDS[ROLES[str(address.where[0])]][it["kind"]].parameters
 
 
 def _begin_anew(record: Record, names: Sequence[str]) -> None:
