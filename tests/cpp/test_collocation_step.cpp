@@ -11,8 +11,7 @@ double crank(const VectorXd& y) { return 2 * std::atan2(y[6], y[3]); }
 
 double violation(Dynamics& dynamics, double t, const VectorXd& y) {
   dynamics.evaluate(t, y);
-  return std::max(dynamics.evaluation().Phi.cwiseAbs().maxCoeff(),
-                  dynamics.evaluation().Phi_dot.cwiseAbs().maxCoeff());
+  return std::max(dynamics.evaluation().Phi.cwiseAbs().maxCoeff(), dynamics.evaluation().Phi_dot.cwiseAbs().maxCoeff());
 }
 
 }  // namespace
