@@ -76,12 +76,15 @@ add_module_names = False
 toc_object_entries_show_parents = "hide"
 nitpick_ignore_regex = [
     # of other packages, whose documentation is elsewhere, and what only types are called
-    (r"py:.*", r"(numpy|np|collections|typing|os|pathlib|matplotlib|pandas|xarray|ctypes|scipy)\b.*"),
+    (
+        r"py:.*",
+        r"(numpy|np|collections|concurrent|typing|os|pathlib|matplotlib|pandas|xarray|ctypes|scipy)\b.*",
+    ),
     (
         r"py:.*",
         r"(Any|ArrayLike|Callable|Iterable|Iterator|Mapping|Sequence|NDArray|Path|Figure|Literal|Unpack)",
     ),
-    (r"py:.*", r"(Floats|Indices|NoReturn|Number|Real|Sparse|VectorLike|optional)"),
+    (r"py:.*", r"(Cases|Floats|Indices|NoReturn|Number|Real|Runner|Sparse|VectorLike|optional)"),
     (
         r"py:.*",
         r"linkwork\.(_core|arrays|cli|plots|analyses\.equations|motion\.header|importers\.building|accuracy\.measures|comparison\.runs\.Curves)\b.*",
