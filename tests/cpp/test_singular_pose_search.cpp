@@ -5,17 +5,17 @@
 
 using namespace support;
 
-TEST_CASE("the zero of a root that comes down like |t| is found in few guesses, also where it is curved") {
+TEST_CASE("the zero of a value that comes down like |t| is found in few guesses, also where it is curved") {
   for (const double zero : {0.12, 0.5, 0.77})
     for (const double curvature : {0.0, 0.1, 0.3}) {
       int guesses = 0;
-      const auto root = [&](double t) {
+      const auto value = [&](double t) {
         guesses += 1;
         return std::abs(t - zero) * (1.0 + curvature * t);
       };
-      const PivotSample a{0.0, root(0.0)}, b{zero + 0.05, root(zero + 0.05)}, c{1.0, root(1.0)};
+      const SingularValueAt a{0.0, value(0.0)}, b{zero + 0.05, value(zero + 0.05)}, c{1.0, value(1.0)};
       guesses = 0;
-      const PivotSample least = least_root(a, b, c, root);
+      const SingularValueAt least = least_value(a, b, c, value);
       CHECK(std::abs(least.at - zero) < 1e-6);
       CHECK(vanishes(a, least, c));
       CHECK(guesses <= 12);
@@ -24,13 +24,13 @@ TEST_CASE("the zero of a root that comes down like |t| is found in few guesses, 
 
 TEST_CASE("a least that is no zero is none, and costs few guesses") {
   int guesses = 0;
-  const auto root = [&](double t) {
+  const auto value = [&](double t) {
     guesses += 1;
     return std::hypot(t - 0.4, 0.45);
   };
-  const PivotSample a{0.0, root(0.0)}, b{0.5, root(0.5)}, c{1.0, root(1.0)};
+  const SingularValueAt a{0.0, value(0.0)}, b{0.5, value(0.5)}, c{1.0, value(1.0)};
   guesses = 0;
-  CHECK(!vanishes(a, least_root(a, b, c, root), c));
+  CHECK(!vanishes(a, least_value(a, b, c, value), c));
   CHECK(guesses <= 6);
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("a pose that a motion passes is listed once, at its time") {
     y << there.initial_q(), there.initial_v(), 0.0;
     dynamics.evaluate(t, y);
     dynamics.rates(y_dot);  // from which the watch knows the usual pivots
-    search.pass(t, search.root_at(t, y), y);
+    search.pass(t, search.value_at(t, y), y);
   }
   CHECK(search.last_listed() == doctest::Approx(passes).epsilon(1e-4));
   CHECK(dynamics.watch().singular_poses() == 1);

@@ -11,18 +11,18 @@
 namespace linkwork {
 namespace {
 
-constexpr double reach = 0.14;         // of a leap [rad]: what the fastest body of the loops turns
-constexpr double fastest = 0.8;        // the same for any body
-constexpr double least_part = 0.1;     // of that, for leaps over a motion that varies more
-constexpr double near = 0.3;           // of the usual root of the smallest pivot: farther, nothing is due
-constexpr double near_at_start = 0.1;  // the same before there is a usual one
-constexpr double least_usual = 0.15;   // usual root of the smallest pivot, for runs that begin near a pose
+constexpr double reach = 0.14;      // of a leap [rad]: what the fastest body of the loops turns
+constexpr double fastest = 0.8;     // the same for any body
+constexpr double least_part = 0.1;  // of that, for leaps over a motion that varies more
+constexpr double near = 0.3;  // of the usual least singular value, or root of the smallest pivot: else none is due
+constexpr double near_at_start = 0.1;  // that root, before there is a usual one
+constexpr double least_usual = 0.15;   // the usual value of both, for runs that begin near a pose
 constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
-constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell where the pose is
+constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell when a pose is passed
 constexpr double look_part = 0.1;      // rad to the next look, where the least singular value is the usual one
 constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
 constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states that are looked at [rad]
-constexpr double fallen = 0.4;                     // part of a pivot's root, for another look at redundant rows
+constexpr double fallen = 0.4;                     // part of either, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
 constexpr double part_of_foreseen = 0.5;           // way to a pose that usual steps go, as it may be nearer
@@ -93,7 +93,7 @@ double Crossing::pivots_say(double t) {
 
 /// The same by the least singular values at the last two looks.
 double Crossing::looks_say(double t) {
-  return declined_before(least_.root, declined_least_) ? INFINITY : falls_to_ - t;
+  return declined_before(least_.value, declined_least_) ? INFINITY : falls_to_ - t;
 }
 
 double Crossing::time_to_pose(double t) { return known_ > t ? known_ - t : std::min(pivots_say(t), looks_say(t)); }
@@ -171,16 +171,16 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
 void Crossing::look(double t) {
   if (least_.at == t) return;
   WatchedFormulation& formulation = dynamics_.formulation();
-  PivotSample before = std::exchange(least_, {t, formulation.least_singular_value()});
+  SingularValueAt before = std::exchange(least_, {t, formulation.least_singular_value()});
   const double usual = formulation.usual_least_singular_value(), small = near * std::max(usual, least_usual);
-  if (rows_turn_bad(small, least_.root, highest_)) {
-    least_.root = formulation.least_singular_value();
+  if (rows_turn_bad(small, least_.value, highest_)) {
+    least_.value = formulation.least_singular_value();
     before = {};
   }
-  const double fall = before.root - least_.root;
-  const bool falls = least_.root < small && fall > 0.0 && before.at < t;
-  falls_to_ = falls ? t + least_.root * (t - before.at) / fall : INFINITY;
-  next_look_ = look_part * std::min(least_.root / usual, 1.0);
+  const double fall = before.value - least_.value;
+  const bool falls = least_.value < small && fall > 0.0 && before.at < t;
+  falls_to_ = falls ? t + least_.value * (t - before.at) / fall : INFINITY;
+  next_look_ = usual > 0.0 ? look_part * (least_.value / usual) : 0.0;
   turned_ = 0.0;
 }
 
@@ -249,7 +249,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const double foreseen = time_to_pose(t);
   const auto trend = dynamics_.watch().trend();
   declined_root_ = trend ? trend->last.root : 0.0;
-  declined_least_ = least_.root;
+  declined_least_ = least_.value;
   if (starting_) step_.begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
@@ -290,7 +290,7 @@ void Crossing::forget_looks() {
 }
 
 void Crossing::keep(Archive& archive, bool leaping) {
-  archive(in_loops_, prepared_, starting_, in_pose_, fresh_, least_.at, least_.root, most_step_, fastest_);
+  archive(in_loops_, prepared_, starting_, in_pose_, fresh_, least_.at, least_.value, most_step_, fastest_);
   archive(falls_to_, next_look_, turned_, turned_until_, highest_, highest_root_, declined_least_, declined_root_);
   archive(known_, known_rate_, approached_, leaves_, poses_);
   if (leaping) archive(leap_);
@@ -384,14 +384,14 @@ void Crossing::throw_no_branch(double t) const {
 /// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen
 /// by so many lengths beyond its end. Empty: there is none.
 std::vector<double> Crossing::poses_in_leap(double beyond_it) {
-  const auto root = [&](double at) {
+  const auto value = [&](double at) {
     step_.state_at(at, y_);
-    return poses_.root_at(leap_.t + at, y_);
+    return poses_.value_at(leap_.t + at, y_);
   };
-  std::vector<PivotSample> samples;
-  const auto sample = [&](double at) { samples.push_back({at, root(at)}); };
+  std::vector<SingularValueAt> samples;
+  const auto sample = [&](double at) { samples.push_back({at, value(at)}); };
   const auto sample_between = [&](double before, double after) {  // where the lines to zero meet
-    const double left = root(before), right = root(after);
+    const double left = value(before), right = value(after);
     samples.push_back({before, left});
     if (left > 0.0) sample(before + (after - before) * left / (left + right));
   };
@@ -402,22 +402,22 @@ std::vector<double> Crossing::poses_in_leap(double beyond_it) {
   sample(leap_.h);
   std::vector<double> found;
   if (in_pose_ && starting_) found.push_back(0.0);
-  const PivotSample &start = samples[0], &next = samples[1];
-  const double behind = start.root * (next.at - start.at) / (next.root - start.root);  // one that was just passed
-  if (found.empty() && next.root > start.root && behind < beside_pose * leap_.h) found.push_back(-behind);
+  const SingularValueAt &start = samples[0], &next = samples[1];
+  const double behind = start.value * (next.at - start.at) / (next.value - start.value);  // one that was just passed
+  if (found.empty() && next.value > start.value && behind < beside_pose * leap_.h) found.push_back(-behind);
   const double apart = same_pose * leap_.h;
   for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
-    const PivotSample &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
-    if (!(b.root <= a.root && b.root < c.root)) continue;
-    const PivotSample least = least_root(a, b, c, root);
+    const SingularValueAt &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
+    if (!(b.value <= a.value && b.value < c.value)) continue;
+    const SingularValueAt least = least_value(a, b, c, value);
     if (!vanishes(a, least, c)) continue;
-    const auto earlier = other_zero(least, samples[std::max<std::size_t>(k, 2) - 2], root);
-    const auto later = other_zero(least, samples[std::min(k + 2, samples.size() - 1)], root);
+    const auto earlier = other_zero(least, samples[std::max<std::size_t>(k, 2) - 2], value);
+    const auto later = other_zero(least, samples[std::min(k + 2, samples.size() - 1)], value);
     for (const auto& zero : {earlier, std::optional(least), later})
       if (zero && (found.empty() || zero->at > found.back() + apart)) found.push_back(zero->at);
   }
-  const PivotSample &before = *(samples.end() - 2), &end = samples.back();
-  const double fall = (before.root - end.root) / (end.at - before.at), beyond = end.root / fall;
+  const SingularValueAt &before = *(samples.end() - 2), &end = samples.back();
+  const double fall = (before.value - end.value) / (end.at - before.at), beyond = end.value / fall;
   if (fall > 0.0 && beyond < beyond_it * leap_.h) found.push_back(leap_.h + beyond);
   return found;
 }
@@ -425,11 +425,11 @@ std::vector<double> Crossing::poses_in_leap(double beyond_it) {
 bool Crossing::look_back(double t, double h, const VectorXd& y) {
   if (!prepared_ || poses_.last() >= t - same_time * h) return false;
   const bool looked = least_.at == t;
-  if (looked && fastest_ * h > coarse) return poses_.pass(t, least_.root, y, parts_to(t));
+  if (looked && fastest_ * h > coarse) return poses_.pass(t, least_.value, y, parts_to(t));
   const auto sample = dynamics_.watch().sample(t, same_time * h);
   if (!sample) return false;
   if (!(sample->root < looked_at * dynamics_.watch().root_of_level())) return poses_.pass(t, sample->root, y);
-  const double least = looked ? least_.root : poses_.root_at(t, y);
+  const double least = looked ? least_.value : poses_.value_at(t, y);
   return poses_.pass(t, least, y) || !looked;
 }
 
@@ -442,7 +442,7 @@ void Crossing::look_into_leap(double until) {
     }
   step_.state_at(until - leap_.t, y_);
   poses_.restart();
-  poses_.pass(until, poses_.root_at(until, y_), y_);
+  poses_.pass(until, poses_.value_at(until, y_), y_);
 }
 
 bool Crossing::end(double t, const VectorXd& y) {

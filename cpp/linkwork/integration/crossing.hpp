@@ -124,7 +124,7 @@ class Crossing final : public Interpolant {
   bool limited_ = false;
   bool approached_ = false, leaves_ = false;  ///< a leap beside the pose: there was one before it; is to be, after it
   double beside_ = 0.0;                       ///< length of the one that is due, else 0
-  PivotSample least_ = {};                    ///< singular value, when it was looked at last
+  SingularValueAt least_ = {};                ///< singular value, when it was looked at last
   double falls_to_ = INFINITY;                ///< time of the pose to which it falls
   double next_look_ = 0.0;                    ///< at it, when the fastest body has turned so far since [rad]
   double turned_ = 0.0, turned_until_ = 0.0;

@@ -11,11 +11,11 @@
 namespace linkwork {
 namespace {
 
-constexpr double passed = 0.9;         // of the usual root: a pose was passed only if the least is below
-constexpr double away = 1e-3;          // of the usual root: as far the motion has been from the last pose
-constexpr double vanishing = 0.1;      // root of the pivot in the pose, part of the least around it
+constexpr double passed = 0.9;         // of the usual root of pivots: a pose was passed only if the least is below
+constexpr double away = 1e-3;          // of the same: as far the motion has been from the last pose
+constexpr double vanishing = 0.1;      // value in the pose, part of the least around it
 constexpr double found = 1e-6;         // the same, for the search to end
-constexpr double at_rest = 1e-4;       // of the usual root: at the end of the motion
+constexpr double at_rest = 1e-4;       // of the usual root of pivots: at the end of the motion
 constexpr double same_pose = 1e-2;     // relative to the time between states
 constexpr double golden = 0.381966;    // part of the larger side of a bracket
 constexpr double near_part = 1.0 / 6;  // of the way from a pose: where another may be that is near
@@ -29,20 +29,22 @@ double mismatch(double rise, double run, double other_rise, double other_run) {
 
 }  // namespace
 
-// The root is taken for linear on both sides of its zero; b is on one of them, that with which both slopes agree
+// The value is taken for linear on both sides of its zero; b is on one of them, that with which both slopes agree
 // better. Where that does not close in, by golden section.
-PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::function<double(double)>& root_at) {
-  const double around = std::min(a.root, c.root);
-  for (int k = 0; k < most_guesses && b.root > found * around; ++k) {
+SingularValueAt least_value(SingularValueAt a, SingularValueAt b, SingularValueAt c,
+                            const std::function<double(double)>& value_at) {
+  const double around = std::min(a.value, c.value);
+  for (int k = 0; k < most_guesses && b.value > found * around; ++k) {
     const double left = b.at - a.at, right = c.at - b.at;
-    const bool zero_is_left = !(mismatch(a.root + b.root, left, c.root - b.root, right) >
-                                mismatch(b.root + c.root, right, a.root - b.root, left));
-    double at = zero_is_left ? a.at + left * a.root / (a.root + b.root) : b.at + right * b.root / (b.root + c.root);
+    const bool zero_is_left = !(mismatch(a.value + b.value, left, c.value - b.value, right) >
+                                mismatch(b.value + c.value, right, a.value - b.value, left));
+    double at =
+        zero_is_left ? a.at + left * a.value / (a.value + b.value) : b.at + right * b.value / (b.value + c.value);
     if (k % 3 == 2) at = right > left ? b.at + golden * right : b.at - golden * left;
     if (!(at > a.at && at < c.at) || at == b.at) break;
-    const PivotSample guess{at, root_at(at)};
-    if (k >= few_guesses && std::min(guess.root, b.root) > no_zero * around) break;
-    if (guess.root < b.root) {
+    const SingularValueAt guess{at, value_at(at)};
+    if (k >= few_guesses && std::min(guess.value, b.value) > no_zero * around) break;
+    if (guess.value < b.value) {
       (at < b.at ? c : a) = b;
       b = guess;
     } else {
@@ -52,25 +54,25 @@ PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::f
   return b;
 }
 
-bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c) {
-  return least.root <= vanishing * std::min(a.root, c.root);
+bool vanishes(const SingularValueAt& a, const SingularValueAt& least, const SingularValueAt& c) {
+  return least.value <= vanishing * std::min(a.value, c.value);
 }
 
 // With its sign, what vanishes is about s x + c x^2 over the way: with one or the other sign at the end, of which one
 // fits better what is in the middle.
-std::optional<PivotSample> other_zero(const PivotSample& zero, const PivotSample& end,
-                                      const std::function<double(double)>& root_at) {
+std::optional<SingularValueAt> other_zero(const SingularValueAt& zero, const SingularValueAt& end,
+                                          const std::function<double(double)>& value_at) {
   const auto at = [&](double part) { return zero.at + part * (end.at - zero.at); };
   for (const double scale : {1.0, near_part}) {
-    const double first = root_at(at(scale / 8.0)), middle = root_at(at(scale / 2.0));
-    const double last = scale == 1.0 ? end.root : root_at(at(scale));
+    const double first = value_at(at(scale / 8.0)), middle = value_at(at(scale / 2.0));
+    const double last = scale == 1.0 ? end.value : value_at(at(scale));
     const double same = (64.0 * first - last) / 7.0, other = (64.0 * first + last) / 7.0;  // s
     if (std::abs(std::abs(other - last) / 4.0 - middle) > std::abs((same + last) / 4.0 - middle)) continue;
     const double part = scale * other / (other + last);
-    const PivotSample turn{at(0.5 * part), root_at(at(0.5 * part))}, found{at(part), root_at(at(part))};
-    const PivotSample beyond{at(scale), last};
+    const SingularValueAt turn{at(0.5 * part), value_at(at(0.5 * part))}, found{at(part), value_at(at(part))};
+    const SingularValueAt beyond{at(scale), last};
     const auto& [a, c] = turn.at < beyond.at ? std::tie(turn, beyond) : std::tie(beyond, turn);
-    if (const PivotSample least = least_root(a, found, c, root_at); vanishes(a, least, c)) return least;
+    if (const SingularValueAt least = least_value(a, found, c, value_at); vanishes(a, least, c)) return least;
   }
   return {};
 }
@@ -80,18 +82,18 @@ void SingularPoseSearch::restart() {
   highest_ = 0.0;
 }
 
-bool SingularPoseSearch::worth_a_search(double root) const {
+bool SingularPoseSearch::worth_a_search(double value) const {
   const double level = dynamics_.watch().root_of_level();
-  return root < passed * level && highest_ > away * level;
+  return value < passed * level && highest_ > away * level;
 }
 
-bool SingularPoseSearch::pass(double t, double root, const VectorXd& y, int parts) {
-  if (count_ == 0 || parts == 1) return pass({t, root, y});
-  const Mark before = marks_[2], after{t, root, y};
+bool SingularPoseSearch::pass(double t, double value, const VectorXd& y, int parts) {
+  if (count_ == 0 || parts == 1) return pass({t, value, y});
+  const Mark before = marks_[2], after{t, value, y};
   for (int k = 1; k < parts; ++k) {
     Mark between{before.t + (t - before.t) * k / parts, 0.0, {}};
     interpolate(before, after, between.t, between.y);
-    between.root = root_at(between.t, between.y);
+    between.value = value_at(between.t, between.y);
     pass(std::move(between));
   }
   pass(after);
@@ -104,10 +106,10 @@ bool SingularPoseSearch::pass(Mark mark) {
   std::swap(b, c);
   c = std::move(mark);
   count_ = std::min(count_ + 1, 3);
-  highest_ = std::max(highest_, c.root);
-  if (count_ < 2 || !worth_a_search(b.root)) return false;
+  highest_ = std::max(highest_, c.value);
+  if (count_ < 2 || !worth_a_search(b.value)) return false;
   if (count_ == 2) search_between(b, c);
-  else if (b.root <= a.root && b.root < c.root) search_around();
+  else if (b.value <= a.value && b.value < c.value) search_around();
   else return false;
   return true;
 }
@@ -115,86 +117,87 @@ bool SingularPoseSearch::pass(Mark mark) {
 /// The roots of pivots lead here, the singular values go on.
 void SingularPoseSearch::search_around() {
   const auto& [a, b, c] = marks_;
-  const auto sample = [&](const Mark& mark) { return PivotSample{mark.t, root_at(mark.t, mark.y)}; };
-  const PivotSample from = sample(a), middle = sample(b), to = sample(c);
-  if (middle.root <= std::min(from.root, to.root)) search(from, middle, to);
+  const auto sample = [&](const Mark& mark) { return SingularValueAt{mark.t, value_at(mark.t, mark.y)}; };
+  const SingularValueAt from = sample(a), middle = sample(b), to = sample(c);
+  if (middle.value <= std::min(from.value, to.value)) search(from, middle, to);
   else if (!search_single(from, middle)) search_single(middle, to);
 }
 
-PivotSample SingularPoseSearch::sample_between(const PivotSample& a, const PivotSample& c, double part) {
+SingularValueAt SingularPoseSearch::sample_between(const SingularValueAt& a, const SingularValueAt& c, double part) {
   const double t = a.at + (c.at - a.at) * part;
   interpolate(t, y_);
-  return {t, root_at(t, y_)};
+  return {t, value_at(t, y_)};
 }
 
 /// A zero that is the only one between; true where a pose was listed.
-bool SingularPoseSearch::search_single(const PivotSample& a, const PivotSample& c) {
-  if (!(a.root > 0.0 && c.root > 0.0)) return false;
-  const PivotSample b = sample_between(a, c, a.root / (a.root + c.root));
-  return b.root < no_zero * std::min(a.root, c.root) && search(a, b, c);
+bool SingularPoseSearch::search_single(const SingularValueAt& a, const SingularValueAt& c) {
+  if (!(a.value > 0.0 && c.value > 0.0)) return false;
+  const SingularValueAt b = sample_between(a, c, a.value / (a.value + c.value));
+  return b.value < no_zero * std::min(a.value, c.value) && search(a, b, c);
 }
 
 /// The same of states that follow each other: at some places, at that of a single zero, and beside the ends.
 bool SingularPoseSearch::search_between(const Mark& before, const Mark& after) {
-  const PivotSample a{before.t, root_at(before.t, before.y)}, c{after.t, root_at(after.t, after.y)};
+  const SingularValueAt a{before.t, value_at(before.t, before.y)}, c{after.t, value_at(after.t, after.y)};
   const auto between = [&](double part) { return sample_between(a, c, part); };
-  std::array<PivotSample, 6> samples = {a, a, between(0.25), between(0.5), between(0.75), c};
-  if (a.root > 0.0 && c.root > 0.0) samples[1] = between(a.root / (a.root + c.root));
-  std::sort(samples.begin(), samples.end(), [](const PivotSample& a, const PivotSample& b) { return a.at < b.at; });
-  bool listed = samples[0].root < samples[1].root && search_single(samples[0], samples[1]);
+  std::array<SingularValueAt, 6> samples = {a, a, between(0.25), between(0.5), between(0.75), c};
+  if (a.value > 0.0 && c.value > 0.0) samples[1] = between(a.value / (a.value + c.value));
+  std::sort(samples.begin(), samples.end(),
+            [](const SingularValueAt& a, const SingularValueAt& b) { return a.at < b.at; });
+  bool listed = samples[0].value < samples[1].value && search_single(samples[0], samples[1]);
   for (std::size_t k = 1; k + 1 < samples.size(); ++k)
-    if (samples[k].root < samples[k - 1].root && samples[k].root < samples[k + 1].root)
+    if (samples[k].value < samples[k - 1].value && samples[k].value < samples[k + 1].value)
       listed = search(samples[k - 1], samples[k], samples[k + 1]) || listed;
-  return (samples[5].root < samples[4].root && search_single(samples[4], samples[5])) || listed;
+  return (samples[5].value < samples[4].value && search_single(samples[4], samples[5])) || listed;
 }
 
 double SingularPoseSearch::look_to(double t, const VectorXd& y, int parts) {
-  const double root = root_at(t, y);
-  if (count_ == 0 || marks_[2].t < t) pass(t, root, y, parts);
-  if (count_ > 1 && root < marks_[1].root && worth_a_search(root)) search_between(marks_[1], marks_[2]);
-  return root;
+  const double value = value_at(t, y);
+  if (count_ == 0 || marks_[2].t < t) pass(t, value, y, parts);
+  if (count_ > 1 && value < marks_[1].value && worth_a_search(value)) search_between(marks_[1], marks_[2]);
+  return value;
 }
 
 void SingularPoseSearch::finish(double t, const VectorXd& y, int parts) {
-  const double root = look_to(t, y, parts);
+  const double value = look_to(t, y, parts);
   const double level = dynamics_.watch().root_of_level();
-  if (!(root < at_rest * level && highest_ > away * level)) return;
-  root_at(t, y);
-  if (dynamics_.formulation().cross(y.head(dynamics_.system().q_size()), root * root)) highest_ = 0.0;
+  if (!(value < at_rest * level && highest_ > away * level)) return;
+  value_at(t, y);
+  if (dynamics_.formulation().cross(y.head(dynamics_.system().q_size()), value * value)) highest_ = 0.0;
 }
 
 void SingularPoseSearch::list(double t, const VectorXd& y) {
-  const double root = root_at(t, y);
-  dynamics_.formulation().cross(y.head(dynamics_.system().q_size()), root * root);
+  const double value = value_at(t, y);
+  dynamics_.formulation().cross(y.head(dynamics_.system().q_size()), value * value);
   restart();
   last_listed_ = t;
 }
 
-double SingularPoseSearch::root_at(double t, const VectorXd& y) {
+double SingularPoseSearch::value_at(double t, const VectorXd& y) {
   dynamics_.observe_now();  // what waits for a solution is not to get it from here
   const Unwatched unwatched(dynamics_);
   dynamics_.evaluate(t, y);
   return dynamics_.formulation().least_singular_value();
 }
 
-bool SingularPoseSearch::search(PivotSample a, PivotSample b, PivotSample c) {
-  const auto root = [this](double t) {
+bool SingularPoseSearch::search(SingularValueAt a, SingularValueAt b, SingularValueAt c) {
+  const auto value = [this](double t) {
     interpolate(t, y_);
-    return root_at(t, y_);
+    return value_at(t, y_);
   };
-  const PivotSample least = least_root(a, b, c, root);
+  const SingularValueAt least = least_value(a, b, c, value);
   if (!vanishes(a, least, c) || least.at <= last_listed_ + same_pose * (c.at - a.at)) return false;
-  const auto before = other_zero(least, a, root), after = other_zero(least, c, root);
+  const auto before = other_zero(least, a, value), after = other_zero(least, c, value);
   bool listed = before && before->at > last_listed_ && list_zero(*before);
   listed = list_zero(least) || listed;
   return (after && list_zero(*after)) || listed;
 }
 
-bool SingularPoseSearch::list_zero(const PivotSample& zero) {
+bool SingularPoseSearch::list_zero(const SingularValueAt& zero) {
   interpolate(zero.at, y_);
-  const double root = root_at(zero.at, y_);
-  if (!dynamics_.formulation().cross(y_.head(dynamics_.system().q_size()), root * root)) return false;
-  highest_ = marks_[2].root;
+  const double value = value_at(zero.at, y_);
+  if (!dynamics_.formulation().cross(y_.head(dynamics_.system().q_size()), value * value)) return false;
+  highest_ = marks_[2].value;
   last_listed_ = zero.at;
   return true;
 }

@@ -10,25 +10,26 @@
 namespace linkwork {
 
 /// A time on the way, and the least singular value there.
-struct PivotSample {
-  double at = INFINITY, root = 0.0;
+struct SingularValueAt {
+  double at = INFINITY, value = 0.0;
 };
 
-/// Where in a bracket, b lower than a and c, the root is least: in a singular pose it comes down to zero like |t|.
+/// Where in a bracket, b lower than a and c, the value is least: in a singular pose it comes down to zero like |t|.
 /// Ends early where it does not.
-PivotSample least_root(PivotSample a, PivotSample b, PivotSample c, const std::function<double(double)>& root_at);
+SingularValueAt least_value(SingularValueAt a, SingularValueAt b, SingularValueAt c,
+                            const std::function<double(double)>& value_at);
 /// Whether that is a zero.
-bool vanishes(const PivotSample& a, const PivotSample& least, const PivotSample& c);
+bool vanishes(const SingularValueAt& a, const SingularValueAt& least, const SingularValueAt& c);
 
 /// Between a zero and the end of a way from it, the other one of a motion that turns round beside the pose.
-std::optional<PivotSample> other_zero(const PivotSample& zero, const PivotSample& end,
-                                      const std::function<double(double)>& root_at);
+std::optional<SingularValueAt> other_zero(const SingularValueAt& zero, const SingularValueAt& end,
+                                          const std::function<double(double)>& value_at);
 
 /// Lists the singular poses that a motion passes, each once.
 ///
 /// Where the least singular value of the constraint matrix, which goes linearly to zero and up again, has been less
 /// than before and after, its least is searched between the states of the motion; one that vanishes is a pose, if the
-/// rank says so, too. Far from poses the root of the smallest pivot, which is no less, does as well.
+/// rank says so, too. Far from poses the value of the smallest pivot, which is no less, does as well.
 class SingularPoseSearch {
  public:
   explicit SingularPoseSearch(Dynamics& dynamics) : dynamics_(dynamics) {}
@@ -37,7 +38,7 @@ class SingularPoseSearch {
   void restart();
   /// A state of the motion with its least singular value; on the way to it as many parts are looked at. True where
   /// `dynamics` was evaluated somewhere else.
-  bool pass(double t, double root, const VectorXd& y, int parts = 1);
+  bool pass(double t, double value, const VectorXd& y, int parts = 1);
   /// The last one before a leap: its least singular value. Leaves `dynamics` evaluated somewhere else.
   double look_to(double t, const VectorXd& y, int parts = 1);
   /// The last one of all, which may be singular itself. Leaves `dynamics` evaluated somewhere else.
@@ -49,32 +50,32 @@ class SingularPoseSearch {
   double last() const { return count_ > 0 ? marks_[2].t : -INFINITY; }
   double last_listed() const { return last_listed_; }  ///< time of the last pose, or -infinity
   /// The least singular value. Leaves `dynamics` evaluated there.
-  double root_at(double t, const VectorXd& y);
+  double value_at(double t, const VectorXd& y);
 
   void keep(Archive& archive) { archive(marks_, count_, highest_, last_listed_); }
 
  private:
   struct Mark {
-    double t = 0.0, root = 0.0;
+    double t = 0.0, value = 0.0;
     VectorXd y;
-    void keep(Archive& archive) { archive(t, root, y); }
+    void keep(Archive& archive) { archive(t, value, y); }
   };
 
   bool pass(Mark mark);
-  bool worth_a_search(double root) const;
+  bool worth_a_search(double value) const;
   void search_around();
-  PivotSample sample_between(const PivotSample& a, const PivotSample& c, double part);
-  bool search_single(const PivotSample& a, const PivotSample& c);
+  SingularValueAt sample_between(const SingularValueAt& a, const SingularValueAt& c, double part);
+  bool search_single(const SingularValueAt& a, const SingularValueAt& c);
   bool search_between(const Mark& before, const Mark& after);
-  bool search(PivotSample a, PivotSample b, PivotSample c);
-  bool list_zero(const PivotSample& zero);
+  bool search(SingularValueAt a, SingularValueAt b, SingularValueAt c);
+  bool list_zero(const SingularValueAt& zero);
   void interpolate(double t, VectorXd& y) const;
   void interpolate(const Mark& from, const Mark& to, double t, VectorXd& y) const;
 
   Dynamics& dynamics_;
   std::array<Mark, 3> marks_;  ///< the last ones
   int count_ = 0;              ///< of them
-  double highest_ = 0.0;       ///< root since the last pose that was listed
+  double highest_ = 0.0;       ///< value since the last pose that was listed
   double last_listed_ = -INFINITY;
   VectorXd y_;
 };
