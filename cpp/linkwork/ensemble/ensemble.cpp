@@ -65,48 +65,56 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
     members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
 }
 
-void Ensemble::run(int threads) {
+/// What the threads of a run share.
+struct Ensemble::Work {
   std::atomic<std::size_t> next{0};
   std::atomic<int> working{0};
   std::atomic<bool> stopped{false};
   std::exception_ptr failure;
   std::mutex access;
-  const auto work = [&](const std::function<void()>& look) {
-    const OnePath path(true);  // whatever is computed lane by lane
-    try {
-      for (std::size_t task = next++; task < tasks_.size(); task = next++) run_task(tasks_[task], look);
-    } catch (const Stopped&) {
-    } catch (...) {
-      const std::lock_guard<std::mutex> lock(access);
-      if (!failure) failure = std::current_exception();
-      stopped = true;
-    }
-    working -= 1;
-  };
+
+  void stop(std::exception_ptr why) {
+    const std::lock_guard<std::mutex> lock(access);
+    if (!failure) failure = std::move(why);
+    stopped = true;
+  }
+};
+
+void Ensemble::run_tasks(Work& work, const std::function<void()>& look) {
+  const OnePath path(true);  // whatever is computed lane by lane
+  try {
+    for (std::size_t task = work.next++; task < tasks_.size(); task = work.next++) run_task(tasks_[task], look);
+  } catch (const Stopped&) {
+  } catch (...) {
+    work.stop(std::current_exception());
+  }
+  work.working -= 1;
+}
+
+void Ensemble::run(int threads) {
+  Work work;
   if (threads <= 1 || tasks_.size() <= 1) {
-    working = 1;
-    work([] { look_for_interruption(); });
+    run_tasks(work, [] { look_for_interruption(); });
   } else {
     const auto look = [&] {
-      if (stopped) throw Stopped();
+      if (work.stopped) throw Stopped();
     };
     std::vector<std::thread> workers;
-    working = static_cast<int>(std::min<std::size_t>(threads, tasks_.size()));
-    for (int k = working; k > 0; --k) workers.emplace_back([&] { work(look); });
-    std::exception_ptr interruption;
-    while (working > 0 && !interruption) {
+    const auto count = std::min<std::size_t>(threads, tasks_.size());
+    work.working = static_cast<int>(count);
+    for (std::size_t k = 0; k < count; ++k) workers.emplace_back([&] { run_tasks(work, look); });
+    while (work.working > 0) {
       std::this_thread::sleep_for(between_looks);
       try {
         look_for_interruption();
       } catch (...) {
-        interruption = std::current_exception();
-        stopped = true;
+        work.stop(std::current_exception());
+        break;
       }
     }
     for (std::thread& worker : workers) worker.join();
-    if (interruption) std::rethrow_exception(interruption);
   }
-  if (failure) std::rethrow_exception(failure);
+  if (work.failure) std::rethrow_exception(work.failure);
 }
 
 std::vector<Ensemble::Member> Ensemble::take() { return std::exchange(members_, {}); }

@@ -38,6 +38,8 @@ class Ensemble {
     std::vector<int> members;
   };
 
+  struct Work;
+  void run_tasks(Work& work, const std::function<void()>& look);
   void run_task(const Task& task, const std::function<void()>& look);
 
   std::vector<Dynamics*> dynamics_;

@@ -278,21 +278,33 @@ void LanePack::evaluate_rest(int l, double t, const Numbers& y) {
   }
   give(at.g.data(), nv, l, g_, 0);
   *lane(power_, 0, l) = at.power;
+  give_parameters(l, at);
+  give_special_joints(l, at);
+}
+
+/// Functions of time among the parameters of joints.
+void LanePack::give_parameters(int l, const Evaluation& at) {
+  const Model& model = lanes_[l]->dynamics().system().model();
   for (std::size_t kind = 0; kind < structure_.joints.size(); ++kind) {
     const LaneStructure::Joints& joints = structure_.joints[kind];
-    const auto parameters = static_cast<std::ptrdiff_t>(joint_kinds()[joints.kind].info.parameters.size());
-    const Model& model = system.model();
-    for (std::size_t k = 0; parameters > 0 && k < joints.joint.size(); ++k) {
-      const auto first = static_cast<std::ptrdiff_t>(model.joints()[joints.joint[k]].first_parameter);
-      for (std::ptrdiff_t p = 0; p < parameters; ++p) {
+    const auto count = static_cast<std::ptrdiff_t>(joint_kinds()[joints.kind].info.parameters.size());
+    if (count == 0) continue;
+    std::ptrdiff_t place = 0;
+    for (const int joint : joints.joint) {
+      const auto first = static_cast<std::ptrdiff_t>(model.joints()[joint].first_parameter);
+      for (std::ptrdiff_t p = 0; p < count; ++p, place += 3) {
         const Parameter& parameter = model.joint_parameters()[first + p];
         if (parameter.signal < 0) continue;
         const Signal<double>& signal = at.signals[parameter.signal];
         const double numbers[3] = {signal.value, signal.rate, signal.acceleration};
-        give(numbers, 3, l, parameters_[kind], 3 * (parameters * static_cast<std::ptrdiff_t>(k) + p));
+        give(numbers, 3, l, parameters_[kind], place);
       }
     }
   }
+}
+
+void LanePack::give_special_joints(int l, const Evaluation& at) {
+  const System& system = lanes_[l]->dynamics().system();
   for (const int joint : structure_.special) {
     const int row = system.model().joint_rows()[joint], rows = system.model().joint_rows()[joint + 1] - row;
     give(at.Phi.data() + row, rows, l, Phi_, row);

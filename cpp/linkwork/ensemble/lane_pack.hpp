@@ -41,6 +41,8 @@ class LanePack {
   void begin_lane(int l, std::int64_t step);
   void evaluate(double t, const Numbers& y);
   void evaluate_rest(int l, double t, const Numbers& y);
+  void give_parameters(int l, const Evaluation& at);
+  void give_special_joints(int l, const Evaluation& at);
   void evaluate_joints();
   void leave_out_rows();
   void solve(double t, bool first);

@@ -36,12 +36,25 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       dropped(dynamics.dropped().rows()),
       elements_(dynamics.system().model().joints()),
       blocks_(dynamics.system().blocks()) {
-  const System& system = dynamics.system();
+  find_positions(dynamics.system());
+  list_joints(dynamics.system());
+  for (const int row : dropped) {
+    compliance[row] = 1.0;
+    for (const ConstraintBlock& block : blocks_)
+      if (block.row <= row && row < block.row + block.rows)
+        dropped_D.push_back(block.offset + velocity_size * (row - block.row));
+  }
+}
+
+void LaneStructure::find_positions(const System& system) {
   for (const block::CoreBody& body : symbolic.bodies)
     for (int v = body.first_vector; v < body.first_vector + body.vectors; ++v)
       for (int l = 0; l < block::lanes; ++l)
         if (symbolic.vectors[v].D[l] != system.row_of_zeros())
           row_positions.push_back(symbolic.vectors[v].position + l);
+}
+
+void LaneStructure::list_joints(const System& system) {
   std::vector<int> place(joint_kinds().size(), -1);
   for (int joint = 0; joint < system.joint_count(); ++joint) {
     const Element& element = elements_[joint];
@@ -59,13 +72,6 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
     all.body_j.push_back(element.j == ground ? bodies : element.j);
     all.row.push_back(system.model().joint_rows()[joint]);
     all.D.push_back(place_of_D(system, joint, element));
-  }
-  for (const int row : dropped) {
-    compliance[row] = 1.0;
-    for (const int index : system.joint_blocks(system.model().joint_of_row(row))) {
-      const ConstraintBlock& block = system.blocks()[index];
-      dropped_D.push_back(block.offset + velocity_size * (row - block.row));
-    }
   }
 }
 

@@ -41,6 +41,9 @@ class LaneStructure {
   int y_size() const { return 13 * bodies + 1; }
 
  private:
+  void find_positions(const System& system);
+  void list_joints(const System& system);
+
   std::vector<Element> elements_;
   std::vector<ConstraintBlock> blocks_;
 };
