@@ -56,7 +56,7 @@ def variants(model: lw.Model, count: int, seed: int) -> list[lw.Model]:
 
 
 def alone(model: lw.Model, t_end: float, step: float, **options: Any) -> lw.Result:
-    return lw.simulate(model, t_end, step, deterministic=True, on_inaccurate="pass", progress=False, **options)
+    return lw.simulate(model, t_end, step, on_inaccurate="pass", progress=False, **options)
 
 
 def bits(result: lw.Result) -> dict[str, bytes]:
@@ -67,12 +67,16 @@ def many(models: Sequence[lw.Model], t_end: float, step: float, **options: Any) 
     return lw.simulate_many(models, None, t_end, step, progress=False, **options)
 
 
-@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "baumgarte", "none"])
+@pytest.mark.parametrize(
+    "choices",
+    [{}, {"deterministic": True}, {"stabilization": "baumgarte"}, {"stabilization": "none", "deterministic": True}],
+    ids=str,
+)
 @pytest.mark.parametrize("name", KNOWN)
-def test_a_lane_has_the_bits_of_its_run_by_itself(name: str, stabilization: str) -> None:
+def test_a_lane_has_the_bits_of_its_run_by_itself(name: str, choices: dict[str, Any]) -> None:
     make, step = KNOWN[name]
     models = variants(make(), 5, seed=len(name))
-    options = {"record_every": 7, "stabilization": stabilization}
+    options: dict[str, Any] = {"record_every": 7, **choices}
     found = many(models, 40 * step, step, threads=1, **options)
     assert found.alone == {}
     for k in (0, 2, 4):
@@ -136,14 +140,14 @@ def test_bits_do_not_depend_on_place_neighbors_and_threads() -> None:
 
 
 def digest() -> str:
-    """What a process of other instructions must find, too."""
+    """What a process of other instructions finds, too, and a member that is simulated by itself."""
     models = [*variants(mechanisms.bricard(), 3, seed=5), *variants(mechanisms.chain(), 3, seed=6)]
-    found = many(models, 0.02, 1e-3)
+    found = many(models, 0.02, 1e-3, deterministic=True)
     return " ".join(found.member(k).q[-1].tobytes().hex() for k in range(6))
 
 
 @pytest.mark.parametrize("instructions", ["x86-64-v2", "x86-64-v3"])
-def test_bits_do_not_depend_on_the_width_of_registers(instructions: str) -> None:
+def test_deterministic_bits_do_not_depend_on_the_width_of_registers(instructions: str) -> None:
     environment = {**os.environ, "LINKWORK_INSTRUCTION_SET": instructions}
     program = "import test_ensemble; print(test_ensemble.digest())"
     done = subprocess.run(
@@ -151,6 +155,24 @@ def test_bits_do_not_depend_on_the_width_of_registers(instructions: str) -> None
         capture_output=True, text=True,
     )  # fmt: skip
     assert done.stdout.strip() == digest(), done.stderr
+
+
+@pytest.mark.parametrize("instructions", ["x86-64-v2", "x86-64-v3"])
+def test_lanes_have_the_bits_of_runs_by_the_same_instructions(instructions: str) -> None:
+    environment = {**os.environ, "LINKWORK_INSTRUCTION_SET": instructions}
+    program = "import test_ensemble; test_ensemble.check_some()"
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", program], env=environment, cwd=os.path.dirname(__file__),
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+
+
+def check_some() -> None:
+    for make in (mechanisms.bricard, mechanisms.chain, mechanisms.double_wishbone):
+        models = variants(make(), 3, seed=8)
+        found = many(models, 0.02, 1e-3)
+        assert bits(found.member(1)) == bits(alone(models[1], 0.02, 1e-3, record_every=1))
 
 
 # --- lanes that leave ---
@@ -235,8 +257,7 @@ def test_outputs_are_those_of_a_sweep() -> None:
     asked = {"force": "reaction('crank pin').force.max", "end": "final", "e": "energy_error.abs_max"}
     model = mechanisms.spatial_slider_crank()
     found = lw.simulate_many(model, variations, 0.05, 1e-3, outputs=asked, progress=False)
-    study = lw.sweep(model, variations, asked, t_end=0.05, step=1e-3, deterministic=True, processes=1,
-                     progress=False)  # fmt: skip
+    study = lw.sweep(model, variations, asked, t_end=0.05, step=1e-3, processes=1, progress=False)
     assert found.trajectories == {} and found.alone == {}
     assert set(found.outputs) == set(study.outputs)
     for label, values in study.outputs.items():
@@ -292,7 +313,6 @@ def test_members_may_differ_in_the_number_of_bodies() -> None:
         ({"times": [0.01]}, "times"),
         ({"output": "run.h5"}, "output"),
         ({"start": None}, "start"),
-        ({"deterministic": False}, "deterministic"),
         ({"on_inaccurate": "stop"}, "verdict"),
         ({"setp": 1e-3}, "setp"),
     ],

@@ -5,9 +5,9 @@
 #include "linkwork/linear/block/kernels.hpp"
 
 /// The inner loops of ensembles: mechanisms of one structure, each in a lane. Every number here is `width` of them, one
-/// of each mechanism, side by side. Compiled once per instruction set (lane_kernels.cpp) and chosen at run time; without
-/// fused operations and in the order of operations of a single run with `deterministic`, so that a lane has the bits
-/// of that run, whatever the width and whatever the other lanes hold.
+/// of each mechanism, side by side. Compiled once per instruction set (lane_kernels.cpp, lane_plain.cpp, lane_fused.cpp)
+/// and chosen at run time; in the order of operations of a run by itself, so that a lane has the bits of that run,
+/// whatever the other lanes hold.
 namespace linkwork {
 
 /// What an elimination reads and writes; places are those of SymbolicFactorization, in numbers.
@@ -50,7 +50,10 @@ struct LaneKernels {
   void (*weigh)(int count, double f, const double* x, double g, const double* z, double* out);
   /// The largest amount of all numbers in each lane; infinite where one is no number.
   void (*largest)(int count, const double* x, double* out);
+};
 
+/// In the order of operations of the block solver, so that a lane has its bits.
+struct LaneElimination {
   /// Factors, with forward substitution of a (6 a body) and b (one a row) on the way; the smallest pivot of each lane,
   /// relative to its diagonal entry.
   void (*factor)(const LaneData&, const double* a, const double* b, double* smallest);
@@ -60,5 +63,8 @@ struct LaneKernels {
 };
 
 const LaneKernels& lane_kernels(const InstructionSet& instructions);
+/// `fused`: as the block solver by these instructions; else as it is by those that every processor has, with the same
+/// bits on all of them.
+const LaneElimination& lane_elimination(const InstructionSet& instructions, bool fused);
 
 }  // namespace linkwork
