@@ -58,7 +58,7 @@ TEST_CASE("lanes have the same bits at every width of registers, and those of th
     }
 }
 
-TEST_CASE("lanes with fused operations have the bits of the usual run") {
+TEST_CASE("lanes with fused operations differ from the usual run by roundoff") {
   const std::vector<Model> models = trees_and_loops();
   std::vector<std::unique_ptr<Dynamics>> dynamics;
   std::vector<Dynamics*> all;
@@ -72,7 +72,10 @@ TEST_CASE("lanes with fused operations have the bits of the usual run") {
   for (std::size_t k = 0; k < models.size(); ++k) {
     Dynamics alone(models[k], Options());
     Simulation simulation(alone, make_runge_kutta(rk4()), {0.05, 1e-3, 10});
-    CHECK(members[k].frames.q == simulation.advance(1000, INFINITY).q);
+    const std::vector<double>& q = members[k].frames.q;
+    const Frames frames = simulation.advance(1000, INFINITY);
+    const auto size = static_cast<Eigen::Index>(q.size());
+    CHECK((Eigen::Map<const VectorXd>(q.data(), size) - Eigen::Map<const VectorXd>(frames.q.data(), size)).norm() < 1e-12);
   }
 }
 

@@ -44,26 +44,9 @@ struct SmallestPivots {
   }
 };
 
-/// A product that is rounded before it is added to something.
-LINKWORK_INLINE Native rounded(Native x) {
-#if defined(LINKWORK_FUSED) && defined(__AVX512F__)
-  __asm__("" : "+v"(x));
-#elif defined(LINKWORK_FUSED) && defined(__AVX__)
-  __asm__("" : "+x"(x));
-#endif
-  return x;
-}
-
-/// The sum over the 8 lanes of a vector in the order of block/kernels.cpp: on every processor even and odd ones apart,
-/// with fused operations as its registers have it.
+/// The sum over the 8 lanes of a vector as block/kernels.cpp takes it on every processor: even and odd ones apart.
 LINKWORK_INLINE Native sum_of_eight(const Native* x) {
-#if defined(LINKWORK_FUSED) && defined(__AVX512F__)
-  return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
-#elif defined(LINKWORK_FUSED) && defined(__AVX__)
-  return ((x[0] + x[4]) + (x[1] + x[5])) + ((x[2] + x[6]) + (x[3] + x[7]));
-#else
   return ((x[0] + x[2]) + x[4]) + x[6] + (((x[1] + x[3]) + x[5]) + x[7]);
-#endif
 }
 
 /// Calls f with the count, 1 to `most`, as a constant.

@@ -1,5 +1,4 @@
-// Compiled once per instruction set with LINKWORK_ISA = v2, v3, v4, with fused operations where block/kernels.cpp has them.
-#define LINKWORK_FUSED
+// Compiled once per instruction set with LINKWORK_ISA = v2, v3, v4, with fused operations.
 #include "linkwork/ensemble/lane_solution.hpp"
 
 namespace linkwork {

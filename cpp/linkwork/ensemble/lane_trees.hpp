@@ -157,7 +157,7 @@ void backward_step(const block::TreeStep& step, const LaneData& data, double* x,
   LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
     Native products[8]{};
     if (step.parent >= 0) LINKWORK_UNROLL
-      for (int c = 0; c < 6; ++c) products[c] = rounded(-(get(factors, 48 + 8 * k + c) * get(x, 6l * step.parent + c)));
+      for (int c = 0; c < 6; ++c) products[c] = -(get(factors, 48 + 8 * k + c) * get(x, 6l * step.parent + c));
     products[right_hand_side] = get(factors, 48 + 8 * k + right_hand_side);
     l[k] = sum_of_eight(products);
     put(lambda, step.row + k, l[k]);
@@ -165,7 +165,7 @@ void backward_step(const block::TreeStep& step, const LaneData& data, double* x,
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
     Native products[8]{};
     LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-      products[r] = rounded(get(factors, 8 * k + r) * l[r]);
+      products[r] = get(factors, 8 * k + r) * l[r];
     products[right_hand_side] = get(factors, 8 * k + right_hand_side);
     put(x, 6l * step.body + k, sum_of_eight(products));
   }

@@ -115,7 +115,7 @@ class Ensemble:
         return self._members.model(whole_number(number, len(self)))
 
     def single(self, number: int, t_end: float, step: float | None = None, **arguments: Any) -> Result:
-        """One member by itself, `simulate(model, ...)`: the same bits, with a verdict."""
+        """One member by itself, `simulate(model, ...)`, with a verdict: to the last bit with deterministic."""
         return simulate(self.model(number), t_end, step, **arguments)
 
     def simulate(
@@ -146,8 +146,10 @@ class Ensemble:
         Lanes have formulation "standard" by linear solver "block", explicit Runge-Kutta methods with a fixed
         step, stabilization "sampled_baumgarte", "baumgarte" or "none". What they do not have, and members
         that leave their lane (a singular pose ahead, redundant equations that change), are simulated by
-        themselves from the start: `EnsembleResult.alone` says which and why. Either way a member has the bits
-        of its run by itself, whatever its place, its neighbors and `threads` are; one that fails is kept as
+        themselves from the start: `EnsembleResult.alone` says which and why.
+
+        A member has bits of its own, whatever its place, its neighbors and `threads` are. They differ from
+        those of `simulate` by roundoff, and with deterministic=True not at all. One that fails is kept as
         failed, and disturbs no other.
 
         OptionError: an option or output that does not exist or cannot be, before the first member. Ctrl-C
