@@ -108,7 +108,7 @@ def test_random_mechanisms_with_all_joints_and_forces_have_them(mechanism: Any) 
 
 
 def with_functions(amplitude: float, stiffness: float) -> lw.Model:
-    """A crank that is driven, on springs with history, beside a contact; lanes differ in functions of time."""
+    """A crank that is driven, and a rod on a spring with history; lanes differ in functions of time."""
     model = lw.Model(name="functions")
     crank = model.body("crank", mass=1.0, inertia=(0.01, 0.02, 0.02), position=(0.5, 0, 0))
     rod = model.body("rod", mass=2.0, inertia=(0.02, 0.3, 0.3), position=(1.5, 0, 0))

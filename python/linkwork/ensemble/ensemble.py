@@ -115,7 +115,7 @@ class Ensemble:
         return self._members.model(whole_number(number, len(self)))
 
     def single(self, number: int, t_end: float, step: float | None = None, **arguments: Any) -> Result:
-        """One member by itself, `simulate(model, ...)`, with a verdict: to the last bit with deterministic."""
+        """One member by itself, `simulate(model, ...)`, with a verdict; the same bits if deterministic."""
         return simulate(self.model(number), t_end, step, **arguments)
 
     def simulate(
