@@ -24,6 +24,9 @@ from linkwork.studies.sampling import Cases
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from matplotlib.figure import Figure
+
+    from linkwork.studies.pictures import Swing
 
 __all__ = ["Study", "assembled"]
 
@@ -100,6 +103,44 @@ class Study:
         if not whole or not -len(self) <= number < len(self):
             raise OptionError(f"case {number!r:.40} is none of the {len(self)} of this study", code="case")
         return int(number) % len(self)
+
+    # --- pictures ---
+
+    def plot(
+        self,
+        kind: str = "scatter",
+        path: str | os.PathLike[str] | None = None,
+        *,
+        outputs: str | Sequence[str] | None = None,
+        parameters: str | Sequence[str] | None = None,
+    ) -> Figure:
+        """A picture of finished cases, also written to `path`, by its suffix.
+
+        kind        "scatter": every parameter and output over every other; failed cases are crosses
+                    "histogram": outputs, with median, 5th and 95th percentile
+                    "bands": outputs that are arrays over time: median, half and nine tenths of the cases
+                    "surface": outputs over the first two parameters
+                    "tornado": the change of outputs with each parameter, see `swings`
+        outputs, parameters   which; None: all that are numbers and not the same in every case
+
+        OptionError: no such kind or name, or nothing to draw. FileError: `path` cannot be written.
+        """
+        from linkwork.studies import pictures
+
+        return pictures.plot(self, kind, path, outputs=outputs, parameters=parameters)
+
+    def swings(self, output: str) -> list[Swing]:
+        """What each parameter does to an output, the strongest first, by the linear fit to all cases.
+
+        `change` is that of the output while a parameter goes from the 5th to the 95th percentile of its
+        values, the others held; `explained` is the share of the variance that the fit explains: where it is
+        far from 1, the output is not linear there, and indices of Sobol tell more.
+
+        OptionError: no such output, too few cases, or parameters that move together.
+        """
+        from linkwork.studies import pictures
+
+        return pictures.swings(self, output)
 
     # --- tables ---
 
