@@ -26,9 +26,10 @@ __all__ = ["sweep"]
     "--kind", type=click.Choice(("scatter", "histogram", "bands", "surface", "tornado")), default="scatter",
     show_default=True, help="What the picture shows.",
 )  # fmt: skip
+@click.option("--page", type=click.Path(), metavar="FILE", help="A page of parallel coordinates (.html).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 def sweep(file: str, shard: str | None, gather: bool, processes: int | None, output: str | None,
-          picture: str | None, kind: str, as_json: bool) -> None:  # fmt: skip
+          picture: str | None, kind: str, page: str | None, as_json: bool) -> None:  # fmt: skip
     """Simulate a mechanism in many variants, as a file says.
 
     \b
@@ -50,6 +51,8 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, out
 
         out.check_writable(picture, "picture")
         check_format(picture)
+    if page is not None:
+        out.check_writable(page, "page")
     given = read_study(file)
     try:
         study = run(**given, shard=part, gather=gather, processes=processes)
@@ -60,11 +63,13 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, out
         save(output, overwrite=True)
     if picture is not None:
         study.plot(kind, picture)
+    if page is not None:
+        study.view(page)
     if as_json:
         out.print_json(_document(study, given, output))
     else:
         _print(study)
-        files = [("output", output or ""), ("picture", picture or "")]
+        files = [("output", output or ""), ("picture", picture or ""), ("page", page or "")]
         out.print_pairs([("directory", str(given["directory"])), *files])
 
 

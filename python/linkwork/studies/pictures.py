@@ -19,7 +19,7 @@ from linkwork.plots.figures import COLORS, check_format, new_figure, style, writ
 if TYPE_CHECKING:
     from linkwork.studies.study import Study
 
-__all__ = ["KINDS", "Swing", "plot", "swings"]
+__all__ = ["KINDS", "Column", "Swing", "numbers_of", "plot", "swings"]
 
 #: Columns of a scatter matrix, panels of the other pictures; the title tells what is left out.
 COLUMNS, PANELS = 6, 6
@@ -98,6 +98,12 @@ def _columns(study: Study, values: Mapping[str, NDArray[np.float64]], names: Seq
             column = array[(slice(None), *place)].astype(float)
             found.append(Column(label, study.units.get(name, ""), column))
     return found
+
+
+def numbers_of(study: Study) -> list[Column]:
+    """Parameters, then outputs, of which there is a number a case that is not the same in all."""
+    both = (study.parameters, list(study.parameters)), (study.outputs, list(study.outputs))
+    return [column for values, names in both for column in _moving(_columns(study, values, names))]
 
 
 def _moving(columns: Sequence[Column]) -> list[Column]:

@@ -26,7 +26,9 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.figure import Figure
 
+    from linkwork.studies.page import Server
     from linkwork.studies.pictures import Swing
+    from linkwork.view.page import Page
 
 __all__ = ["Study", "assembled"]
 
@@ -141,6 +143,33 @@ class Study:
         from linkwork.studies import pictures
 
         return pictures.swings(self, output)
+
+    def view(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """A page of parallel coordinates, a line a case, written to `path` when given; needs no network.
+
+        Drag along an axis to choose cases, click its name to color by it, click a line for its case. From
+        `serve` the click opens the motion.
+
+        OptionError: nothing that varies is a number. FileError: `path` cannot be written.
+        """
+        from linkwork.studies.page import page
+
+        found = page(self)
+        if path is not None:
+            found.save(path)
+        return found
+
+    def serve(self, port: int = 0) -> Server:
+        """The page of `view` by a server for this machine alone, where a click on a case opens its motion,
+        simulated again to the same bits. A context manager; `close()` ends it.
+
+        port  0: a free one, see `url`
+
+        OptionError: the port is taken.
+        """
+        from linkwork.studies.page import Server
+
+        return Server(self, port)
 
     # --- tables ---
 
