@@ -20,7 +20,9 @@ def build(counterweight=0.0):
     model = lw.Model(gravity=(0, 0, 0), name="slider-crank")
     model.body("crank", mass=0.5 + counterweight, inertia=(0.01, 0.01, 0.01),
                position=(-CRANK * counterweight / (0.5 + counterweight), 0, 0))  # fmt: skip
-    model.body("rod", mass=ROD_MASS, inertia=lw.mechanisms.thin_rod(ROD_MASS, ROD), position=(CRANK + ROD / 2, 0, 0))
+    model.body(
+        "rod", mass=ROD_MASS, inertia=lw.mechanisms.thin_rod(ROD_MASS, ROD), position=(CRANK + ROD / 2, 0, 0)
+    )
     model.body("piston", mass=PISTON, inertia=(1e-4, 1e-4, 1e-4), position=(CRANK + ROD, 0, 0),
                shape=lw.Box((0.08, 0.06, 0.06)))  # fmt: skip
     model.revolute("ground", "crank", at=(0, 0, 0), axis=(0, 1, 0), name="shaft")
@@ -39,7 +41,9 @@ def shaking(result):
 
 turn = 2 * np.pi / SPEED
 run = {"t_end": turn, "step": turn / 400}
-study = lw.sweep(build, {"counterweight": np.linspace(0, 1.2, 25).tolist()}, {"shaking force": (shaking, "N")}, **run)
+study = lw.sweep(
+    build, {"counterweight": np.linspace(0, 1.2, 25).tolist()}, {"shaking force": (shaking, "N")}, **run
+)
 force, masses = study.outputs["shaking force"], study.parameters["counterweight"]
 best = masses[force.argmin()]
 print(f"without: {force[0]:.0f} N; with {best:.2f} kg: {force.min():.0f} N")
