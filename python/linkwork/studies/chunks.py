@@ -12,8 +12,9 @@ import pickle
 from collections.abc import Callable, Generator, Iterator, Sequence
 from typing import Any
 
-from linkwork.comparison.workers import Lost, in_processes, processor_count
+from linkwork.comparison.workers import Lost, can_fork, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError
+from linkwork.options import check_number
 from linkwork.studies.cases import Answer, Case, Runner
 
 __all__ = ["check_executor", "chunked", "run_cases", "workers_of"]
@@ -32,11 +33,24 @@ AHEAD = 3
 
 Chunk = Sequence[Case]
 Found = tuple[Chunk, Answer | Lost]
+
+#: Beyond the time of one case a task of several has so long [s]; then each of them is tried alone.
+PATIENCE = 10 * TASK_SECONDS
+
 Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
 
 
-def check_executor(executor: Any, processes: int | None, runner: Runner) -> None:
-    """OptionError: no executor, or a study that cannot go to other processes."""
+def check_executor(executor: Any, processes: int | None, case_seconds: Any, runner: Runner) -> None:
+    """OptionError: no executor, or a study that cannot go to other processes, or not end there."""
+    if case_seconds is not None:
+        check_number("case_seconds", case_seconds, positive=True, unit="s")
+        if executor is not None or not can_fork():
+            where = "an executor's own processes" if executor is not None else "this system"
+            raise OptionError(
+                f"case_seconds {case_seconds:g}: cannot be kept in {where}, where nobody ends what takes too "
+                "long; leave it out",
+                code="case_seconds",
+            )
     if executor is None:
         return
     if not callable(getattr(executor, "submit", None)):
@@ -65,20 +79,24 @@ def workers_of(executor: Any, processes: int | None) -> int:
 
 
 def run_cases(
-    runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
+    runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None, case_seconds: float | None,
     beat: Callable[[], object] = lambda: None,
 ) -> Generator[Found, None, None]:  # fmt: skip
     """(cases, what became of them) as they come.
 
+    A case that is not done after `case_seconds`, alone in its process, is lost.
+
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
     """
     workers = workers_of(executor, processes)
-    pool = _local(processes, beat) if executor is None else _on(executor, workers, beat)
+    pool = _local(processes, case_seconds, beat) if executor is None else _on(executor, workers, beat)
     lost: list[Case] = []
     seconds: list[float] = []
     for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):
-        if isinstance(answer, Lost):
+        if isinstance(answer, Lost) and not answer.late:
             lost.extend(chunk)
+        elif isinstance(answer, Lost):
+            yield chunk, answer
         else:
             seconds.extend(run.seconds for run in answer.runs)
             yield chunk, answer
@@ -98,9 +116,12 @@ def chunked(cases: Sequence[Case], seconds: float, workers: int) -> list[Chunk]:
     return [cases[start : start + size] for start in range(0, len(cases), size)]
 
 
-def _local(processes: int | None, beat: Callable[[], object]) -> Pool:
+def _local(processes: int | None, case_seconds: float | None, beat: Callable[[], object]) -> Pool:
     def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
-        for place, answer in in_processes(runner, chunks, processes, beat=lambda _: beat()):
+        seconds = case_seconds
+        if seconds is not None and any(len(chunk) > 1 for chunk in chunks):
+            seconds += PATIENCE
+        for place, answer in in_processes(runner, chunks, processes, seconds, lambda _: beat()):
             yield chunks[place], answer
 
     return run
