@@ -34,7 +34,7 @@ from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Answer, Case, Run, Runner, check_times, machine
-from linkwork.studies.chunks import check_executor, run_cases
+from linkwork.studies.chunks import Workers, check_workers, run_cases
 from linkwork.studies.fingerprints import canonical, digest
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store
@@ -138,7 +138,8 @@ def sweep(
     _check_reductions(checked, run_options)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
-    check_executor(executor, processes, case_seconds, runner)
+    workers = Workers(executor, processes, case_seconds)
+    check_workers(workers, runner)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
     keys = [digest(head, drawn.case(k)) for k in range(len(drawn))]
@@ -149,7 +150,7 @@ def sweep(
     known, machines = ({}, []) if store is None else store.found(keys)
     todo = [] if gather else _todo(drawn, keys, known, shard)
     found = _Found(known, machines, store)
-    lost = _carried_out(runner, todo, found, progress, (executor, processes, case_seconds))
+    lost = _carried_out(runner, todo, found, progress, workers)
     _tell_machines(machines)
     return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
 
@@ -362,7 +363,7 @@ class _Found:
 
 
 def _carried_out(
-    runner: Runner, todo: Sequence[Case], to: _Found, progress: ShowOption, where: tuple[Any, ...]
+    runner: Runner, todo: Sequence[Case], to: _Found, progress: ShowOption, workers: Workers
 ) -> dict[str, str]:
     """Adds to what is found; gives back why cases were lost. KeyboardInterrupt: it says what is kept."""
     lost: dict[str, str] = {}
@@ -374,7 +375,7 @@ def _carried_out(
         def beat() -> None:
             report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
 
-        with closing(run_cases(runner, todo, *where, beat)) as found:
+        with closing(run_cases(runner, todo, workers, beat)) as found:
             for chunk, answer in found:
                 done += len(chunk)
                 if isinstance(answer, Lost):
