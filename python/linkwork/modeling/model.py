@@ -191,11 +191,11 @@ class Model(ModelBuilder):
         for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements, _history(core)):
             digest.update(np.ascontiguousarray(array).data)
         for joint, special in self._special.items():
-            digest.update(f"{joint} {special.arguments()}".encode())
+            digest.update(f"{joint} {special.facts(core)}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
-        for name, own, place in self._user_forces:
-            digest.update(f"{name} {getattr(own, '__qualname__', '')} {place}".encode())
+        for _, own, place in self._user_forces:
+            digest.update(f"{getattr(own, '__qualname__', '')} {place}".encode())
         return digest.hexdigest()
 
     def describe(self) -> str:
