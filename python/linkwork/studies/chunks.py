@@ -10,15 +10,13 @@ import concurrent.futures as futures
 import math
 import pickle
 from collections.abc import Callable, Generator, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
-from linkwork.comparison.workers import Lost, can_fork, in_processes, processor_count
+from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError
-from linkwork.options import check_number
 from linkwork.studies.cases import Answer, Case, Runner
 
-__all__ = ["Workers", "check_workers", "chunked", "run_cases", "workers_of"]
+__all__ = ["check_executor", "chunked", "run_cases", "workers_of"]
 
 #: A task takes about so long [s], which is at most lost with its process.
 TASK_SECONDS = 3.0
@@ -32,43 +30,23 @@ FILES = 50_000
 #: Tasks that an executor holds for each of its workers.
 AHEAD = 3
 
-Chunk = Sequence[Case]
-Found = tuple[Chunk, Answer | Lost]
-
 #: Beyond the time of one case a task of several has so long [s]; then each of them is tried alone.
 PATIENCE = 10 * TASK_SECONDS
 
+Chunk = Sequence[Case]
+Found = tuple[Chunk, Answer | Lost]
 Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
 
 
-@dataclass(frozen=True)
-class Workers:
-    """Who runs the cases: an executor, or so many local processes, and for how long at most each [s]."""
-
-    executor: Any = None
-    processes: int | None = None
-    case_seconds: float | None = None
-
-
-def check_workers(workers: Workers, runner: Runner) -> None:
-    """OptionError: no executor, or a study that cannot go to other processes, or not end there."""
-    executor, case_seconds = workers.executor, workers.case_seconds
-    if case_seconds is not None:
-        check_number("case_seconds", case_seconds, positive=True, unit="s")
-        if executor is not None or not can_fork():
-            where = "an executor's own processes" if executor is not None else "this system"
-            raise OptionError(
-                f"case_seconds {case_seconds:g}: cannot be kept in {where}, where nobody ends what takes too "
-                "long; leave it out",
-                code="case_seconds",
-            )
+def check_executor(executor: Any, processes: int | None, runner: Runner) -> None:
+    """OptionError: no executor, or a study that cannot go to other processes."""
     if executor is None:
         return
     if not callable(getattr(executor, "submit", None)):
         raise OptionError(
             f"executor {executor!r:.80} is no concurrent.futures.Executor: it has no submit", code="executor"
         )
-    if workers.processes is not None:
+    if processes is not None:
         raise OptionError("processes is of the local ones: with an executor leave it out", code="conflict")
     if isinstance(executor, futures.ThreadPoolExecutor):
         return
@@ -90,26 +68,27 @@ def workers_of(executor: Any, processes: int | None) -> int:
 
 
 def run_cases(
-    runner: Runner, cases: Sequence[Case], workers: Workers, beat: Callable[[], object] = lambda: None
-) -> Generator[Found, None, None]:
-    """(cases, what became of them) as they come. Who is not done in time, alone in a process, is lost.
+    runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
+    beat: Callable[[], object] = lambda: None, case_seconds: float | None = None,
+) -> Generator[Found, None, None]:  # fmt: skip
+    """(cases, what became of them) as they come. What takes longer than `case_seconds`, alone, is lost.
 
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
     """
-    count = workers_of(workers.executor, workers.processes)
-    pool = _local(workers, beat) if workers.executor is None else _on(workers.executor, count, beat)
+    workers = workers_of(executor, processes)
+    pool = _local(processes, beat, case_seconds) if executor is None else _on(executor, workers, beat)
     lost: list[Case] = []
     seconds: list[float] = []
-    for chunk, answer in pool(runner, [[case] for case in cases[:count]]):
-        if isinstance(answer, Lost) and not answer.late:
-            lost.extend(chunk)
-        elif isinstance(answer, Lost):
+    for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):
+        if isinstance(answer, Lost) and answer.late:
             yield chunk, answer
+        elif isinstance(answer, Lost):
+            lost.extend(chunk)
         else:
             seconds.extend(run.seconds for run in answer.runs)
             yield chunk, answer
     mean = sum(seconds) / len(seconds) if seconds else TASK_SECONDS
-    for chunk, answer in pool(runner, chunked(cases[count:], mean, count)):
+    for chunk, answer in pool(runner, chunked(cases[workers:], mean, workers)):
         if isinstance(answer, Lost):
             lost.extend(chunk)
         else:
@@ -124,12 +103,12 @@ def chunked(cases: Sequence[Case], seconds: float, workers: int) -> list[Chunk]:
     return [cases[start : start + size] for start in range(0, len(cases), size)]
 
 
-def _local(workers: Workers, beat: Callable[[], object]) -> Pool:
+def _local(processes: int | None, beat: Callable[[], object], case_seconds: float | None) -> Pool:
     def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
-        seconds = workers.case_seconds
+        seconds = case_seconds
         if seconds is not None and any(len(chunk) > 1 for chunk in chunks):
             seconds += PATIENCE
-        for place, answer in in_processes(runner, chunks, workers.processes, seconds, lambda _: beat()):
+        for place, answer in in_processes(runner, chunks, processes, seconds, lambda _: beat()):
             yield chunks[place], answer
 
     return run

@@ -13,14 +13,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
-from linkwork.comparison.workers import Lost
+from linkwork.comparison.workers import Lost, can_fork
 from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionError, warn
 from linkwork.modeling.model import Model
@@ -34,7 +34,7 @@ from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Answer, Case, Run, Runner, check_times, machine
-from linkwork.studies.chunks import Workers, check_workers, run_cases
+from linkwork.studies.chunks import check_executor, run_cases
 from linkwork.studies.fingerprints import canonical, digest
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store
@@ -138,8 +138,8 @@ def sweep(
     _check_reductions(checked, run_options)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
-    workers = Workers(executor, processes, case_seconds)
-    check_workers(workers, runner)
+    check_executor(executor, processes, runner)
+    _check_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
     keys = [digest(head, drawn.case(k)) for k in range(len(drawn))]
@@ -149,7 +149,7 @@ def sweep(
         _check_example(source, store)
     known, machines = ({}, []) if store is None else store.found(keys)
     todo = [] if gather else _todo(drawn, keys, known, shard)
-    found = _Found(known, machines, store)
+    found, workers = _Found(known, machines, store), _Workers(executor, processes, case_seconds)
     lost = _carried_out(runner, todo, found, progress, workers)
     _tell_machines(machines)
     return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
@@ -184,6 +184,20 @@ def _check_gather(gather: bool, **others: Any) -> None:
                 f"{name} {value!r:.40}: gather runs no case, it collects what all shards did; leave one out",
                 code="conflict",
             )
+
+
+def _check_case_seconds(case_seconds: Any, executor: Any) -> None:
+    """OptionError: no time, or one that nobody could keep."""
+    if case_seconds is None:
+        return
+    check_number("case_seconds", case_seconds, positive=True, unit="s")
+    if executor is not None or not can_fork():
+        where = "an executor's own processes" if executor is not None else "this system"
+        raise OptionError(
+            f"case_seconds {case_seconds:g}: cannot be kept in {where}, where nobody ends what takes too long; "
+            "leave it out",
+            code="case_seconds",
+        )
 
 
 def _check_names(cases: Cases, outputs: Sequence[wanted.Output]) -> None:
@@ -346,6 +360,14 @@ def _todo(
 # --- the cases ---
 
 
+class _Workers(NamedTuple):
+    """Who runs the cases, and for how long at most each [s]."""
+
+    executor: Any
+    processes: int | None
+    case_seconds: float | None
+
+
 @dataclass(frozen=True)
 class _Found:
     """Cases that are done, by key, the machines that ran them, and who keeps them."""
@@ -363,19 +385,20 @@ class _Found:
 
 
 def _carried_out(
-    runner: Runner, todo: Sequence[Case], to: _Found, progress: ShowOption, workers: Workers
+    runner: Runner, todo: Sequence[Case], to: _Found, progress: ShowOption, workers: _Workers
 ) -> dict[str, str]:
     """Adds to what is found; gives back why cases were lost. KeyboardInterrupt: it says what is kept."""
     lost: dict[str, str] = {}
     if not todo:
         return lost
+    executor, processes, seconds = workers
     done, counts, started = 0, Counter[str](), time.monotonic()
     with counting(progress, len(todo)) as report, _telling(todo, to):
 
         def beat() -> None:
             report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
 
-        with closing(run_cases(runner, todo, workers, beat)) as found:
+        with closing(run_cases(runner, todo, executor, processes, beat, seconds)) as found:
             for chunk, answer in found:
                 done += len(chunk)
                 if isinstance(answer, Lost):
