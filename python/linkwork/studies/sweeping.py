@@ -194,8 +194,8 @@ def _check_case_seconds(case_seconds: Any, executor: Any) -> None:
     if executor is not None or not can_fork():
         where = "an executor's own processes" if executor is not None else "this system"
         raise OptionError(
-            f"case_seconds {case_seconds:g}: cannot be kept in {where}, where nobody ends what takes too long; "
-            "leave it out",
+            f"case_seconds {case_seconds:g}: cannot be kept in {where}, where nobody ends what takes too "
+            "long; leave it out",
             code="case_seconds",
         )
 
