@@ -20,6 +20,12 @@ __all__ = ["sweep"]
 @click.option("--shard", metavar="K/N", help="Only every Nth case: job K of N, from 0 or from 1 on.")
 @click.option("--gather", is_flag=True, help="Run nothing; collect what the shards have done.")
 @click.option("--processes", type=click.IntRange(1), metavar="N", help="Local processes; one a processor.")
+@click.option(
+    "--case-seconds",
+    type=click.FloatRange(0, min_open=True),
+    metavar="S",
+    help="Wall time that a case may take [s]; one that takes longer counts as failed.",
+)
 @click.option("--output", "-o", type=click.Path(), metavar="FILE", help="All cases: .csv, or netCDF (.nc).")
 @click.option("--plot", "picture", type=click.Path(), metavar="FILE", help="A picture of the cases.")
 @click.option(
@@ -28,8 +34,13 @@ __all__ = ["sweep"]
 )  # fmt: skip
 @click.option("--page", type=click.Path(), metavar="FILE", help="A page of parallel coordinates (.html).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
+<<<<<<< HEAD
 def sweep(file: str, shard: str | None, gather: bool, processes: int | None, output: str | None,
           picture: str | None, kind: str, page: str | None, as_json: bool) -> None:  # fmt: skip
+=======
+def sweep(file: str, shard: str | None, gather: bool, processes: int | None, case_seconds: float | None,
+          output: str | None, as_json: bool) -> None:  # fmt: skip
+>>>>>>> revpy
     """Simulate a mechanism in many variants, as a file says.
 
     \b
@@ -37,7 +48,7 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, out
     linkwork sweep study.yaml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT
     linkwork sweep study.yaml --gather --output study.nc --plot study.png
 
-    Every case is kept in the study's directory at once: the same command again runs what is missing.
+    Cases are kept in the study's directory as they end: the same command again runs what is missing.
     """
     from linkwork.cli import output as out
     from linkwork.studies.files import read_study
@@ -54,10 +65,7 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, out
     if page is not None:
         out.check_writable(page, "page")
     given = read_study(file)
-    try:
-        study = run(**given, shard=part, gather=gather, processes=processes)
-    except KeyboardInterrupt as stop:
-        raise type(stop)(f"interrupted; '{given['directory']}' has the cases so far") from stop
+    study = run(**given, shard=part, gather=gather, processes=processes, case_seconds=case_seconds)
     if output is not None:
         save = study.save if output.endswith(".nc") else study.to_csv
         save(output, overwrite=True)

@@ -30,6 +30,9 @@ FILES = 50_000
 #: Tasks that an executor holds for each of its workers.
 AHEAD = 3
 
+#: Beyond the time of one case a task of several has so long [s]; then each of them is tried alone.
+PATIENCE = 10 * TASK_SECONDS
+
 Chunk = Sequence[Case]
 Found = tuple[Chunk, Answer | Lost]
 Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
@@ -37,18 +40,21 @@ Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
 
 def run_cases(
     runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
-    beat: Callable[[], object] = lambda: None,
+    beat: Callable[[], object] = lambda: None, case_seconds: float | None = None,
 ) -> Generator[Found, None, None]:  # fmt: skip
-    """(cases, what became of them) as they come.
+    """(cases, what became of them) as they come. What takes longer than `case_seconds`, alone, is lost.
 
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
     """
     workers = workers_of(executor, processes)
-    pool = _local(processes, beat) if executor is None else _on(adapted(executor), workers, beat)
+    local = executor is None
+    pool = _local(processes, beat, case_seconds) if local else _on(adapted(executor), workers, beat)
     lost: list[Case] = []
     seconds: list[float] = []
     for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):
-        if isinstance(answer, Lost):
+        if isinstance(answer, Lost) and answer.late:
+            yield chunk, answer
+        elif isinstance(answer, Lost):
             lost.extend(chunk)
         else:
             seconds.extend(run.seconds for run in answer.runs)
@@ -69,9 +75,12 @@ def chunked(cases: Sequence[Case], seconds: float, workers: int) -> list[Chunk]:
     return [cases[start : start + size] for start in range(0, len(cases), size)]
 
 
-def _local(processes: int | None, beat: Callable[[], object]) -> Pool:
+def _local(processes: int | None, beat: Callable[[], object], case_seconds: float | None) -> Pool:
     def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
-        for place, answer in in_processes(runner, chunks, processes, beat=lambda _: beat()):
+        seconds = case_seconds
+        if seconds is not None and any(len(chunk) > 1 for chunk in chunks):
+            seconds += PATIENCE
+        for place, answer in in_processes(runner, chunks, processes, seconds, lambda _: beat()):
             yield chunks[place], answer
 
     return run
