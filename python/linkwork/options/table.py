@@ -15,7 +15,7 @@ from linkwork.options.types import Level, Options
 
 __all__ = [
     "LEVELS", "Options", "Policy", "RENAMED", "RUN_SETTINGS", "TABLE", "check_name", "check_number",
-    "check_option", "compile_options", "names", "renamed",
+    "check_option", "compile_options", "names", "renamed", "without_threads",
 ]  # fmt: skip
 
 LEVELS: tuple[Level, ...] = get_args(Level)
@@ -51,6 +51,11 @@ SYNONYMS = {
 def renamed(settings: Mapping[str, Any]) -> dict[str, Any]:
     """What a file of an earlier version says, by the names of today."""
     return {RENAMED.get(name, name): value for name, value in settings.items()}
+
+
+def without_threads(choices: Mapping[str, Any]) -> dict[str, Any]:
+    """Those that results depend on: how many threads there are changes no bit."""
+    return {name: value for name, value in choices.items() if name != "threads"}
 
 
 def compile_options(choices: Mapping[str, Any]) -> _core.Options:
