@@ -10,7 +10,7 @@ from linkwork.options import compile_options
 
 
 def check_choices(
-    solvers: Sequence[str], formulation: str, matrix_form: str, rounds: int, limit: float, threads: int
+    solvers: Sequence[str], formulation: str, matrix_form: str, rounds: int, limit: float, threads: int = 1
 ) -> None:
     """OptionError: a name that does not exist, a number that cannot be. A solver that is not in this build is
     refused later, with the reason, beside those that are.

@@ -101,7 +101,7 @@ def _checked(option: _core.OptionInfo, value: Any) -> Any:
     elif option.type == "switch":
         if not isinstance(value, bool):
             raise OptionError(f"{option.name} {value!r:.80} is not True or False", code=option.name)
-    elif not isinstance(value, int) or not 1 <= value < 2**31:
+    elif isinstance(value, bool) or not isinstance(value, int) or not 1 <= value < 2**31:
         raise OptionError(f"{option.name} {value!r} is not a positive whole number", code=option.name)
     return value
 

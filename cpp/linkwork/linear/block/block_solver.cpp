@@ -142,8 +142,7 @@ class BlockSolver final : public SaddleSolver {
   template <class Sweep>
   void run_stage(const Stage& stage, bool shared, const Sweep& sweep) {
     ThreadPool& threads = system_->threads();
-    const bool few = 2 * static_cast<int>(stage.size()) <= threads.threads();
-    if (few) {
+    if (stage.size() == 1 || (2 * static_cast<int>(stage.size()) <= threads.threads() && is_divisible(stage))) {
       Data data = data_for(0);
       if (shared) data.helpers = {.pool = &threads, .run = &help, .scratch = scratch_places_.data()};
       for (std::size_t task = 0; task < stage.size(); ++task) sweep(data, task);
@@ -151,6 +150,15 @@ class BlockSolver final : public SaddleSolver {
     }
     threads.run(static_cast<int>(stage.size()),
                 [&](int task, int worker) { sweep(data_for(worker), static_cast<std::size_t>(task)); });
+  }
+
+  static bool is_divisible(const Stage& stage) {
+    double work = 0.0, divisible = 0.0;
+    for (const Task& task : stage) {
+      work += task.work;
+      divisible += task.divisible;
+    }
+    return divisible > 0.5 * work;
   }
 
   static void help(void* pool, int count, void (*part)(const void*, int, int), const void* context) {

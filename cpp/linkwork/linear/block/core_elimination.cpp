@@ -16,19 +16,20 @@ constexpr int none = -1;
 std::ptrdiff_t padded(std::ptrdiff_t count) { return (count + lanes - 1) / lanes * lanes; }
 
 /// Memory of contribution blocks over their lifetimes: freed places of about the same size are used again, by the same
-/// task or, in a later stage, by another.
+/// task or, in a later stage, by any.
 class ContributionAllocator {
  public:
-  void end_task() { idle_.merge(free_); }
-  void end_stage() { free_.swap(idle_); }
+  void end_task() { freed_in_stage_.merge(free_); }
+  void end_stage() { idle_.merge(freed_in_stage_); }
   std::ptrdiff_t allocate(std::ptrdiff_t size) {
     size = std::max<std::ptrdiff_t>(size, lanes);  // places are known by where they begin
-    if (const auto found = free_.lower_bound(size); found != free_.end() && found->first <= 2 * size) {
-      const std::ptrdiff_t place = found->second;
-      taken_[place] = found->first;
-      free_.erase(found);
-      return place;
-    }
+    for (Places* places : {&free_, &idle_})
+      if (const auto found = places->lower_bound(size); found != places->end() && found->first <= 2 * size) {
+        const std::ptrdiff_t place = found->second;
+        taken_[place] = found->first;
+        places->erase(found);
+        return place;
+      }
     const std::ptrdiff_t place = total_;
     taken_[place] = size;
     total_ += size;
@@ -42,7 +43,8 @@ class ContributionAllocator {
   std::ptrdiff_t total() const { return total_; }
 
  private:
-  std::multimap<std::ptrdiff_t, std::ptrdiff_t> free_, idle_;
+  using Places = std::multimap<std::ptrdiff_t, std::ptrdiff_t>;  // by size
+  Places free_, freed_in_stage_, idle_;
   std::map<std::ptrdiff_t, std::ptrdiff_t> taken_;
   std::ptrdiff_t total_ = 0;
 };
@@ -64,7 +66,7 @@ class CoreBuilder {
     place_bodies();
     append_fronts();
     connect();
-    out_.front_plan = plan_work({.parent = std::move(parents_), .work = std::move(work_), .keeps = true});
+    out_.front_plan = plan_work({.parent = std::move(parents_), .work = work_, .keeps = true});
     place_contributions();
     out_.contribution_size = contributions_.total();
   }
@@ -342,10 +344,14 @@ class CoreBuilder {
   }
 
   void place_contributions() {
-    for (const Stage& stage : out_.front_plan.stages) {
-      for (const Task& task : stage) {
+    for (Stage& stage : out_.front_plan.stages) {
+      for (Task& task : stage) {
         for (const NodeRange& range : task.ranges)
-          for (int f = range.first; f < range.last; ++f) place_contribution(out_.fronts[f], range.handing);
+          for (int f = range.first; f < range.last; ++f) {
+            place_contribution(out_.fronts[f], range.handing);
+            if (range.handing != Handing::only && out_.fronts[f].stride() >= divisible_front)
+              task.divisible += work_[f];
+          }
         contributions_.end_task();
       }
       contributions_.end_stage();

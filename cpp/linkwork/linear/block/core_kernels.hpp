@@ -155,10 +155,14 @@ void update_rows(const Front& front, const Data& data, int depth, int c, int col
     });
 }
 
+LINKWORK_INLINE bool is_shared(const Front& front, const Data& data) {
+  return data.helpers.pool && front.stride() >= divisible_front;
+}
+
 /// Calls part(k, scratch) for k = 0 .. count - 1, at the same time where there are helpers.
 template <class Part>
-void share(const Data& data, int count, const Part& part) {
-  if (!data.helpers.pool) {
+void share(const Front& front, const Data& data, int count, const Part& part) {
+  if (!is_shared(front, data)) {
     for (int k = 0; k < count; ++k) part(k, data.scratch);
     return;
   }
@@ -191,15 +195,15 @@ void factor_wide(const Front& front, const Data& data, const double* b, Smallest
         if (k0 > 0) update_rows(front, data, k0, k0, columns, B, first, last);
         eliminate_below<depth, false>(front, data, k0, first, last);
       };
-      if (!data.helpers.pool || rows <= rows_at_a_time) return finish(below, front.stride());
-      share(data, (rows + rows_at_a_time - 1) / rows_at_a_time, [&](int k, double*) {
+      if (!is_shared(front, data) || rows <= rows_at_a_time) return finish(below, front.stride());
+      share(front, data, (rows + rows_at_a_time - 1) / rows_at_a_time, [&](int k, double*) {
         const int first = below + k * rows_at_a_time, last = first + rows_at_a_time;
         finish(first, last < front.stride() ? last : front.stride());
       });
     });
   }
   const int last = front.top + front.size - front.width;
-  share(data, (last - front.top + lanes - 1) / lanes, [&](int k, double* scratch) {
+  share(front, data, (last - front.top + lanes - 1) / lanes, [&](int k, double* scratch) {
     const int c = front.top + k * lanes;
     scale_rows(front, data, front.width, c, scratch);
     update_rows(front, data, front.width, c, last - c < lanes ? last - c : lanes, scratch, c, front.stride());

@@ -125,7 +125,10 @@ struct NodeRange {
   Handing handing;
 };
 
-/// Helpers for one large front: calls part(context, k, worker) for k = 0 .. count - 1, at the same time.
+/// Positions of a front from which on several threads can work on it.
+constexpr int divisible_front = 256;
+
+/// Helpers for such a front: calls part(context, k, worker) for k = 0 .. count - 1, at the same time.
 struct Helpers {
   void* pool = nullptr;  ///< none: there are no helpers
   void (*run)(void* pool, int count, void (*part)(const void* context, int k, int worker), const void* context) =

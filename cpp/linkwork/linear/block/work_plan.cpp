@@ -7,9 +7,8 @@ namespace linkwork::block {
 namespace {
 
 constexpr int none = -1;
-constexpr double worth_sharing = 4e6;  // flops, some 0.5 ms: a stage costs some 5 us to begin and end
-constexpr double parts = 64.0;         // of all work
-constexpr double too_little = 20e3;    // for a task of its own: stays with its parent, in whose cache it is
+constexpr double parts = 64.0;       // of all work
+constexpr double too_little = 20e3;  // for a task of its own: stays with its parent, in whose cache it is
 
 class Planner {
  public:

@@ -10,7 +10,11 @@ namespace linkwork::block {
 struct Task {
   std::vector<NodeRange> ranges;
   double work = 0.0;
+  double divisible = 0.0;  ///< of which in fronts so large that all threads can work on one
 };
+
+/// Of all eliminations [flops], from which on threads pay, some 0.5 ms: a stage costs some 5 us to begin and to end.
+constexpr double worth_sharing = 4e6;
 
 using Stage = std::vector<Task>;
 
