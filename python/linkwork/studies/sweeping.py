@@ -25,7 +25,7 @@ from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
-from linkwork.options import TABLE, check_name, check_number, check_option
+from linkwork.options import TABLE, check_name, check_number, check_option, without_threads
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
@@ -316,7 +316,9 @@ def _identity(runner: Runner, cases: Cases) -> dict[str, Any]:
         "model": runner.source.identity(), "parameters": sorted(cases.columns), "t_end": runner.t_end,
         "outputs": digest(wanted.identity(runner.outputs)),
         "times": digest(runner.times),
-        "options": {name: canonical(value) for name, value in sorted(runner.options.items())},
+        "options": {
+            name: canonical(value) for name, value in sorted(without_threads(runner.options).items())
+        },
     }  # fmt: skip
 
 
