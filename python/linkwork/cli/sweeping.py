@@ -34,13 +34,9 @@ __all__ = ["sweep"]
 )  # fmt: skip
 @click.option("--page", type=click.Path(), metavar="FILE", help="A page of parallel coordinates (.html).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-<<<<<<< HEAD
-def sweep(file: str, shard: str | None, gather: bool, processes: int | None, output: str | None,
-          picture: str | None, kind: str, page: str | None, as_json: bool) -> None:  # fmt: skip
-=======
 def sweep(file: str, shard: str | None, gather: bool, processes: int | None, case_seconds: float | None,
-          output: str | None, as_json: bool) -> None:  # fmt: skip
->>>>>>> revpy
+          output: str | None, picture: str | None, kind: str, page: str | None,
+          as_json: bool) -> None:  # fmt: skip
     """Simulate a mechanism in many variants, as a file says.
 
     \b
