@@ -42,7 +42,7 @@ from linkwork.studies.store import Store
 from linkwork.studies.study import Study, assembled
 from linkwork.studies.variants import Built, Source, source_of
 
-__all__ = ["sweep"]
+__all__ = ["probe", "sweep"]
 
 log = logging.getLogger(__name__)
 
@@ -136,7 +136,7 @@ def sweep(
     _check_names(drawn, asked)
     example = _example(model, source, drawn)
     _check_run(source, drawn, float(t_end), run_options)
-    checked = [wanted.checked(it, _probe(example, run_options), wanted_times) for it in asked]
+    checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
     _check_reductions(checked, run_options)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
@@ -268,7 +268,7 @@ def _prepare(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
         check_run(model, plan, given, chosen)
 
 
-def _probe(model: Model, options: Mapping[str, Any]) -> Result:
+def probe(model: Model, options: Mapping[str, Any]) -> Result:
     """A result of one frame, in which outputs are looked for."""
     core = model.compiled()
     try:
