@@ -22,6 +22,7 @@ void bind_time_functions(py::module_& module);
 void bind_kinds(py::module_& module);
 void bind_model(py::module_& module);
 void bind_assembler(py::module_& module);
+void bind_options(py::module_& module);
 void bind_formulation(py::module_& module);
 void bind_integration(py::module_& module);
 void bind_driven_motion(py::module_& module);

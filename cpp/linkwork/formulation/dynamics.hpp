@@ -149,6 +149,8 @@ class Dynamics {
   Dynamics(const Model& model, const Options& options, const OnePath&);
   void look_for_switches();
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
+  void use_threads();
+  void settle_threads();
   void check_masses() const;
   void check_kkt() const;
   void check_deterministic() const;

@@ -69,7 +69,9 @@ struct JointBatch {
   void reserve(std::size_t count, std::size_t parameters_each, int width);
   /// Lays the attachments out for evaluation, `width` joints at a time.
   void pack(int width);
-  JointArrays arrays() const;
+  JointArrays arrays() const { return arrays(0, static_cast<int>(row.size())); }
+  /// Of a part of the joints; `first` is a multiple of the width.
+  JointArrays arrays(int first, int last) const;
 };
 
 }  // namespace linkwork

@@ -171,7 +171,7 @@ def _final_v(result: Result) -> Floats:
 
 def _numbers(label: str, found: Any) -> Floats:
     try:
-        if np.iscomplexobj(found):
+        if np.asarray(found).dtype.kind not in "biuf":  # NumPy would take None for NaN
             raise TypeError
         return np.array(found, dtype=float)
     except (TypeError, ValueError) as error:
