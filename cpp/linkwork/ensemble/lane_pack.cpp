@@ -20,7 +20,7 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
                    const ButcherTableau& tableau, const FixedSteps& steps)
     : structure_(structure),
       kernels_(lane_kernels(instructions)),
-      elimination_(lane_elimination(instructions, !lanes.front()->dynamics().options().deterministic)),
+      elimination_(lane_elimination(instructions)),
       level_(instructions.level),
       width_(kernels_.width),
       lanes_(std::move(lanes)),

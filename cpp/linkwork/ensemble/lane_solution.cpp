@@ -1,9 +1,7 @@
-#pragma once
-
+// Compiled once per instruction set with LINKWORK_ISA = v2, v3, v4; see CMakeLists.txt.
 #include "linkwork/ensemble/lane_loops.hpp"
 #include "linkwork/ensemble/lane_trees.hpp"
 
-/// The eliminations of lanes as functions, for the two files that compile them.
 namespace linkwork {
 namespace {
 
@@ -33,8 +31,12 @@ void backward(const LaneData& data, const double* a, double* x, double* lambda) 
   backward_branches(data, x, lambda);
 }
 
-#define LINKWORK_JOIN(A, B) A##B
-#define LINKWORK_NAME(NAME, ISA) LINKWORK_JOIN(NAME, ISA)
-
 }  // namespace
+
+#define LINKWORK_JOIN(A, B) A##B
+#define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_elimination_, ISA)
+
+extern const LaneElimination LINKWORK_NAME(LINKWORK_ISA);
+const LaneElimination LINKWORK_NAME(LINKWORK_ISA) = {&factor, &forward, &backward};
+
 }  // namespace linkwork
