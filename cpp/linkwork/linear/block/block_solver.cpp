@@ -57,6 +57,12 @@ class BlockSolver final : public SaddleSolver {
     if (refined_) refine(a, b, x, lambda);
   }
 
+  /// The order of elimination, which a small pivot has changed for good.
+  void keep(Archive& archive) override {
+    archive(delayed_, delays_);
+    if (archive.reading() && !delayed_.empty()) factorize_symbolically();
+  }
+
   std::int64_t factor_nonzeros() const override { return symbolic_->nonzeros; }
   std::optional<double> flops() const override { return symbolic_->flops; }
   std::optional<std::int64_t> factor_bytes() const override {
