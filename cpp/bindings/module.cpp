@@ -23,4 +23,5 @@ PYBIND11_MODULE(_core, module) {
   linkwork::python::bind_formulation(module);
   linkwork::python::bind_integration(module);
   linkwork::python::bind_driven_motion(module);
+  linkwork::python::bind_ensemble(module);
 }
