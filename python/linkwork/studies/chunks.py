@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import concurrent.futures as futures
 import math
-import pickle
 from collections.abc import Callable, Generator, Iterator, Sequence
 from typing import Any
 
-from linkwork.comparison.workers import Lost, in_processes, processor_count
-from linkwork.errors import LinkworkError, OptionError
+from linkwork.comparison.workers import Lost, in_processes
+from linkwork.errors import LinkworkError
 from linkwork.studies.cases import Answer, Case, Runner
+from linkwork.studies.executors import adapted, workers_of
 
-__all__ = ["check_executor", "chunked", "run_cases", "workers_of"]
+__all__ = ["chunked", "run_cases"]
 
 #: A task takes about so long [s], which is at most lost with its process.
 TASK_SECONDS = 3.0
@@ -38,35 +38,6 @@ Found = tuple[Chunk, Answer | Lost]
 Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
 
 
-def check_executor(executor: Any, processes: int | None, runner: Runner) -> None:
-    """OptionError: no executor, or a study that cannot go to other processes."""
-    if executor is None:
-        return
-    if not callable(getattr(executor, "submit", None)):
-        raise OptionError(
-            f"executor {executor!r:.80} is no concurrent.futures.Executor: it has no submit", code="executor"
-        )
-    if processes is not None:
-        raise OptionError("processes is of the local ones: with an executor leave it out", code="conflict")
-    if isinstance(executor, futures.ThreadPoolExecutor):
-        return
-    try:
-        pickle.dumps(runner)
-    except Exception as error:
-        raise OptionError(
-            f"executor: the study cannot go to another process ({error}): functions must be of a module, no "
-            "lambdas; or leave executor out for local processes",
-            code="executor",
-        ) from error
-
-
-def workers_of(executor: Any, processes: int | None) -> int:
-    if executor is None:
-        return processes or processor_count()
-    known = getattr(executor, "_max_workers", None)
-    return known if isinstance(known, int) and known > 0 else processor_count()
-
-
 def run_cases(
     runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
     beat: Callable[[], object] = lambda: None, case_seconds: float | None = None,
@@ -76,7 +47,8 @@ def run_cases(
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
     """
     workers = workers_of(executor, processes)
-    pool = _local(processes, beat, case_seconds) if executor is None else _on(executor, workers, beat)
+    own = executor is None
+    pool = _local(processes, beat, case_seconds) if own else _on(adapted(executor), workers, beat)
     lost: list[Case] = []
     seconds: list[float] = []
     for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):
@@ -137,14 +109,17 @@ def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:
 def _submitted(executor: Any, runner: Runner, chunk: Chunk) -> futures.Future[Answer]:
     try:
         future: futures.Future[Answer] = executor.submit(runner, chunk)
-    except (futures.BrokenExecutor, RuntimeError) as error:
+    except Exception as error:  # every library has its own: it is shut down, its scheduler is gone
         raise _broken(error) from error
     return future
 
 
 def _answer(future: futures.Future[Answer]) -> Answer | Lost:
     """LinkworkError: nobody is there any more."""
-    error = future.exception()
+    try:
+        error = future.exception()
+    except futures.CancelledError as cancelled:  # by the executor: nobody here does before the end
+        raise _broken(cancelled) from cancelled
     if isinstance(error, futures.BrokenExecutor):
         raise _broken(error) from error
     return future.result() if error is None else Lost(f"its task ended with {type(error).__name__}: {error}")

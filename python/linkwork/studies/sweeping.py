@@ -34,7 +34,8 @@ from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Answer, Case, Run, Runner, check_times, machine
-from linkwork.studies.chunks import check_executor, run_cases
+from linkwork.studies.chunks import run_cases
+from linkwork.studies.executors import check_executor
 from linkwork.studies.fingerprints import canonical, digest
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store
@@ -70,7 +71,7 @@ def sweep(
     sampler: Any = None,
     cases: int | None = None,
     seed: int | None = None,
-    executor: Executor | None = None,
+    executor: Executor | Any = None,
     processes: int | None = None,
     directory: str | os.PathLike[str] | None = None,
     shard: tuple[int, int] | None = None,
@@ -101,7 +102,8 @@ def sweep(
                 "latin_hypercube", or an engine of scipy.stats.qmc
     cases       how many, of a sampler
     seed        of a sampler: the same cases again, of "random" also with more of them
-    executor    any of concurrent.futures; None: local processes
+    executor    any of concurrent.futures, such as MPIPoolExecutor of mpi4py, a Client of Dask, an executor of
+                submitit; None: local processes
     processes   how many of them; None: one a processor
     directory   keeps every case, so that a study that was interrupted, or has more cases now, runs what is
                 missing. It may be on a file system that machines share
