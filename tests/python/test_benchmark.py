@@ -245,11 +245,11 @@ def words(capture: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, st
     [
         (
             ["rhs", "--mechanism", "hub", "--set", "arms=4", "--set", "loops=yes", "--solver", "block"],
-            {"mechanism", "parameters", "bodies", "joints", "rows", "formulation", "t", "solvers"},
+            {"mechanism", "parameters", "bodies", "joints", "rows", "formulation", "threads", "t", "solvers"},
         ),
         (
             ["scaling", "--mechanism", "net", "--bodies", "12,24"],
-            {"mechanism", "formulation", "linear_solver", "sizes", "exponent"},
+            {"mechanism", "formulation", "linear_solver", "threads", "sizes", "exponent"},
         ),
         (["step", "--mechanism", "pendulum", "--no-runs"], {"steps", "runs"}),
     ],

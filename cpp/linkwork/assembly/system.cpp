@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::size_t most_parameters = 8;  // of a special joint
 constexpr double singular_moment = 1e-14;   // principal moment, relative to the largest
+constexpr int chunk_of_forces = 1024;       // that a thread works on at a time
+constexpr std::size_t many_forces = 4 * chunk_of_forces;
 
 /// Fills `begin` and `list` so that list[begin[k] .. begin[k+1]) holds the blocks whose key is k, in order.
 template <class Key>
@@ -111,6 +113,9 @@ void System::compile_joints() {
           {.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_size_ + velocity_size * rows});
     D_size_ += 2 * velocity_size * rows;
   }
+  for (std::size_t kind = 0; kind < joints_.size(); ++kind)
+    for (int first = 0, count = static_cast<int>(joints_[kind].batch.row.size()); first < count; first += chunk)
+      joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
   for (CompiledJoints& joints : joints_) {
     joints.batch.pack(joints.width);
     time_dependent_constraints_ = time_dependent_constraints_ || joints.batch.time_dependent;
@@ -163,6 +168,29 @@ void System::compile_forces() {
     joint_force_history_.push_back(kind == HistoryKind::none ? -1 : history_size());
     add_history(kind, false, static_cast<int>(model_.forces().size() + k), kind == HistoryKind::none ? 0 : 1);
   }
+  if (model_.forces().size() >= many_forces) place_wrenches();
+}
+
+/// Of each body the wrenches that elements apply to it, in the order in which one thread adds them up.
+void System::place_wrenches() {
+  body_wrench_begin_.assign(body_count() + 2, 0);
+  const auto visit = [&](const auto& see) {
+    int element = 0;
+    for (const Batch& batch : force_batches_)
+      for (std::size_t k = 0; k < batch.size(); ++k, ++element) {
+        see(batch.body_i[k], 2 * element);
+        see(batch.body_j[k], 2 * element + 1);
+      }
+  };
+  visit([&](int body, int) { body_wrench_begin_[body + 1] += 1; });
+  std::partial_sum(body_wrench_begin_.begin(), body_wrench_begin_.end(), body_wrench_begin_.begin());
+  body_wrench_list_.resize(body_wrench_begin_.back());
+  std::vector<int> next(body_wrench_begin_.begin(), body_wrench_begin_.end() - 1);
+  visit([&](int body, int wrench) { body_wrench_list_[next[body]++] = wrench; });
+  for (const Batch& batch : force_batches_)
+    called_alone_.push_back(std::any_of(batch.parameters.begin(), batch.parameters.end(), [&](const Parameter& it) {
+      return it.signal >= 0 && !model_.signals()[it.signal]->of_time();
+    }));
 }
 
 void System::add_history(HistoryKind kind, bool joint, int element, int count) {
@@ -218,12 +246,18 @@ VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVe
   return at.history;
 }
 
+bool System::shares_work() const {
+  return body_count() > chunk || joint_count() > chunk || !body_wrench_begin_.empty();
+}
+
 Evaluation System::make_evaluation() const {
   Evaluation out;
   if (!model_.forces().empty()) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
   out.D.assign(D_size_ + velocity_size, 0.0);
   out.special.resize(most_bodies_);
+  if (!body_wrench_begin_.empty()) out.wrenches.resize(wrench_size * model_.forces().size());
+  out.potentials.resize((body_count() + chunk - 1) / chunk);
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
@@ -235,11 +269,40 @@ Evaluation System::make_evaluation() const {
 void System::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                       Evaluation& out) const {
   evaluate_constraints(t, q, v, history, out);  // D and gamma of (12.2)
-  out.potential = body_forces_(body_count(), mass_.data(), model_.gravity().data(), q.data(), v.data(), out.g.data());
+  out.potential = evaluate_bodies(q, v, out);
   out.power = 0.0;
-  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);  // g of (12.1)
+  evaluate_forces(t, q, v, history, out);  // g of (12.1)
+}
+
+void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                             Evaluation& out) const {
+  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
+}
+
+double System::evaluate_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  threads_->run(static_cast<int>(out.potentials.size()), [&](int part, int) {
+    const std::ptrdiff_t first = std::ptrdiff_t{part} * chunk;
+    const auto count = static_cast<int>(std::min<std::ptrdiff_t>(chunk, body_count() - first));
+    out.potentials[part] =
+        body_forces_(count, mass_.data() + first, model_.gravity().data(), q.data() + position_size * first,
+                     v.data() + velocity_size * first, out.g.data() + velocity_size * first);
+  });
+  return std::accumulate(out.potentials.begin(), out.potentials.end(), 0.0);
+}
+
+bool System::has_rest() const {
+  return !model_.signals().empty() || !special_joints_.empty() || !model_.forces().empty() ||
+         !model_.joint_forces().empty() || !model_.user_forces().empty();
+}
+
+void System::evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                           Evaluation& out) const {
+  evaluate_signals(t, out);
+  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+  out.potential = out.power = 0.0;
+  evaluate_forces(t, q, v, history, out);
 }
 
 Wrenches<double> System::joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,
@@ -296,10 +359,22 @@ void System::evaluate_signals(double t, Evaluation& out) const {
 void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                   Evaluation& out) const {
   evaluate_signals(t, out);
-  const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
-  for (const CompiledJoints& joints : joints_)
-    joints.evaluate(joints.batch.arrays(), q.data(), v.data(), out.signals.data(), arrays);
+  evaluate_joints(q, v, out);
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+}
+
+void System::evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
+  if (threads_->threads() == 1) {
+    for (const CompiledJoints& joints : joints_)
+      joints.evaluate(joints.batch.arrays(), q.data(), v.data(), out.signals.data(), arrays);
+    return;
+  }
+  threads_->run(static_cast<int>(joint_chunks_.size()), [&](int part, int) {
+    const JointChunk& it = joint_chunks_[part];
+    const CompiledJoints& joints = joints_[it.kind];
+    joints.evaluate(joints.batch.arrays(it.first, it.last), q.data(), v.data(), out.signals.data(), arrays);
+  });
 }
 
 /// OptionError: a function of time is where no value of its parameter can be.
@@ -340,14 +415,53 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
 
 void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
-  for (int b = 0; b < body_count(); ++b) out.bodies[b] = moving(b, q, v);
+  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
+    for (int b = first; b < last; ++b) out.bodies[b] = moving(b, q, v);
+  });
   out.g.tail<velocity_size>().setZero();
   const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
                            out.switches.data(), &out.potential, &out.power};
+  if (threads_->threads() > 1 && !out.wrenches.empty()) return evaluate_many_elements(arrays, out);
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
     if (force_batches_[kind].size() > 0)
       force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), model_.signals().data(),
                                    arrays);
+}
+
+/// Element by element, and then body by body.
+void System::evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const {
+  ForceArrays parts = arrays;
+  parts.wrenches = out.wrenches.data();
+  for (std::size_t kind = 0; kind < force_batches_.size(); ++kind) {
+    const Batch& batch = force_batches_[kind];
+    const auto evaluate = [&](int first, int last) {
+      ForceArrays own = parts;
+      own.begin = first;
+      own.end = last;
+      force_kinds()[kind].evaluate(batch, out.bodies.data(), out.signals.data(), model_.signals().data(), own);
+    };
+    const int count = static_cast<int>(batch.size());
+    if (called_alone_[kind]) evaluate(0, count);
+    else threads_->in_chunks(count, chunk_of_forces, evaluate);
+    parts.wrenches += wrench_size * batch.size();
+  }
+  add_wrenches(arrays, out);
+}
+
+void System::add_wrenches(const ForceArrays& arrays, Evaluation& out) const {
+  using Vec6 = Eigen::Matrix<double, velocity_size, 1>;
+  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
+    for (int body = first; body < last; ++body)
+      for (int k = body_wrench_begin_[body]; k < body_wrench_begin_[body + 1]; ++k) {
+        const int wrench = body_wrench_list_[k];
+        const double* from = out.wrenches.data() + wrench_size * (wrench / 2) + velocity_size * (wrench % 2);
+        Eigen::Map<Vec6>(arrays.g + velocity_size * std::ptrdiff_t{body}) += Eigen::Map<const Vec6>(from);
+      }
+  });
+  for (std::size_t k = 0; k < out.wrenches.size(); k += wrench_size) {
+    *arrays.potential += out.wrenches[k + 12];
+    *arrays.power += out.wrenches[k + 13];
+  }
 }
 
 BodyState<double> System::pose(int body, const ConstVector& q) const {

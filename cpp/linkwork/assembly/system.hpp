@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "linkwork/assembly/body_forces.hpp"
+#include "linkwork/math/thread_pool.hpp"
 #include "linkwork/math/types.hpp"
 #include "linkwork/model/model.hpp"
 
@@ -45,6 +48,8 @@ struct Evaluation {
   VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
   VectorXd user;           ///< scratch of the user's own forces
+  std::vector<double> wrenches;    ///< scratch of force elements, where there are many, see ForceArrays
+  std::vector<double> potentials;  ///< of gravity, of many bodies: in each chunk
   VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
   double potential = 0.0;  ///< of gravity and springs [J]
   double power = 0.0;      ///< of the forces without a potential [W]
@@ -57,6 +62,8 @@ struct Evaluation {
 class System {
  public:
   using ConstMat3 = Eigen::Map<const Mat3<double>>;
+  /// Bodies, or joints, that a thread works on at a time. Sums over chunks are the same with one thread.
+  static constexpr int chunk = 4096;
 
   explicit System(const Model& model, const InstructionSet& instructions = best_instruction_set());
   // Large, and never meant to be copied.
@@ -71,6 +78,14 @@ class System {
   const Model& model() const { return model_; }
   bool time_dependent_constraints() const { return time_dependent_constraints_; }
 
+  /// Sums over bodies, joints and forces are made by its threads from here on. No bit depends on how many these are.
+  void use(std::shared_ptr<ThreadPool> threads) { threads_ = std::move(threads); }
+  ThreadPool& threads() const { return *threads_; }
+  const std::shared_ptr<ThreadPool>& shared_threads() const { return threads_; }
+
+  /// Whether there is enough work in an evaluation for several threads.
+  bool shares_work() const;
+
   Evaluation make_evaluation() const;
 
   /// Fills everything in `out`. p need not be a unit vector. `history` is that of the last accepted state. Does not
@@ -83,6 +98,13 @@ class System {
   /// Only force elements: their history and their switches.
   void evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                          Evaluation& out) const;
+
+  // For ensembles, which evaluate bodies and joints of many mechanisms at once.
+  /// Whether there is more than bodies and joints without functions of time.
+  bool has_rest() const;
+  /// That: functions of time, special joints, and all forces, which are added to `out.g`, where those of the bodies are.
+  void evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                     Evaluation& out) const;
 
   // History variables: those of special joints, then those of force elements.
   int history_size() const { return static_cast<int>(history_owners_.size()); }
@@ -143,6 +165,10 @@ class System {
     int width;  ///< so many at a time
     JointBatch batch;
   };
+  struct JointChunk {
+    std::size_t kind;  ///< in joints_
+    int first, last;
+  };
   struct CompiledSpecialJoint {
     const SpecialJoint* special;
     int joint, row, rows;
@@ -152,6 +178,7 @@ class System {
   void compile_joints();
   void compile_special_joint(int joint, const SpecialJoint& special);
   void compile_forces();
+  void place_wrenches();
   void begin_history();
   VectorXd blank_history() const;
   void add_history(HistoryKind kind, bool joint, int element, int count);
@@ -160,12 +187,18 @@ class System {
   BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
   const ConstraintBlock& block_of_body(int joint, int body) const;
   void check_limits(double t, const std::vector<Signal<double>>& signals) const;
+  void evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                       Evaluation& out) const;
   void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                              Evaluation& out) const;
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               const ConstVector& history, Evaluation& out) const;
+  void evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  double evaluate_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
+  void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;
+  void add_wrenches(const ForceArrays& arrays, Evaluation& out) const;
 
   Model model_;
   InstructionSet instructions_;
@@ -173,7 +206,10 @@ class System {
   std::vector<MassBlock> mass_, inverse_mass_;
   std::vector<int> massless_;
   std::vector<CompiledJoints> joints_;    ///< one per kind in use
+  std::vector<JointChunk> joint_chunks_;  ///< of all of them
   std::vector<Batch> force_batches_;      ///< one per registered kind
+  std::vector<int> body_wrench_list_, body_wrench_begin_;  ///< of many elements: 2 x element + which body
+  std::vector<char> called_alone_;                         ///< per kind: some call functions of the user's
   std::vector<int> joint_force_history_;  ///< places, -1 where there is none
   std::vector<CompiledSpecialJoint> special_joints_;
   std::size_t most_bodies_ = 0;  ///< of a special joint
@@ -185,6 +221,7 @@ class System {
   std::vector<int> switches_;
   VectorXd initial_history_;
   bool time_dependent_constraints_ = false;
+  std::shared_ptr<ThreadPool> threads_ = std::make_shared<ThreadPool>();
 };
 
 using BlockOfD = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, velocity_size, Eigen::RowMajor>>;

@@ -7,32 +7,40 @@
 namespace linkwork {
 
 void System::position_rates(const ConstVector& q, const ConstVector& v, MutableVector q_dot) const {
-  for (int b = 0; b < body_count(); ++b) {
-    const auto velocity = v.segment<velocity_size>(velocity_size * b);
-    auto rates = q_dot.segment<position_size>(position_size * b);
-    rates.head<3>() = velocity.head<3>();
-    rates.tail<4>() = euler_parameter_rates<double>(q.segment<4>(position_size * b + 3), velocity.tail<3>());
-  }
+  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
+    for (int b = first; b < last; ++b) {
+      const auto velocity = v.segment<velocity_size>(velocity_size * b);
+      auto rates = q_dot.segment<position_size>(position_size * b);
+      rates.head<3>() = velocity.head<3>();
+      rates.tail<4>() = euler_parameter_rates<double>(q.segment<4>(position_size * b + 3), velocity.tail<3>());
+    }
+  });
 }
 
 void System::normalize(MutableVector q) const {
-  for (int b = 0; b < body_count(); ++b) q.segment<4>(position_size * b + 3).normalize();
+  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
+    for (int b = first; b < last; ++b) q.segment<4>(position_size * b + 3).normalize();
+  });
 }
 
 void System::multiply_mass(const ConstVector& x, MutableVector y) const {
-  for (int b = 0; b < body_count(); ++b) {
-    const int k = velocity_size * b;
-    y.segment<3>(k) = mass(b) * x.segment<3>(k);
-    y.segment<3>(k + 3).noalias() = inertia(b) * x.segment<3>(k + 3);
-  }
+  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
+    for (int b = first; b < last; ++b) {
+      const int k = velocity_size * b;
+      y.segment<3>(k) = mass(b) * x.segment<3>(k);
+      y.segment<3>(k + 3).noalias() = inertia(b) * x.segment<3>(k + 3);
+    }
+  });
 }
 
 void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {
-  for (int b = 0; b < body_count(); ++b) {
-    const int k = velocity_size * b;
-    y.segment<3>(k) = inverse_mass(b) * x.segment<3>(k);
-    y.segment<3>(k + 3).noalias() = inverse_inertia(b) * x.segment<3>(k + 3);
-  }
+  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
+    for (int b = first; b < last; ++b) {
+      const int k = velocity_size * b;
+      y.segment<3>(k) = inverse_mass(b) * x.segment<3>(k);
+      y.segment<3>(k + 3).noalias() = inverse_inertia(b) * x.segment<3>(k + 3);
+    }
+  });
 }
 
 double System::kinetic_energy(const ConstVector& v) const {
@@ -46,16 +54,29 @@ double System::kinetic_energy(const ConstVector& v) const {
 }
 
 void System::multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const {
-  y.setZero();
-  for (const ConstraintBlock& block : blocks_)
-    y.segment(block.row, block.rows).noalias() +=
-        block_of(at, block) * x.segment<velocity_size>(velocity_size * block.body);
+  threads_->in_chunks(joint_count(), chunk, [&](int first, int last) {
+    const std::vector<int>& row = model_.joint_rows();
+    y.segment(row[first], row[last] - row[first]).setZero();
+    for (int k = joint_block_begin_[first]; k < joint_block_begin_[last]; ++k) {
+      const ConstraintBlock& block = blocks_[joint_block_list_[k]];
+      y.segment(block.row, block.rows).noalias() +=
+          block_of(at, block) * x.segment<velocity_size>(velocity_size * block.body);
+    }
+  });
 }
 
 void System::add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const {
-  for (const ConstraintBlock& block : blocks_)
+  const auto add = [&](const ConstraintBlock& block) {
     y.segment<velocity_size>(velocity_size * block.body).noalias() +=
         block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
+  };
+  if (threads_->threads() == 1) {
+    for (const ConstraintBlock& block : blocks_) add(block);
+    return;
+  }
+  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {  // for each body in the same order
+    for (int k = body_block_begin_[first]; k < body_block_begin_[last]; ++k) add(blocks_[body_block_list_[k]]);
+  });
 }
 
 VectorXd System::delassus_diagonal(const Evaluation& at) const {
@@ -78,7 +99,7 @@ VectorXd System::delassus_diagonal(const Evaluation& at) const {
 void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
   using Vec6 = Eigen::Matrix<double, velocity_size, 1>;
-  for (int joint = 0; joint < joint_count(); ++joint) {
+  const auto find = [&](int joint) {
     const Element& element = model_.joints()[joint];
     const bool grounded = element.j == ground;
     const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
@@ -93,7 +114,10 @@ void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVe
     const Vec3<double> T = A * sum.tail<3>() - arm.cross(F);
     force.col(joint) = grounded ? Vec3<double>(-F) : F;
     torque.col(joint) = grounded ? Vec3<double>(-T) : T;
-  }
+  };
+  threads_->in_chunks(joint_count(), chunk, [&](int first, int last) {
+    for (int joint = first; joint < last; ++joint) find(joint);
+  });
   for (const CompiledSpecialJoint& it : special_joints_)
     if (model_.joints()[it.joint].j == ground) {
       const std::vector<int>& bodies = it.special->bodies();

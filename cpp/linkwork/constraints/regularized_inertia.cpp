@@ -144,7 +144,9 @@ RegularizedInertia::RegularizedInertia(const System& system, const Evaluation& t
     own.inertia += added.inertia;
     if (no_mass) own.mass += fill * natural.mass(body);
   }
-  if (!bodies.empty()) regularized_ = std::make_unique<System>(system.model().with_masses(bodies));
+  if (bodies.empty()) return;
+  regularized_ = std::make_unique<System>(system.model().with_masses(bodies));
+  regularized_->use(system.shared_threads());
 }
 
 bool RegularizedInertia::shows(double accuracy) const { return smallest_ < small || smallest_ * accuracy < roundoff; }

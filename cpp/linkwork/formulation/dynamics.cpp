@@ -10,6 +10,7 @@
 #include "linkwork/math/memory.hpp"
 #include "linkwork/math/names.hpp"
 #include "linkwork/math/stopwatch.hpp"
+#include "linkwork/math/thread_pool.hpp"
 
 namespace linkwork {
 namespace {
@@ -64,6 +65,7 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
       system_(model),
       kind_(stabilization_info(options_.stabilization).kind),
       at_(system_.make_evaluation()) {
+  use_threads();
   const FormulationInfo& info = formulation_info(options_.formulation);
   rank_ = examine_rank(system_);
   options_.matrix_form = choose_form(info, options_, !rank_.redundant_rows.empty());
@@ -82,8 +84,9 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
   formulation_ = std::make_unique<WatchedFormulation>(
       system_, at_, now_, info.make(make_saddle_solver(options_.matrix_form, solver), options_),
       DroppedRows(system_, rank_.redundant_rows));
+  if (system_.row_count() > 0) formulation_->start(info.needs_full_rank, info.needs_full_rank || solver.make_saddle);
+  settle_threads();
   if (system_.row_count() == 0) return;
-  formulation_->start(info.needs_full_rank, info.needs_full_rank || solver.make_saddle);
   if (!formulation_->watched() && options_.on_singular != "pass")
     throw OptionError("unwatched", "on_singular '" + options_.on_singular + "': formulation '" + info.name +
                                        "' with linear solver '" + options_.linear_solver +
@@ -94,6 +97,18 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
 }
 
 Dynamics::~Dynamics() = default;
+
+void Dynamics::use_threads() {
+  const int threads = options_.threads.value_or(usable_cores());
+  if (threads > 1) system_.use(std::make_shared<ThreadPool>(threads));
+}
+
+/// None but the caller's where there is too little work to share. The options say how many there are.
+void Dynamics::settle_threads() {
+  const bool solver_shares = system_.row_count() > 0 && formulation_->saddle().shares_work();
+  options_.threads = system_.shares_work() || solver_shares ? system_.threads().threads() : 1;
+  if (*options_.threads == 1 && system_.threads().threads() > 1) system_.use(std::make_shared<ThreadPool>());
+}
 
 void Dynamics::check_masses() const {
   if (system_.massless_bodies().empty()) return;
@@ -190,6 +205,14 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   formulation_->begin();
   if (!sides_.empty()) look_for_switches();
   if (traces_) look_for_nan(false);
+}
+
+Evaluation& Dynamics::begin_elsewhere(double t, const ConstVector& y) {
+  now_.t = t;
+  now_.stage = 1;
+  now_.y = y;
+  formulation_->begin_elsewhere();
+  return at_;
 }
 
 void Dynamics::require_accuracy(double relative) {

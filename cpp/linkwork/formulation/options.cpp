@@ -31,6 +31,8 @@ constexpr const char* type_name<std::string> = "name";
 template <>
 constexpr const char* type_name<int> = "whole";
 template <>
+constexpr const char* type_name<std::optional<int>> = "whole";
+template <>
 constexpr const char* type_name<Limits> = "limits";
 template <>
 constexpr const char* type_name<bool> = "switch";
@@ -56,6 +58,10 @@ void check(const char* what, double given, const Bounds& bounds, bool finite = t
 
 void check(const char* what, const Limits& given, const Bounds& bounds) {
   for (const double limit : given) check(what, limit, bounds, false);
+}
+
+void check(const char* what, const std::optional<int>& given, const Bounds& bounds) {
+  if (given) check(what, static_cast<double>(*given), bounds);
 }
 
 void check(const char*, bool, OnOrOff) {}

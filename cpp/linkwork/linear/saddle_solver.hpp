@@ -39,6 +39,8 @@ class SaddleSolver {
   /// What a factorization depends on beside its evaluation; after `analyze`.
   virtual void keep(Archive&) {}
 
+  /// Whether there is enough work in it for several threads, those of the system; after `analyze`.
+  virtual bool shares_work() const { return false; }
   /// Of the last factorization; see Pivot.
   double smallest_pivot() const { return smallest_pivot_.ratio; }
   virtual std::int64_t factor_nonzeros() const = 0;

@@ -41,11 +41,17 @@ void JointBatch::pack(int width) {
   while (parameters.size() < per_joint * padded) parameters.push_back(parameters[parameters.size() - per_joint]);
 }
 
-JointArrays JointBatch::arrays() const {
-  const int count = static_cast<int>(row.size());
+JointArrays JointBatch::arrays(int first, int last) const {
   const int per_joint = body_i.empty() ? 0 : static_cast<int>(parameters.size() / body_i.size());
-  return {count,     body_i.data(),  body_j.data(), packed.data(), parameters.data(),
-          per_joint, time_dependent, row.data(),    D.data()};
+  return {.count = last - first,
+          .body_i = body_i.data() + first,
+          .body_j = body_j.data() + first,
+          .attachment = packed.data() + attachment_size * first,
+          .parameters = parameters.data() + std::ptrdiff_t{per_joint} * first,
+          .parameter_count = per_joint,
+          .time_dependent = time_dependent,
+          .row = row.data() + first,
+          .D = D.data() + first};
 }
 
 }  // namespace linkwork

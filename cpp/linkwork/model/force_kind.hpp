@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "linkwork/model/batch.hpp"
@@ -63,7 +65,12 @@ struct ForceArrays {
   double *next, *rate, *switches;
   double* potential;
   double* power;
+  /// Of a part of the batch [begin, end) only, and not added up but left here, where it is not null: of each element of
+  /// the batch the four vectors of Wrenches in their order, potential and power.
+  double* wrenches = nullptr;
+  std::size_t begin = 0, end = static_cast<std::size_t>(-1);
 };
+constexpr std::size_t wrench_size = 14;  ///< numbers of an element in ForceArrays::wrenches
 
 struct ForceKind {
   KindInfo info;
@@ -73,11 +80,21 @@ struct ForceKind {
                    const TimeFunctionPtr* functions, ForceArrays);
 };
 
+/// Leaves what an element does for others to add up.
+inline void leave(const Wrenches<double>& it, double* to) {
+  for (const auto* vector : {&it.force_i, &it.torque_i, &it.force_j, &it.torque_j}) {
+    Eigen::Map<Vec3<double>>{to} = *vector;
+    to += 3;
+  }
+  to[0] = it.potential;
+  to[1] = it.power;
+}
+
 template <class Force>
 void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
                      const TimeFunctionPtr* functions, ForceArrays out) {
   const std::size_t count = batch.parameters.size() / (batch.size() ? batch.size() : 1);
-  for (std::size_t k = 0; k < batch.size(); ++k) {
+  for (std::size_t k = out.begin; k < std::min(batch.size(), out.end); ++k) {
     const ForceParameters<double> parameters(batch.parameters.data() + k * count, signals, functions);
     const int i = batch.body_i[k], j = batch.body_j[k];
     Wrenches<double> wrenches;
@@ -89,6 +106,10 @@ void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const 
       out.rate[batch.history[k]] = history.rate;
     }
     for (int s = 0; s < switches_of<Force>(); ++s) out.switches[batch.switches[k] + s] = wrenches.switches[s];
+    if (out.wrenches) {
+      leave(wrenches, out.wrenches + wrench_size * k);
+      continue;
+    }
     Eigen::Map<Vec3<double>>(out.g + 6 * i) += wrenches.force_i;
     Eigen::Map<Vec3<double>>(out.g + 6 * i + 3) += wrenches.torque_i;
     Eigen::Map<Vec3<double>>(out.g + 6 * j) += wrenches.force_j;

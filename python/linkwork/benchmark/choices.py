@@ -10,7 +10,7 @@ from linkwork.options import compile_options
 
 
 def check_choices(
-    solvers: Sequence[str], formulation: str, matrix_form: str, rounds: int, limit: float
+    solvers: Sequence[str], formulation: str, matrix_form: str, rounds: int, limit: float, threads: int = 1
 ) -> None:
     """OptionError: a name that does not exist, a number that cannot be. A solver that is not in this build is
     refused later, with the reason, beside those that are.
@@ -21,6 +21,8 @@ def check_choices(
         except OptionError as error:
             if error.code != "linear_solver_not_built":
                 raise
+    if threads < 1:
+        raise OptionError(f"threads {threads} is too small: at least 1", code="threads")
     if rounds < 1:
         raise OptionError(f"repeats {rounds} is too small: at least 1", code="repeats")
     if not (math.isfinite(limit) and limit > 0):

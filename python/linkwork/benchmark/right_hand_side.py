@@ -68,6 +68,7 @@ class Comparison:
     joints: int
     rows: int
     formulation: str
+    threads: int  #: that share one right-hand side, where it is large enough
     t: float | None  #: time of the state [s]; None where no solver reached one
     solvers: list[Measured | Refused]
 
@@ -80,6 +81,7 @@ def compare_solvers(
     *,
     rounds: int = ROUNDS,
     limit: float = LIMIT_SECONDS,
+    threads: int = 1,
     progress: ShowOption = None,
 ) -> Comparison:
     """Time the right-hand side with several linear solvers in alternation, after one step of the mechanism.
@@ -87,14 +89,15 @@ def compare_solvers(
     solvers  names; None: all that there are
     rounds   of which the medians are taken; slow solvers get fewer
     limit    time [s] for a process that builds the mechanism and makes its first step
+    threads  that share one right-hand side, see linkwork.options.Options
 
     Each solver makes that step in a process of its own first, which gives its peak memory; a solver that
     fails there is Refused. OptionError: a name that does not exist, a mechanism or a number that cannot be.
     """
     names = list(dict.fromkeys(solvers or [info.name for info in _core.linear_solvers()]))
-    check_choices(names, formulation, matrix_form, rounds, limit)
+    check_choices(names, formulation, matrix_form, rounds, limit, threads)
     model = subject.build()
-    options = cast(Options, {"formulation": formulation, "matrix_form": matrix_form})
+    options = cast(Options, {"formulation": formulation, "matrix_form": matrix_form, "threads": threads})
     with counting(progress, len(names) + rounds) as report:
         steps, refused = _first_steps(subject, options, names, limit, report)
         candidates: dict[str, _Candidate] = {}
@@ -118,6 +121,7 @@ def compare_solvers(
         joints=model.joint_count,
         rows=model.row_count,
         formulation=formulation,
+        threads=threads,
         t=next((step.t for step in steps.values()), None),
         solvers=[found[name] for name in names],
     )

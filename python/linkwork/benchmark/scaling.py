@@ -59,6 +59,7 @@ class Growth:
     mechanism: str
     formulation: str
     linear_solver: str
+    threads: int  #: that share one right-hand side, where it is large enough
     sizes: list[Size | Missing]
     #: of the fit: time of a right-hand side ~ bodies ^ exponent; None: fewer than two sizes
     exponent: float | None
@@ -71,19 +72,22 @@ def growth(
     *,
     rounds: int = ROUNDS,
     limit: float = LIMIT_SECONDS,
+    threads: int = 1,
     progress: ShowOption = None,
 ) -> Growth:
     """Time right-hand sides of one mechanism in several sizes, each in a process of its own.
 
     rounds  of which the medians are taken; slow sizes get fewer
     limit   time [s] for each size
+    threads that share one right-hand side, see linkwork.options.Options
 
     A size that fails is Missing. OptionError: a name that does not exist, a number that cannot be, no size.
     """
-    check_choices([linear_solver], formulation, "auto", rounds, limit)
+    check_choices([linear_solver], formulation, "auto", rounds, limit, threads)
     if not subjects:
         raise OptionError("no size to measure", code="bodies")
-    options = cast(Options, {"formulation": formulation, "linear_solver": linear_solver})
+    method = {"formulation": formulation, "linear_solver": linear_solver, "threads": threads}
+    options = cast(Options, method)
     sizes: list[Size | Missing] = []
     with counting(progress, len(subjects)) as report:
         for place, subject in enumerate(subjects):
@@ -94,7 +98,7 @@ def growth(
             if isinstance(answer, Failure):
                 answer = Missing(bodies, answer.reason, answer.code)
             sizes.append(answer)
-    return Growth(subjects[0].mechanism, formulation, linear_solver, sizes, fitted_exponent(sizes))
+    return Growth(subjects[0].mechanism, formulation, linear_solver, threads, sizes, fitted_exponent(sizes))
 
 
 def measure_size(subject: Subject, options: Options, rounds: int) -> Size:

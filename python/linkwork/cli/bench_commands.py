@@ -53,6 +53,10 @@ FORMULATION = click.option(
     "--formulation", default="standard", show_default=True, metavar="NAME",
     help="standard, penalty or augmented_lagrangian.",
 )  # fmt: skip
+THREADS = click.option(
+    "--threads", default=1, show_default=True, metavar="N",
+    help="Threads that share one right-hand side, where the mechanism is large enough.",
+)  # fmt: skip
 JSON = click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 
 
@@ -88,6 +92,7 @@ def _limit(seconds: float, text: str) -> Callable[[Any], Any]:
     ),
     _repeats(15),
     _limit(30.0, "Time for each solver's first step, in a process of its own."),
+    THREADS,
     JSON,
 )
 def rhs(**values: Any) -> None:
@@ -121,6 +126,7 @@ def rhs(**values: Any) -> None:
     FORMULATION,
     _repeats(15),
     _limit(600.0, "Time for each size, in a process of its own."),
+    THREADS,
     JSON,
 )  # fmt: skip
 def scaling(**values: Any) -> None:

@@ -27,6 +27,7 @@ def right_hand_side(
     matrix_form: str,
     repeats: int,
     limit: float,
+    threads: int,
     as_json: bool,
 ) -> None:
     """`linkwork bench rhs`."""
@@ -35,7 +36,9 @@ def right_hand_side(
         bodies = CHAIN_BODIES
     subject = benchmark.Subject.of(mechanism, bodies, given)
     names = None if solvers == "all" else solvers.split(",")
-    found = benchmark.compare_solvers(subject, names, formulation, matrix_form, rounds=repeats, limit=limit)
+    found = benchmark.compare_solvers(
+        subject, names, formulation, matrix_form, rounds=repeats, limit=limit, threads=threads
+    )
     if as_json:
         _print_json("rhs", asdict(found))
     else:
@@ -50,12 +53,15 @@ def scaling(
     formulation: str,
     repeats: int,
     limit: float,
+    threads: int,
     as_json: bool,
 ) -> None:
     """`linkwork bench scaling`."""
     given = _parameters(mechanism, parameters)
     subjects = [benchmark.Subject.of(mechanism, bodies, given) for bodies in _whole_numbers(sizes)]
-    found = benchmark.growth(subjects, linear_solver, formulation, rounds=repeats, limit=limit)
+    found = benchmark.growth(
+        subjects, linear_solver, formulation, rounds=repeats, limit=limit, threads=threads
+    )
     if as_json:
         _print_json("scaling", asdict(found))
     else:

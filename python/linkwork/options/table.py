@@ -15,7 +15,7 @@ from linkwork.options.types import Level, Options
 
 __all__ = [
     "LEVELS", "Options", "Policy", "RENAMED", "RUN_SETTINGS", "TABLE", "check_name", "check_number",
-    "check_option", "compile_options", "names", "renamed",
+    "check_option", "compile_options", "names", "renamed", "without_threads",
 ]  # fmt: skip
 
 LEVELS: tuple[Level, ...] = get_args(Level)
@@ -51,6 +51,11 @@ SYNONYMS = {
 def renamed(settings: Mapping[str, Any]) -> dict[str, Any]:
     """What a file of an earlier version says, by the names of today."""
     return {RENAMED.get(name, name): value for name, value in settings.items()}
+
+
+def without_threads(choices: Mapping[str, Any]) -> dict[str, Any]:
+    """Those that results depend on: how many threads there are changes no bit."""
+    return {name: value for name, value in choices.items() if name != "threads"}
 
 
 def compile_options(choices: Mapping[str, Any]) -> _core.Options:
@@ -96,7 +101,7 @@ def _checked(option: _core.OptionInfo, value: Any) -> Any:
     elif option.type == "switch":
         if not isinstance(value, bool):
             raise OptionError(f"{option.name} {value!r:.80} is not True or False", code=option.name)
-    elif not isinstance(value, int) or not 1 <= value < 2**31:
+    elif isinstance(value, bool) or not isinstance(value, int) or not 1 <= value < 2**31:
         raise OptionError(f"{option.name} {value!r} is not a positive whole number", code=option.name)
     return value
 

@@ -67,6 +67,8 @@ class Options(TypedDict, total=False):
     """cap of the iteration (of augmented_lagrangian), default 100"""
     deterministic: bool | None
     """the same bits on every x86-64 processor: one path of instructions for all, without solvers that use BLAS; takes 1.3 to 1.8 times as long"""
+    threads: int | None
+    """that share the work of one evaluation, with the same bits whatever their number; without it one for each processor that this process may use, and in the processes of studies and comparisons 1; models too small to gain take 1 in any case"""
     on_singular: Literal["pass", "warn", "stop"]
     """what a singular pose means to the run: pass, warn, stop, default pass"""
     violation_limit: float | Mapping[Level, float] | None

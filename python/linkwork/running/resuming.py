@@ -14,6 +14,7 @@ from linkwork.equations.assembly import Assembly
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Resume, Snapshot
+from linkwork.options import without_threads
 
 #: Of what the driver writes: another one is none of ours.
 FORMAT = 1
@@ -36,7 +37,7 @@ def key(
         "format": FORMAT,
         "model": model.hash(),
         "method": repr(method) if isinstance(method, Integrator) else name,
-        "choices": {name: str(value) for name, value in sorted(choices.items())},
+        "choices": {name: str(value) for name, value in sorted(without_threads(choices).items())},
         "events": [(label, event.signature) for label, event in events],
         "breaks": np.ravel(given["breaks"]).astype(float).tolist(),
         "assemble": given["assemble"],

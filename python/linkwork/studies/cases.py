@@ -95,7 +95,8 @@ class Runner:
 
     def result(self, values: Mapping[str, Any]) -> Result:
         """The whole run of a case."""
-        return simulate(self.source.model(values), self.t_end, progress=False, **self.options)
+        options = {"threads": 1, **self.options}  # the processors are for other cases
+        return simulate(self.source.model(values), self.t_end, progress=False, **options)
 
     def _kept(self, result: Result) -> dict[str, Any]:
         return {output.label: output.value(result, self.times).tolist() for output in self.outputs}

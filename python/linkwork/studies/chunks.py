@@ -47,8 +47,8 @@ def run_cases(
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
     """
     workers = workers_of(executor, processes)
-    own = executor is None
-    pool = _local(processes, beat, case_seconds) if own else _on(adapted(executor), workers, beat)
+    local = executor is None
+    pool = _local(processes, beat, case_seconds) if local else _on(adapted(executor), workers, beat)
     lost: list[Case] = []
     seconds: list[float] = []
     for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):

@@ -25,7 +25,7 @@ from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
-from linkwork.options import TABLE, check_name, check_number, check_option
+from linkwork.options import TABLE, check_name, check_number, check_option, without_threads
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
@@ -42,7 +42,7 @@ from linkwork.studies.store import Store
 from linkwork.studies.study import Study, assembled
 from linkwork.studies.variants import Built, Source, source_of
 
-__all__ = ["sweep"]
+__all__ = ["probe", "sweep"]
 
 log = logging.getLogger(__name__)
 
@@ -136,7 +136,7 @@ def sweep(
     _check_names(drawn, asked)
     example = _example(model, source, drawn)
     _check_run(source, drawn, float(t_end), run_options)
-    checked = [wanted.checked(it, _probe(example, run_options), wanted_times) for it in asked]
+    checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
     _check_reductions(checked, run_options)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
@@ -268,7 +268,7 @@ def _prepare(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
         check_run(model, plan, given, chosen)
 
 
-def _probe(model: Model, options: Mapping[str, Any]) -> Result:
+def probe(model: Model, options: Mapping[str, Any]) -> Result:
     """A result of one frame, in which outputs are looked for."""
     core = model.compiled()
     try:
@@ -316,7 +316,9 @@ def _identity(runner: Runner, cases: Cases) -> dict[str, Any]:
         "model": runner.source.identity(), "parameters": sorted(cases.columns), "t_end": runner.t_end,
         "outputs": digest(wanted.identity(runner.outputs)),
         "times": digest(runner.times),
-        "options": {name: canonical(value) for name, value in sorted(runner.options.items())},
+        "options": {
+            name: canonical(value) for name, value in sorted(without_threads(runner.options).items())
+        },
     }  # fmt: skip
 
 

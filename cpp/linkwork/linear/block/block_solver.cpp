@@ -45,7 +45,7 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
-    kernels_->forward(data_, a.data(), b.data());
+    substitute_forward(a, b);
     substitute_backward(a, x, lambda);
     if (refined_) refine(a, b, x, lambda);
   }
@@ -57,6 +57,7 @@ class BlockSolver final : public SaddleSolver {
     if (refined_) refine(a, b, x, lambda);
   }
 
+  bool shares_work() const override { return symbolic_->step_plan.shared || symbolic_->front_plan.shared; }
   std::int64_t factor_nonzeros() const override { return symbolic_->nonzeros; }
   std::optional<double> flops() const override { return symbolic_->flops; }
   std::optional<std::int64_t> factor_bytes() const override {
@@ -68,19 +69,6 @@ class BlockSolver final : public SaddleSolver {
   }
 
  private:
-  /// Light bodies between heavy ones cost digits, which the residual brings back.
-  static bool masses_far_apart(const System& system) {
-    double least[2] = {INFINITY, INFINITY}, most[2] = {0.0, 0.0};
-    for (int body = 0; body < system.body_count(); ++body) {
-      const double size[2] = {system.mass(body), system.inertia(body).diagonal().maxCoeff()};
-      for (int k = 0; k < 2; ++k) {
-        least[k] = std::min(least[k], size[k]);
-        most[k] = std::max(most[k], size[k]);
-      }
-    }
-    return most[0] > far_apart * least[0] || most[1] > far_apart * least[1];
-  }
-
   void refine(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
     for (int step = 0; step < most_refinements; ++step) {
       system_->multiply_mass(x, change_x_);
@@ -88,7 +76,7 @@ class BlockSolver final : public SaddleSolver {
       system_->add_D_transposed(*at_, lambda, rest_a_);
       system_->multiply_D(*at_, x, change_lambda_);
       rest_b_ = b - change_lambda_ - e_.cwiseProduct(lambda);
-      kernels_->forward(data_, rest_a_.data(), rest_b_.data());
+      substitute_forward(rest_a_, rest_b_);
       substitute_backward(rest_a_, change_x_, change_lambda_);
       x += change_x_;
       lambda += change_lambda_;
@@ -96,9 +84,96 @@ class BlockSolver final : public SaddleSolver {
     }
   }
 
-  void substitute_backward(const ConstVector& a, MutableVector x, MutableVector lambda) const {
+  void substitute_forward(const ConstVector& a, const ConstVector& b) {
+    run(symbolic_->step_plan, [&](const Data& data, const Task& task) {
+      return kernels_->factor_branches(data, task.ranges.data(), count(task), a.data(), b.data());
+    });
+    run(symbolic_->front_plan, [&](const Data& data, const Task& task) {
+      kernels_->forward_core(data, task.ranges.data(), count(task), a.data(), b.data());
+      return SmallestPivot();
+    });
+  }
+
+  void substitute_backward(const ConstVector& a, MutableVector x, MutableVector lambda) {
     for (const int row : dropped_) lambda[row] = 0.0;
-    kernels_->backward(data_, a.data(), x.data(), lambda.data());
+    run_back(symbolic_->front_plan, [&](const Data& data, const Task& task) {
+      kernels_->backward_core(data, task.ranges.data(), count(task), a.data(), x.data(), lambda.data());
+    });
+    run_back(symbolic_->step_plan, [&](const Data& data, const Task& task) {
+      kernels_->backward_branches(data, task.ranges.data(), count(task), x.data(), lambda.data());
+    });
+  }
+
+  static int count(const Task& task) { return static_cast<int>(task.ranges.size()); }
+
+  /// The sweep of each task; the smallest pivot of all, as if the stages were done one after the other.
+  template <class Sweep>
+  SmallestPivot run(const WorkPlan& plan, const Sweep& sweep) {
+    SmallestPivot smallest;
+    for (const Stage& stage : plan.stages) {
+      found_.assign(stage.size(), {});
+      run_stage(stage, plan.shared, [&](const Data& data, std::size_t task) { found_[task] = sweep(data, stage[task]); });
+      for (const SmallestPivot& found : found_)
+        if (found.ratio < smallest.ratio && !(smallest.ratio < data_.breakdown)) smallest = found;
+    }
+    return smallest;
+  }
+
+  template <class Sweep>
+  void run_back(const WorkPlan& plan, const Sweep& sweep) {
+    for (auto stage = plan.stages.rbegin(); stage != plan.stages.rend(); ++stage)
+      run_stage(*stage, plan.shared, [&](const Data& data, std::size_t task) { sweep(data, (*stage)[task]); });
+  }
+
+  /// Tasks at the same time; where there are few, one after the other, and all threads at each large front.
+  template <class Sweep>
+  void run_stage(const Stage& stage, bool shared, const Sweep& sweep) {
+    ThreadPool& threads = system_->threads();
+    if (stage.size() == 1 || (2 * static_cast<int>(stage.size()) <= threads.threads() && is_divisible(stage))) {
+      Data data = data_for(0);
+      if (shared) data.helpers = {.pool = &threads, .run = &help, .scratch = scratch_places_.data()};
+      for (std::size_t task = 0; task < stage.size(); ++task) sweep(data, task);
+      return;
+    }
+    threads.run(static_cast<int>(stage.size()),
+                [&](int task, int worker) { sweep(data_for(worker), static_cast<std::size_t>(task)); });
+  }
+
+  static bool is_divisible(const Stage& stage) {
+    double work = 0.0, divisible = 0.0;
+    for (const Task& task : stage) {
+      work += task.work;
+      divisible += task.divisible;
+    }
+    return divisible > 0.5 * work;
+  }
+
+  static void help(void* pool, int count, void (*part)(const void*, int, int), const void* context) {
+    static_cast<ThreadPool*>(pool)->run(count, [&](int k, int worker) { part(context, k, worker); });
+  }
+
+  /// With scratch memory that is the worker's own.
+  Data data_for(int worker) const {
+    Data data = data_;
+    data.scratch = scratch_places_[worker];
+    data.pivots = pivots_places_[worker];
+    return data;
+  }
+
+  void place_scratch() {
+    const auto threads = static_cast<std::size_t>(system_->threads().threads());
+    const auto spread = [&](AlignedDoubles& memory, std::size_t size, std::vector<double*>& places) {
+      size = (size + slack + lanes - 1) / lanes * lanes;
+      memory.assign(threads * size, 0.0);
+      places.clear();
+      for (std::size_t worker = 0; worker < threads; ++worker) places.push_back(memory.data() + worker * size);
+    };
+    spread(scratch_, static_cast<std::size_t>(scratch_columns) * symbolic_->highest_front, scratch_places_);
+    spread(pivots_, symbolic_->widest_front, pivots_places_);
+    std::size_t most = 1;
+    for (const WorkPlan* plan : {&symbolic_->step_plan, &symbolic_->front_plan})
+      for (const Stage& stage : plan->stages) most = std::max(most, stage.size());
+    found_.reserve(most);
   }
 
   void refuse_massless() const {
@@ -123,22 +198,14 @@ class BlockSolver final : public SaddleSolver {
     panels_.assign(symbolic_->panel_size + slack, 0.0);
     contributions_.assign(symbolic_->contribution_size + slack, 0.0);
     look_for_interruption();
-    scratch_.assign(scratch_columns * symbolic_->highest_front, 0.0);
-    pivots_.assign(symbolic_->widest_front + slack, 0.0);
+    place_scratch();
     factorize_masses();
   }
 
   void factorize_masses() {
     mass_factors_.resize(symbolic_->mass_factor_count);
-    for (const CoreBody& body : symbolic_->bodies) {
-      if (body.mass_factor < 0) continue;
-      const auto J = system_->inertia(body.body);
-      const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
-      const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
-      const double m = 1.0 / system_->mass(body.body);
-      mass_factors_[body.mass_factor] = {
-          L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}, L43 == 0.0 && L53 == 0.0 && L54 == 0.0};
-    }
+    for (const CoreBody& body : symbolic_->bodies)
+      if (body.mass_factor >= 0) mass_factors_[body.mass_factor] = mass_factor(*system_, body.body);
   }
 
   /// With hubs: a joint that depends on others while the hubs after it are held is eliminated after
@@ -164,7 +231,7 @@ class BlockSolver final : public SaddleSolver {
     at_ = &at;
     meter_.add(system_->body_count());
     collect_data(at);
-    const SmallestPivot smallest = kernels_->factor(data_, a.data(), b.data());
+    const SmallestPivot smallest = sweep(a, b);
     smallest_pivot_ = {smallest.ratio, smallest.row};
     if (smallest.ratio < data_.breakdown && std::isfinite(smallest.ratio) && delay_pivot(smallest.row))
       return factorize(at, e, a, b);
@@ -172,12 +239,20 @@ class BlockSolver final : public SaddleSolver {
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
   }
 
+  SmallestPivot sweep(const ConstVector& a, const ConstVector& b) {
+    const SmallestPivot smallest = run(symbolic_->step_plan, [&](const Data& data, const Task& task) {
+      return kernels_->factor_branches(data, task.ranges.data(), count(task), a.data(), b.data());
+    });
+    const SmallestPivot found = run(symbolic_->front_plan, [&](const Data& data, const Task& task) {
+      return kernels_->factor_core(data, task.ranges.data(), count(task), a.data(), b.data());
+    });
+    return found.ratio < smallest.ratio && !(smallest.ratio < data_.breakdown) ? found : smallest;
+  }
+
   void collect_data(const Evaluation& at) {
     const SymbolicFactorization& s = *symbolic_;
     data_ = {.steps = s.steps.data(),
-             .step_count = std::ssize(s.steps),
              .fronts = s.fronts.data(),
-             .front_count = std::ssize(s.fronts),
              .relative_indices = s.relative_indices.data(),
              .bodies = s.bodies.data(),
              .vectors = s.vectors.data(),
@@ -199,7 +274,8 @@ class BlockSolver final : public SaddleSolver {
              .scratch = scratch_.data(),
              .pivots = pivots_.data(),
              .large = factors_.size() + panels_.size() > cached,
-             .breakdown = s.hubs.empty() ? singular_pivot : small_pivot};
+             .breakdown = s.hubs.empty() ? singular_pivot : small_pivot,
+             .helpers = {}};
   }
 
   /// Whether rows that are not dropped have a compliance.
@@ -215,6 +291,8 @@ class BlockSolver final : public SaddleSolver {
   std::vector<SymbolicFactorization::DelayedPivot> delayed_;
   std::size_t delays_ = 0;
   AlignedDoubles factors_, articulated_inertias_, panels_, contributions_, scratch_, pivots_;
+  std::vector<double*> scratch_places_, pivots_places_;  ///< of each thread
+  std::vector<SmallestPivot> found_;                     ///< by the tasks of a stage
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
   bool refined_ = false, compliant_ = false;
@@ -224,6 +302,26 @@ class BlockSolver final : public SaddleSolver {
 };
 
 }  // namespace
+
+bool masses_far_apart(const System& system) {
+  double least[2] = {INFINITY, INFINITY}, most[2] = {0.0, 0.0};
+  for (int body = 0; body < system.body_count(); ++body) {
+    const double size[2] = {system.mass(body), system.inertia(body).diagonal().maxCoeff()};
+    for (int k = 0; k < 2; ++k) {
+      least[k] = std::min(least[k], size[k]);
+      most[k] = std::max(most[k], size[k]);
+    }
+  }
+  return most[0] > far_apart * least[0] || most[1] > far_apart * least[1];
+}
+
+MassFactor mass_factor(const System& system, int body) {
+  const auto J = system.inertia(body);
+  const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
+  const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
+  const double m = 1.0 / system.mass(body);
+  return {L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}, L43 == 0.0 && L53 == 0.0 && L54 == 0.0};
+}
 
 std::unique_ptr<SaddleSolver> make_block_solver(const InstructionSet& instructions) {
   return std::make_unique<BlockSolver>(instructions);

@@ -15,17 +15,21 @@ constexpr int none = -1;
 
 std::ptrdiff_t padded(std::ptrdiff_t count) { return (count + lanes - 1) / lanes * lanes; }
 
-/// Memory of contribution blocks over their lifetimes: freed places of about the same size are used again.
+/// Memory of contribution blocks over their lifetimes: freed places of about the same size are used again, by the same
+/// task or, in a later stage, by any.
 class ContributionAllocator {
  public:
+  void end_task() { freed_in_stage_.merge(free_); }
+  void end_stage() { idle_.merge(freed_in_stage_); }
   std::ptrdiff_t allocate(std::ptrdiff_t size) {
     size = std::max<std::ptrdiff_t>(size, lanes);  // places are known by where they begin
-    if (const auto found = free_.lower_bound(size); found != free_.end() && found->first <= 2 * size) {
-      const std::ptrdiff_t place = found->second;
-      taken_[place] = found->first;
-      free_.erase(found);
-      return place;
-    }
+    for (Places* places : {&free_, &idle_})
+      if (const auto found = places->lower_bound(size); found != places->end() && found->first <= 2 * size) {
+        const std::ptrdiff_t place = found->second;
+        taken_[place] = found->first;
+        places->erase(found);
+        return place;
+      }
     const std::ptrdiff_t place = total_;
     taken_[place] = size;
     total_ += size;
@@ -39,7 +43,8 @@ class ContributionAllocator {
   std::ptrdiff_t total() const { return total_; }
 
  private:
-  std::multimap<std::ptrdiff_t, std::ptrdiff_t> free_;
+  using Places = std::multimap<std::ptrdiff_t, std::ptrdiff_t>;  // by size
+  Places free_, freed_in_stage_, idle_;
   std::map<std::ptrdiff_t, std::ptrdiff_t> taken_;
   std::ptrdiff_t total_ = 0;
 };
@@ -61,6 +66,8 @@ class CoreBuilder {
     place_bodies();
     append_fronts();
     connect();
+    out_.front_plan = plan_work({.parent = std::move(parents_), .work = work_, .keeps = true});
+    place_contributions();
     out_.contribution_size = contributions_.total();
   }
 
@@ -173,11 +180,14 @@ class CoreBuilder {
     const std::size_t count = order_.elimination.supernodes.size();
     place_.resize(order_.elimination.order.size());
     for (std::size_t s = 0; s < count; ++s) {
+      constexpr double handling = 1000.0;  // as in joint_order
+      const double before = out_.flops;
       append_joints(static_cast<int>(s));
       Front& front = out_.fronts.back();
       front.first_body = static_cast<int>(out_.bodies.size());
       front.bodies = static_cast<int>(bodies_of_[s].size());
       for (const int body : bodies_of_[s]) append_body(body, front);
+      work_.push_back(out_.flops - before + handling);
     }
   }
 
@@ -314,27 +324,48 @@ class CoreBuilder {
     }
   }
 
-  /// Parents, runs of rows in them, and the places of contribution blocks over their lifetimes.
+  /// Parents, and runs of rows in them.
   void connect() {
     std::vector<char> begun(out_.fronts.size(), 0);
     for (std::size_t f = 0; f < out_.fronts.size(); ++f) {
       Front& front = out_.fronts[f];
       front.childless = !begun[f];
-      if (front.childless) front.contribution = contributions_.allocate(contribution_size(front));
       const Supernode& supernode = order_.elimination.supernodes[f];
       front.parent = supernode.parent;
+      parents_.push_back(front.parent);
       front.first_relative_indices = static_cast<int>(out_.relative_indices.size());
-      if (front.parent != none) {
-        const int p = front.parent;
+      if (const int p = front.parent; p != none) {
         front.begins_parent = !begun[p];
-        if (front.begins_parent)
-          out_.fronts[p].contribution = contributions_.allocate(contribution_size(out_.fronts[p]));
         begun[p] = 1;
         append_relative_indices(supernode.below, order_.elimination.supernodes[p], out_.fronts[p]);
       }
       front.relative_indices = static_cast<int>(out_.relative_indices.size()) - front.first_relative_indices;
-      contributions_.release(front.contribution);
     }
+  }
+
+  void place_contributions() {
+    for (Stage& stage : out_.front_plan.stages) {
+      for (Task& task : stage) {
+        for (const NodeRange& range : task.ranges)
+          for (int f = range.first; f < range.last; ++f) {
+            place_contribution(out_.fronts[f], range.handing);
+            if (range.handing != Handing::only && out_.fronts[f].stride() >= divisible_front)
+              task.divisible += work_[f];
+          }
+        contributions_.end_task();
+      }
+      contributions_.end_stage();
+    }
+  }
+
+  /// From where it is begun, by a child if there is one, until it is added to the parent's.
+  void place_contribution(Front& front, Handing handing) {
+    if (handing != Handing::only && front.childless)
+      front.contribution = contributions_.allocate(contribution_size(front));
+    if (handing == Handing::later) return;
+    if (front.begins_parent)
+      out_.fronts[front.parent].contribution = contributions_.allocate(contribution_size(out_.fronts[front.parent]));
+    contributions_.release(front.contribution);
   }
 
   static std::ptrdiff_t contribution_size(const Front& front) {
@@ -376,6 +407,8 @@ class CoreBuilder {
   std::vector<int> joints_, core_index_, position_;
   std::vector<int> place_;  ///< of each elimination in the front at hand: of its first row
   std::vector<std::vector<int>> bodies_of_;
+  std::vector<int> parents_;  ///< of fronts
+  std::vector<double> work_;
   Order order_;
   ContributionAllocator contributions_;
 };

@@ -31,8 +31,8 @@ LINKWORK_INLINE void note_pivots(const Front& front, const Data& data, int k0, i
   }
 }
 
-/// LDL^T of `depth` columns from k0 on and of the right-hand side. The panel is left with unit L, below 1/d on its
-/// diagonal, and D^-1 L^-1 of the right-hand side; the scratch memory with L D.
+/// LDL^T of `depth` columns from k0 on and of the right-hand side, in the rows that are eliminated. The panel is left
+/// with unit L, below 1/d on its diagonal, and D^-1 L^-1 of the right-hand side.
 // Long: what it works on are registers from its first line to its last.
 template <int depth>
 void eliminate(const Front& front, const Data& data, int k0, const double* b, SmallestPivot& smallest) {
@@ -64,7 +64,15 @@ void eliminate(const Front& front, const Data& data, int k0, const double* b, Sm
   store(data.pivots + k0, pivots);
   store(right + k0, solved);
   note_pivots(front, data, k0, depth, pivots, diagonal, smallest);
-  for (int p = k0 + lanes; p < front.stride(); p += lanes) {
+}
+
+/// The rows of these columns from position `first` to before `last`, below what is eliminated: L, and the right-hand
+/// side of the rows. With `keeps` the scratch memory is left with L D.
+template <int depth, bool keeps>
+void eliminate_below(const Front& front, const Data& data, int k0, int first, int last) {
+  const std::ptrdiff_t stride = front.stride();
+  double *panel = data.panels + front.panel + k0 * stride, *right = right_hand_side_of(front, data);
+  for (int p = first; p < last; p += lanes) {
     Vector B[depth], r = load(right + p);
     LINKWORK_UNROLL for (int c = 0; c < depth; ++c)
       B[c] = load(panel + c * stride + p);
@@ -73,7 +81,7 @@ void eliminate(const Front& front, const Data& data, int k0, const double* b, Sm
       LINKWORK_UNROLL for (int c = k + 1; c < depth; ++c)
         B[c] -= B[k] * splat(L[c]);
       r -= B[k] * splat(right[k0 + k]);
-      store(data.scratch + k * stride + p, B[k]);
+      if constexpr (keeps) store(data.scratch + k * stride + p, B[k]);
       store(panel + k * stride + p, B[k] * splat(L[k]));
     }
     store(right + p, r);
@@ -123,35 +131,92 @@ LINKWORK_INLINE void subtract_product(double* C, std::ptrdiff_t C_stride, const 
     for (int r = 0; r < rows; ++r) store(C + w * C_stride + r * lanes, c[w][r]);
 }
 
-/// The same for a wide front, whose first `depth` columns are eliminated, for up to 8 columns from position c on: many
-/// products before a number is stored again.
-void update_eight_columns(const Front& front, const Data& data, int depth, int c, int columns) {
+/// D L^T of the first `depth` columns at up to 8 columns from position c on.
+LINKWORK_INLINE void scale_rows(const Front& front, const Data& data, int depth, int c, double* B) {
+  const std::ptrdiff_t stride = front.stride();
+  const double* panel = data.panels + front.panel;
+  for (int k = 0; k < depth; ++k) store(B + k * lanes, load(panel + k * stride + c) * splat(data.pivots[k]));
+}
+
+/// The same for a wide front, whose first `depth` columns are eliminated: up to 8 columns from position c on in the
+/// rows from `first` to before `last`, many products before a number is stored again.
+void update_rows(const Front& front, const Data& data, int depth, int c, int columns, const double* B, int first,
+                 int last) {
   const std::ptrdiff_t stride = front.stride(), C_stride = column_stride(front, c);
   const double* panel = data.panels + front.panel;
-  double *B = data.scratch, *C = column_of(front, data, c);  // B: D L^T, `lanes` columns of it
-  for (int k = 0; k < depth; ++k) store(B + k * lanes, load(panel + k * stride + c) * splat(data.pivots[k]));
+  double* C = column_of(front, data, c);
   for (int w = 0; w < columns; w += columns_at_once)
     with_count<columns_at_once>(columns - w < columns_at_once ? columns - w : columns_at_once, [&](auto count) {
-      int p = c;
-      for (; p + vectors_at_once * lanes <= stride; p += vectors_at_once * lanes)
+      int p = first;
+      for (; p + vectors_at_once * lanes <= last; p += vectors_at_once * lanes)
         subtract_product<count, vectors_at_once>(C + w * C_stride + p, C_stride, panel + p, stride, B + w, depth);
-      if (p < stride) subtract_product<count, 1>(C + w * C_stride + p, C_stride, panel + p, stride, B + w, depth);
+      for (; p < last; p += lanes)
+        subtract_product<count, 1>(C + w * C_stride + p, C_stride, panel + p, stride, B + w, depth);
     });
 }
 
-void factor_joints(const Front& front, const Data& data, const double* b, SmallestPivot& smallest) {
-  if (front.width <= lanes)
-    return with_count<lanes>(front.width, [&](auto depth) {
-      eliminate<depth>(front, data, 0, b, smallest);
-      update_columns<depth>(front, data);
-    });
+LINKWORK_INLINE bool is_shared(const Front& front, const Data& data) {
+  return data.helpers.pool && front.stride() >= divisible_front;
+}
+
+/// Calls part(k, scratch) for k = 0 .. count - 1, at the same time where there are helpers.
+template <class Part>
+void share(const Front& front, const Data& data, int count, const Part& part) {
+  if (!is_shared(front, data)) {
+    for (int k = 0; k < count; ++k) part(k, data.scratch);
+    return;
+  }
+  struct Context {
+    const Part* part;
+    double* const* scratch;
+  } const context{&part, data.helpers.scratch};
+  data.helpers.run(
+      data.helpers.pool, count,
+      [](const void* from, int k, int worker) {
+        const Context& it = *static_cast<const Context*>(from);
+        (*it.part)(k, it.scratch[worker]);
+      },
+      &context);
+}
+
+/// Eight columns after the other; rows at a time, each with what has been eliminated.
+void factor_wide(const Front& front, const Data& data, const double* b, SmallestPivot& smallest) {
+  constexpr int rows_at_a_time = 16 * lanes;
+  double* B = data.scratch;
   for (int k0 = 0; k0 < front.width; k0 += lanes) {
-    if (k0 > 0) update_eight_columns(front, data, k0, k0, depth_at(front, k0));
-    with_count<lanes>(depth_at(front, k0), [&](auto depth) { eliminate<depth>(front, data, k0, b, smallest); });
+    const int columns = depth_at(front, k0), below = k0 + lanes, rows = front.stride() - below;
+    if (k0 > 0) {
+      scale_rows(front, data, k0, k0, B);
+      update_rows(front, data, k0, k0, columns, B, k0, below);
+    }
+    with_count<lanes>(columns, [&](auto depth) {
+      eliminate<depth>(front, data, k0, b, smallest);
+      const auto finish = [&](int first, int last) {
+        if (k0 > 0) update_rows(front, data, k0, k0, columns, B, first, last);
+        eliminate_below<depth, false>(front, data, k0, first, last);
+      };
+      if (!is_shared(front, data) || rows <= rows_at_a_time) return finish(below, front.stride());
+      share(front, data, (rows + rows_at_a_time - 1) / rows_at_a_time, [&](int k, double*) {
+        const int first = below + k * rows_at_a_time, last = first + rows_at_a_time;
+        finish(first, last < front.stride() ? last : front.stride());
+      });
+    });
   }
   const int last = front.top + front.size - front.width;
-  for (int c = front.top; c < last; c += lanes)
-    update_eight_columns(front, data, front.width, c, last - c < lanes ? last - c : lanes);
+  share(front, data, (last - front.top + lanes - 1) / lanes, [&](int k, double* scratch) {
+    const int c = front.top + k * lanes;
+    scale_rows(front, data, front.width, c, scratch);
+    update_rows(front, data, front.width, c, last - c < lanes ? last - c : lanes, scratch, c, front.stride());
+  });
+}
+
+void factor_joints(const Front& front, const Data& data, const double* b, SmallestPivot& smallest) {
+  if (front.width > lanes) return factor_wide(front, data, b, smallest);
+  with_count<lanes>(front.width, [&](auto depth) {
+    eliminate<depth>(front, data, 0, b, smallest);
+    eliminate_below<depth, true>(front, data, 0, lanes, front.stride());
+    update_columns<depth>(front, data);
+  });
 }
 
 /// Adds the kept part of a column to the same rows of the parent's.
@@ -178,22 +243,29 @@ void extend_add(const Front& front, const Data& data) {
   add_column(front, data, diagonal_of(front, data), diagonal_of(parent, data));
 }
 
-void factor_core(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
-  for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
-    const Front& front = data.fronts[f];
-    if (data.large && f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
-    if (front.childless) clear(front, data);
-    for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-      factor_body(data.bodies[body], front, data, a, smallest);
-    if (front.mixed >= 0) {
-      add_hubs(front, data.mixed[front.mixed], data);
-      add_hub_right_hand_sides(front, data.mixed[front.mixed], data, a);
-    }
-    factor_joints(front, data, b, smallest);
-    if (front.parent < 0) continue;
-    if (front.begins_parent) clear(data.fronts[front.parent], data);
-    extend_add(front, data);
+void factor_front(const Front& front, const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
+  if (front.childless) clear(front, data);
+  for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
+    factor_body(data.bodies[body], front, data, a, smallest);
+  if (front.mixed >= 0) {
+    add_hubs(front, data.mixed[front.mixed], data);
+    add_hub_right_hand_sides(front, data.mixed[front.mixed], data, a);
   }
+  factor_joints(front, data, b, smallest);
+}
+
+SmallestPivot factor_core(const Data& data, const NodeRange* ranges, int count, const double* a, const double* b) {
+  SmallestPivot smallest;
+  for (const NodeRange* range = ranges; range < ranges + count; ++range)
+    for (int f = range->first; f < range->last; ++f) {
+      const Front& front = data.fronts[f];
+      if (data.large && f + fronts_ahead < range->last) prefetch_front(data.fronts[f + fronts_ahead], data);
+      if (range->handing != Handing::only) factor_front(front, data, a, b, smallest);
+      if (front.parent < 0 || range->handing == Handing::later) continue;
+      if (front.begins_parent) clear(data.fronts[front.parent], data);
+      extend_add(front, data);
+    }
+  return smallest;
 }
 
 template <int depth>
@@ -217,25 +289,31 @@ void forward_block(const Front& front, const Data& data, int k0, const double* b
   }
 }
 
+void clear_right(const Front& front, const Data& data) {
+  for (int p = 0; p < front.stride(); p += lanes) store(right_hand_side_of(front, data) + p, splat(0.0));
+}
+
+void forward_front(const Front& front, const Data& data, const double* a, const double* b) {
+  if (front.childless) clear_right(front, data);
+  for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
+    forward_body(data.bodies[body], front, data, a);
+  if (front.mixed >= 0) add_hub_right_hand_sides(front, data.mixed[front.mixed], data, a);
+  for (int k0 = 0; k0 < front.width; k0 += lanes)
+    with_count<lanes>(depth_at(front, k0), [&](auto depth) { forward_block<depth>(front, data, k0, b); });
+}
+
 /// The right-hand side part of factor_core.
-void forward_core(const Data& data, const double* a, const double* b) {
-  const auto clear_right = [&](const Front& front) {
-    for (int p = 0; p < front.stride(); p += lanes) store(right_hand_side_of(front, data) + p, splat(0.0));
-  };
-  for (std::ptrdiff_t f = 0; f < data.front_count; ++f) {
-    const Front& front = data.fronts[f];
-    if (data.large && f + fronts_ahead < data.front_count) prefetch_front(data.fronts[f + fronts_ahead], data);
-    if (front.childless) clear_right(front);
-    for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-      forward_body(data.bodies[body], front, data, a);
-    if (front.mixed >= 0) add_hub_right_hand_sides(front, data.mixed[front.mixed], data, a);
-    for (int k0 = 0; k0 < front.width; k0 += lanes)
-      with_count<lanes>(depth_at(front, k0), [&](auto depth) { forward_block<depth>(front, data, k0, b); });
-    if (front.parent < 0) continue;
-    const Front& parent = data.fronts[front.parent];
-    if (front.begins_parent) clear_right(parent);
-    add_column(front, data, right_hand_side_of(front, data), right_hand_side_of(parent, data));
-  }
+void forward_core(const Data& data, const NodeRange* ranges, int count, const double* a, const double* b) {
+  for (const NodeRange* range = ranges; range < ranges + count; ++range)
+    for (int f = range->first; f < range->last; ++f) {
+      const Front& front = data.fronts[f];
+      if (data.large && f + fronts_ahead < range->last) prefetch_front(data.fronts[f + fronts_ahead], data);
+      if (range->handing != Handing::only) forward_front(front, data, a, b);
+      if (front.parent < 0 || range->handing == Handing::later) continue;
+      const Front& parent = data.fronts[front.parent];
+      if (front.begins_parent) clear_right(parent, data);
+      add_column(front, data, right_hand_side_of(front, data), right_hand_side_of(parent, data));
+    }
 }
 
 /// Leaves the solution where the right-hand side was: own unknowns and those that the front kept.
@@ -288,13 +366,16 @@ void backward_joints(const Front& front, const Data& data, double* x, double* la
     if (data.hubs[h].slot >= 0) leave_for_children(load_first<6>(x + 6 * data.hubs[h].body), data.hubs[h].slot, data);
 }
 
-void backward_core(const Data& data, const double* a, double* x, double* lambda) {
-  for (std::ptrdiff_t f = data.front_count; f-- > 0;) {
-    const Front& front = data.fronts[f];
-    if (data.large && f >= fronts_ahead) prefetch_front(data.fronts[f - fronts_ahead], data);
-    backward_joints(front, data, x, lambda);
-    for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-      backward_body(data.bodies[body], data, a, x, lambda);
+void backward_core(const Data& data, const NodeRange* ranges, int count, const double* a, double* x, double* lambda) {
+  for (const NodeRange* range = ranges + count; range-- > ranges;) {
+    if (range->handing == Handing::only) continue;
+    for (int f = range->last; f-- > range->first;) {
+      const Front& front = data.fronts[f];
+      if (data.large && f >= range->first + fronts_ahead) prefetch_front(data.fronts[f - fronts_ahead], data);
+      backward_joints(front, data, x, lambda);
+      for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
+        backward_body(data.bodies[body], data, a, x, lambda);
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "linkwork/linear/block/elimination_root.hpp"
 #include "linkwork/linear/block/fill_reducing_order.hpp"
 
 namespace linkwork::block {
@@ -143,18 +144,12 @@ std::vector<Supernode> supernodes_of(const NumberLists& below) {
   return nodes;
 }
 
-}  // namespace
-
-Elimination order_joint_graph(const JointGraph& graph) {
-  const std::size_t n = graph.weight.size();
-  std::vector<int> itself(n);
-  std::iota(itself.begin(), itself.end(), 0);
-  const NumberLists adjacency = adjacency_of(graph.cliques, n, itself);
-  const bool hubs = std::any_of(graph.hub.begin(), graph.hub.end(), [](int hub) { return hub != none; });
+Elimination eliminate(const NumberLists& adjacency, const std::vector<int>& weight, std::vector<int> order) {
+  const std::size_t n = order.size();
   Elimination out;
-  out.order = hubs ? order_with_hubs(graph) : fill_reducing_order(adjacency);
+  out.order = std::move(order);
   std::vector<int> weight_at(n);
-  for (std::size_t k = 0; k < n; ++k) weight_at[k] = graph.weight[out.order[k]];
+  for (std::size_t k = 0; k < n; ++k) weight_at[k] = weight[out.order[k]];
   const Rows rows(weight_at);
   out.supernodes = amalgamate(supernodes_of(column_structures(adjacency, out.order)), rows);
   out.supernode_of.resize(n);
@@ -162,8 +157,25 @@ Elimination order_joint_graph(const JointGraph& graph) {
     for (int k = out.supernodes[s].first; k < out.supernodes[s].last; ++k) out.supernode_of[k] = static_cast<int>(s);
   for (Supernode& node : out.supernodes) {
     if (!node.below.empty()) node.parent = out.supernode_of[node.below.front()];
-    out.cost += cost(rows.of(node.first, node.last), rows.of(node.below));
+    out.work.push_back(cost(rows.of(node.first, node.last), rows.of(node.below)));
+    out.cost += out.work.back();
   }
+  return out;
+}
+
+}  // namespace
+
+Elimination order_joint_graph(const JointGraph& graph) {
+  constexpr double little_more = 1.01;
+  std::vector<int> itself(graph.weight.size());
+  std::iota(itself.begin(), itself.end(), 0);
+  const NumberLists adjacency = adjacency_of(graph.cliques, itself.size(), itself);
+  if (std::any_of(graph.hub.begin(), graph.hub.end(), [](int hub) { return hub != none; }))
+    return eliminate(adjacency, graph.weight, order_with_hubs(graph));
+  Elimination out = eliminate(adjacency, graph.weight, fill_reducing_order(adjacency));
+  if (std::vector<int> order = order_from_both_ends(out); !order.empty())
+    if (Elimination other = eliminate(adjacency, graph.weight, std::move(order)); other.cost <= little_more * out.cost)
+      return other;
   return out;
 }
 

@@ -26,7 +26,8 @@ struct Elimination {
   std::vector<int> order;         ///< node at each place
   std::vector<int> supernode_of;  ///< of each place
   std::vector<Supernode> supernodes;
-  double cost = 0.0;  ///< operations, with a fixed cost for handling each supernode
+  std::vector<double> work;  ///< operations of each supernode, with a fixed cost for handling it
+  double cost = 0.0;         ///< of all
 };
 
 /// A fill-reducing order of the nodes (minimum degree or nested dissection, whichever predicts fewer operations), and

@@ -112,12 +112,34 @@ struct MassFactor {
   bool diagonal;
 };
 
+/// What is done with what an elimination contributes to its parent.
+enum class Handing {
+  over,   ///< it is added at once
+  later,  ///< it is kept
+  only    ///< what was kept is added, and nothing else is done
+};
+
+/// Eliminations `first` .. `last` - 1, steps or fronts.
+struct NodeRange {
+  int first, last;
+  Handing handing;
+};
+
+/// Positions of a front from which on several threads can work on it.
+constexpr int divisible_front = 256;
+
+/// Helpers for such a front: calls part(context, k, worker) for k = 0 .. count - 1, at the same time.
+struct Helpers {
+  void* pool = nullptr;  ///< none: there are no helpers
+  void (*run)(void* pool, int count, void (*part)(const void* context, int k, int worker), const void* context) =
+      nullptr;
+  double* const* scratch = nullptr;  ///< of each worker
+};
+
 /// Everything that the sweeps read, and the factors that they write.
 struct Data {
   const TreeStep* steps;
-  std::ptrdiff_t step_count;
   const Front* fronts;
-  std::ptrdiff_t front_count;
   const RelativeIndices* relative_indices;
   const CoreBody* bodies;
   const RowVector* vectors;
@@ -140,6 +162,7 @@ struct Data {
   double* pivots;    ///< of the widest front
   bool large;        ///< more than a core's own cache holds: worth to be prefetched
   double breakdown;  ///< relative pivot from which no elimination should go on
+  Helpers helpers;
 };
 
 /// The smallest pivot relative to its diagonal entry, and its constraint row or -1.
@@ -148,13 +171,18 @@ struct SmallestPivot {
   int row = -1;
 };
 
+/// Each does a part of its sweep: `count` ranges, those of the way back last to first. `scratch` and `pivots` are the
+/// caller's own.
 struct Kernels {
   /// Factors, with forward substitution of a (6 per body) and b (one per row) on the way.
-  SmallestPivot (*factor)(const Data&, const double* a, const double* b);
-  /// The same forward substitution with factors that are there.
-  void (*forward)(const Data&, const double* a, const double* b);
+  SmallestPivot (*factor_branches)(const Data&, const NodeRange*, int count, const double* a, const double* b);
+  SmallestPivot (*factor_core)(const Data&, const NodeRange*, int count, const double* a, const double* b);
+  /// The same forward substitution with factors that are there. On open branches it would cost what the factorization
+  /// does, because both wait for the way to the root: there it is factor_branches.
+  void (*forward_core)(const Data&, const NodeRange*, int count, const double* a, const double* b);
   /// x (6 per body) and lambda from what a forward substitution of the same a left.
-  void (*backward)(const Data&, const double* a, double* x, double* lambda);
+  void (*backward_core)(const Data&, const NodeRange*, int count, const double* a, double* x, double* lambda);
+  void (*backward_branches)(const Data&, const NodeRange*, int count, double* x, double* lambda);
 };
 
 const Kernels& kernels(const InstructionSet& instructions);

@@ -5,6 +5,7 @@
 
 #include "linkwork/assembly/system.hpp"
 #include "linkwork/linear/block/kernels.hpp"
+#include "linkwork/linear/block/work_plan.hpp"
 
 namespace linkwork::block {
 
@@ -30,6 +31,7 @@ struct SymbolicFactorization {
 
   std::vector<TreeStep> steps;
   std::vector<Front> fronts;
+  WorkPlan step_plan, front_plan;  ///< steps before fronts, on the way back after them
   std::vector<RelativeIndices> relative_indices, runs;
   std::vector<CoreBody> bodies;
   std::vector<RowVector> vectors;

@@ -1,5 +1,6 @@
 #include "linkwork/linear/block/tree_elimination.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -24,6 +25,7 @@ class TreeBuilder {
     for (int body = 0; body < system.body_count(); ++body)
       if (!pruned.bodies[body] || parent(body) == none) roots.push_back(body);
     for (const int root : roots) visit(root);
+    plan();
     out_.articulated_inertia_count = slots_;
   }
   std::vector<int> slots() && { return std::move(slot_); }
@@ -69,8 +71,7 @@ class TreeBuilder {
     TreeStep step{};
     step.body = body;
     step.parent = parent(body);
-    step.slot = slot(body);
-    step.parent_slot = none;
+    step.slot = step.parent_slot = none;
     step.storage = out_.factor_size;
     if (const int index = pruned_.inboard_block[body]; index != none) {
       const ConstraintBlock& block = system_.blocks()[index];
@@ -80,17 +81,52 @@ class TreeBuilder {
       for (const int other : system_.joint_blocks(block.joint))
         if (other != index) step.D_parent = system_.blocks()[other].offset;
     }
+    out_.factor_size += step_storage(step.rows);
+    out_.nonzeros += 21 + step.rows * (step.rows + 1) / 2 + 6 * step.rows;
+    const double m = step.rows;
+    work_.push_back(91.0 + m * (36.0 + 6.0 * (m + 1.0) + 6.0 * m + 21.0 * 2.0) + m * m * m / 3.0 + 24.0 * m + 72.0);
+    out_.flops += work_.back();
+    out_.steps.push_back(step);
+  }
+
+  /// Branches end on the core in the order of the steps: as if it were one body more, which takes no work.
+  void plan() {
+    std::vector<int> step_of(slot_.size(), static_cast<int>(out_.steps.size()));
+    for (std::size_t s = 0; s < out_.steps.size(); ++s) step_of[out_.steps[s].body] = static_cast<int>(s);
+    EliminationTree tree{.parent = {}, .work = std::move(work_), .keeps = false};
+    bool core = false;
+    for (const TreeStep& step : out_.steps) {
+      tree.parent.push_back(step.parent == none ? none : step_of[step.parent]);
+      core = core || (step.parent != none && !pruned_.bodies[step.parent]);
+    }
+    if (core) {
+      tree.parent.push_back(none);
+      tree.work.push_back(0.0);
+    }
+    out_.step_plan = plan_work(tree);
+    const int count = static_cast<int>(out_.steps.size());
+    for (Stage& stage : out_.step_plan.stages)
+      for (Task& task : stage) {
+        for (NodeRange& range : task.ranges) range.last = std::min(range.last, count);
+        place(task);
+      }
+  }
+
+  /// Articulated inertias: those that the steps of a task no longer need are taken again by later ones.
+  void place(const Task& task) {
+    free_slots_.clear();
+    for (const NodeRange& range : task.ranges)
+      for (int s = range.first; s < range.last; ++s) place(out_.steps[s]);
+  }
+
+  void place(TreeStep& step) {
+    step.slot = slot(step.body);
     if (step.parent != none) {
       step.parent_begins = slot(step.parent) == none;
       if (step.parent_begins) slot_[step.parent] = take_slot();
       step.parent_slot = slot(step.parent);
     }
     if (step.slot != none) free_slots_.push_back(step.slot);
-    out_.factor_size += step_storage(step.rows);
-    out_.nonzeros += 21 + step.rows * (step.rows + 1) / 2 + 6 * step.rows;
-    const double m = step.rows;
-    out_.flops += 91.0 + m * (36.0 + 6.0 * (m + 1.0) + 6.0 * m + 21.0 * 2.0) + m * m * m / 3.0 + 24.0 * m + 72.0;
-    out_.steps.push_back(step);
   }
 
   // The parent's slot is taken before the body's own is given back: the two are read and written in one step.
@@ -105,6 +141,7 @@ class TreeBuilder {
   const PrunedLeaves& pruned_;
   SymbolicFactorization& out_;
   std::vector<int> slot_, free_slots_, child_begin_, child_;
+  std::vector<double> work_;  ///< of each step
   int slots_ = 0;
 };
 

@@ -143,23 +143,27 @@ LINKWORK_INLINE void with_rows(int rows, const Function& f) {
   else with_count<6>(rows, f);
 }
 
-void factor_branches(const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
-  for (std::ptrdiff_t s = 0; s < data.step_count; ++s) {
-    const TreeStep& step = data.steps[s];
-    if (data.large && s + steps_ahead < data.step_count) prefetch_step(data.steps[s + steps_ahead], data);
-    with_rows(step.rows, [&](auto rows) { factor_step<rows>(step, data, a, b, smallest); });
-  }
+SmallestPivot factor_branches(const Data& data, const NodeRange* ranges, int count, const double* a, const double* b) {
+  SmallestPivot smallest;
+  for (const NodeRange* range = ranges; range < ranges + count; ++range)
+    for (std::ptrdiff_t s = range->first; s < range->last; ++s) {
+      const TreeStep& step = data.steps[s];
+      if (data.large && s + steps_ahead < range->last) prefetch_step(data.steps[s + steps_ahead], data);
+      with_rows(step.rows, [&](auto rows) { factor_step<rows>(step, data, a, b, smallest); });
+    }
+  return smallest;
 }
 
-void backward_branches(const Data& data, double* x, double* lambda) {
-  for (std::ptrdiff_t s = data.step_count; s-- > 0;) {
-    const TreeStep& step = data.steps[s];
-    if (data.large && s >= steps_ahead) {
-      const TreeStep& ahead = data.steps[s - steps_ahead];
-      prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
+void backward_branches(const Data& data, const NodeRange* ranges, int count, double* x, double* lambda) {
+  for (const NodeRange* range = ranges + count; range-- > ranges;)
+    for (std::ptrdiff_t s = range->last; s-- > range->first;) {
+      const TreeStep& step = data.steps[s];
+      if (data.large && s >= range->first + steps_ahead) {
+        const TreeStep& ahead = data.steps[s - steps_ahead];
+        prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
+      }
+      with_rows(step.rows, [&](auto rows) { backward_step<rows>(step, data, x, lambda); });
     }
-    with_rows(step.rows, [&](auto rows) { backward_step<rows>(step, data, x, lambda); });
-  }
 }
 
 }  // namespace

@@ -1,0 +1,196 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "allocation_counter.hpp"
+#include "linkwork/formulation/dynamics.hpp"
+#include "mechanisms.hpp"
+
+using namespace support;
+
+/// Several threads share one evaluation: nothing that is found depends on how many they are.
+namespace {
+
+constexpr int many = 10500;  // bodies: three chunks, and more work than one task takes
+
+/// A row of four-bars, each on the rocker of the one before: three of its equations in every loop are redundant.
+Model ladder() {
+  Model model(Vec3<double>(0.3, -9.81, 0.1));
+  const auto bar = [&](const std::string& name, const Vec3<double>& from, const Vec3<double>& to) {
+    return model.add_body(name, body_at(0.5 * (from + to)));
+  };
+  int left = bar("bar", {0, 0, 0}, {0, 1, 0});
+  join(model, "revolute", "foot", ground, left, {0, 0, 0});
+  for (int k = 0; 2 * k < many; ++k) {
+    const std::string number = std::to_string(k);
+    const Vec3<double> low(k + 1, 0, 0), high(k + 1, 1, 0), before(k, 1, 0);
+    const int right = bar("bar " + number, low, high), across = bar("rail " + number, before, high);
+    join(model, "revolute", "foot " + number, ground, right, low);
+    join(model, "revolute", "left " + number, left, across, before);
+    join(model, "revolute", "right " + number, across, right, high);
+    left = right;
+  }
+  return model;
+}
+
+/// Hubs in a square and rods between them, on balls: n^2 + 2 n (n - 1) bodies.
+Model net(int n) {
+  Model model(Vec3<double>(0.0, 0.2, -9.81));
+  std::vector<int> hub;
+  for (int k = 0; k < n * n; ++k)
+    hub.push_back(model.add_body("hub " + std::to_string(k), body_at(Vec3<double>(k % n, k / n, 0.0))));
+  const auto rod = [&](int from, int to) {
+    const Vec3<double> a = model.bodies()[hub[from]].position, b = model.bodies()[hub[to]].position;
+    const std::string name = std::to_string(from) + " " + std::to_string(to);
+    const int body = model.add_body("rod " + name, body_at(0.5 * (a + b)));
+    join(model, "spherical", "first " + name, hub[from], body, a + 0.1 * (b - a));
+    join(model, "spherical", "second " + name, body, hub[to], b - 0.1 * (b - a));
+  };
+  for (int k = 0; k < n * n; ++k) {
+    if (k % n + 1 < n) rod(k, k + 1);
+    if (k / n + 1 < n) rod(k, k + n);
+  }
+  join(model, "spherical", "corner", ground, hub.front(), {0, 0, 0});
+  return model;
+}
+
+/// Joints of every kind, driven ones and those of couplers among them, with rods that close loops, two of them alike
+/// now and then, and with more forces than a thread works on at a time.
+Model mixed() {
+  Random random(17);
+  Model model = random_tree(random, many);
+  for (int k = 5; k + 40 < many; k += 40) {
+    const Attachment<double> at = random_attachment(random);
+    for (int copy = 0; copy < (k % 3 == 0 ? 2 : 1); ++copy) {
+      const std::string name = "rod " + std::to_string(k) + " " + std::to_string(copy);
+      const Body &i = model.bodies()[k], &j = model.bodies()[k + 30];
+      const Vec3<double> d = i.position + rotation_matrix<double>(i.orientation) * at.s_i - j.position -
+                             rotation_matrix<double>(j.orientation) * at.s_j;
+      model.add_joint("distance", name, k, k + 30, at, {{d.norm(), -1}});
+    }
+  }
+  for (int k = 0; k < many / 2; ++k)
+    for (const std::string kind : {"spring_damper", "linear_damping"}) {
+      const KindInfo& info = force_kinds()[force_kind_index(kind)].info;
+      model.add_force(kind, kind + std::to_string(k), k % 7 == 0 ? ground : random.integer(0, many / 3), many / 3 + k,
+                      random_attachment(random), force_parameters(model, random, info));
+    }
+  return model;
+}
+
+/// Of different lengths, from one body.
+Model branches() {
+  Random random(5);
+  Model model(random.vec3(9.81));
+  model.add_body("trunk", random_body(random));
+  add_joint(model, random, "universal", "root", ground, 0);
+  for (int branch = 0, k = 1; k < many; ++branch)
+    for (int length = 0; length < 1 + 700 * (branch % 5) && k < many; ++length, ++k) {
+      model.add_body("link " + std::to_string(k), random_body(random));
+      add_joint(model, random, branch % 2 ? "revolute" : "spherical", "joint " + std::to_string(k),
+                length == 0 ? 0 : k - 1, k);
+    }
+  return model;
+}
+
+struct Found {
+  VectorXd rows, g, numbers, v_dot, lambda, y_dot;
+  MatrixXd reactions;
+  bool operator==(const Found&) const = default;
+};
+
+/// Everything of one state, away from the initial one.
+Found found(Dynamics& dynamics) {
+  Random random(29);
+  const System& system = dynamics.system();
+  VectorXd y = dynamics.initial_y();
+  for (Eigen::Index k = 0; k < y.size(); ++k) y[k] += 1e-3 * random.number();
+  Found out;
+  out.v_dot.resize(system.v_size());
+  out.lambda.resize(system.row_count());
+  out.y_dot.resize(dynamics.y_size());
+  dynamics.evaluate(0.3, y);
+  dynamics.rates(out.y_dot);
+  dynamics.solve(out.y_dot.segment(7, system.v_size()), dynamics.evaluation().Phi, out.v_dot, out.lambda);
+  dynamics.accelerations(out.v_dot, out.lambda);
+  const Evaluation& at = dynamics.evaluation();
+  out.rows.resize(4 * system.row_count() + static_cast<Eigen::Index>(at.D.size()));
+  out.rows << at.Phi, at.Phi_t, at.Phi_dot, at.gamma, Eigen::Map<const VectorXd>(at.D.data(), std::ssize(at.D));
+  out.g = at.g.head(system.v_size());
+  out.numbers = Eigen::Vector2d(at.potential, at.power);
+  Eigen::Matrix3Xd force(3, system.joint_count()), torque(3, system.joint_count());
+  system.reactions(at, y.head(system.q_size()), out.lambda, force, torque);
+  out.reactions.resize(6, system.joint_count());
+  out.reactions << force, torque;
+  return out;
+}
+
+Found found(const Model& model, Options options, int threads) {
+  options.threads = threads;
+  Dynamics dynamics(model, options);
+  CHECK(dynamics.options().threads == threads);
+  return found(dynamics);
+}
+
+void check_same_bits(const Model& model, const Options& options = {}) {
+  const Found alone = found(model, options, 1);
+  CHECK(alone.v_dot.allFinite());
+  CHECK(alone.lambda.allFinite());
+  for (const int threads : {2, 3, 4, 8}) {
+    CAPTURE(threads);
+    CHECK(found(model, options, threads) == alone);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a chain has the same bits with any number of threads") {
+  Random random(3);
+  check_same_bits(random_chain(random, many, "revolute"));
+}
+
+TEST_CASE("branches of any length have the same bits with any number of threads") { check_same_bits(branches()); }
+
+TEST_CASE("a ladder with redundant equations has the same bits with any number of threads") {
+  check_same_bits(ladder());
+}
+
+TEST_CASE("a net has the same bits with any number of threads") {
+  check_same_bits(net(60));
+  check_same_bits(net(60), options_of("augmented_lagrangian"));
+}
+
+TEST_CASE("joints of all kinds, loops and forces have the same bits with any number of threads") {
+  check_same_bits(mixed(), options_of("augmented_lagrangian"));
+}
+
+TEST_CASE("sparse solvers share the evaluation, and have the same bits with any number of threads") {
+  Random random(3);
+  check_same_bits(random_chain(random, many, "spherical"), options_of("standard", "schur", "eigen_ldlt"));
+}
+
+TEST_CASE("a small model takes one thread, whatever was asked for") {
+  Random random(4);
+  Options options;
+  options.threads = 8;
+  CHECK(Dynamics(random_chain(random, 50, "revolute"), options).options().threads == 1);
+}
+
+#if CAN_COUNT_ALLOCATIONS
+TEST_CASE("several threads allocate nothing in an evaluation after the first") {
+  Options options;
+  options.threads = 3;
+  for (const Model& model : {branches(), net(30)}) {
+    Dynamics dynamics(model, options);
+    VectorXd y_dot(dynamics.y_size());
+    const VectorXd y = dynamics.initial_y();
+    const auto evaluate = [&] {
+      dynamics.evaluate(0.1, y);
+      dynamics.rates(y_dot);
+    };
+    evaluate();
+    CHECK(allocations(evaluate) == 0);
+  }
+}
+#endif
