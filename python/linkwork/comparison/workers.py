@@ -148,7 +148,7 @@ def _serve(connection: Connection, others: Sequence[Connection], task: Any, item
     """The other process: it ends when nobody is left to ask it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
-    os.environ["OMP_NUM_THREADS"] = "1"  # for threads that are counted from here on: the others need processors, too
+    os.environ["OMP_NUM_THREADS"] = "1"  # the other processors are for the other processes
     logging.getLogger("linkwork").setLevel(logging.WARNING)  # who asks tells of each item
     for other in others:  # inherited; while they are open, nobody would notice that the one who asks is gone
         other.close()
