@@ -39,8 +39,7 @@ double longest_way(const Elimination& elimination) {
   double longest = 0.0;
   for (std::size_t s = 0; s < way.size(); ++s) {
     longest = std::max(longest, way[s]);
-    if (const int p = elimination.supernodes[s].parent; p >= 0)
-      way[p] = std::max(way[p], elimination.work[p] + way[s]);
+    if (const int p = elimination.supernodes[s].parent; p >= 0) way[p] = std::max(way[p], elimination.work[p] + way[s]);
   }
   return longest / elimination.cost;
 }

@@ -196,9 +196,8 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   now_.t = t;
   now_.stage = stage;
   now_.y.resize(y.size());
-  in_pieces(system_.threads(), y.size(), [&](Eigen::Index first, Eigen::Index count) {
-    now_.y.segment(first, count) = y.segment(first, count);
-  });
+  in_pieces(system_.threads(), y.size(),
+            [&](Eigen::Index first, Eigen::Index count) { now_.y.segment(first, count) = y.segment(first, count); });
   clocked_ = evaluations_on_the_clock();
   {
     const Stopwatch watch(statistics_.evaluate_time, clocked_);

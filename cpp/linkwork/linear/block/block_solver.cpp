@@ -125,7 +125,8 @@ class BlockSolver final : public SaddleSolver {
     SmallestPivot smallest;
     for (const Stage& stage : plan.stages) {
       found_.assign(stage.size(), {});
-      run_stage(stage, plan.shared, [&](const Data& data, std::size_t task) { found_[task] = sweep(data, stage[task]); });
+      run_stage(stage, plan.shared,
+                [&](const Data& data, std::size_t task) { found_[task] = sweep(data, stage[task]); });
       for (const SmallestPivot& found : found_)
         if (found.ratio < smallest.ratio && !(smallest.ratio < data_.breakdown)) smallest = found;
     }
