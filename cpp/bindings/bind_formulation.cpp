@@ -7,7 +7,6 @@
 #include "linkwork/formulation/formulation.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
-#include "linkwork/math/instruction_set.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -241,67 +240,7 @@ py::array_t<double> joint_frames(const Dynamics& dynamics, const ConstVector& q)
   return out;
 }
 
-struct PathScope {
-  explicit PathScope(bool one) : wanted(one) {}
-  bool wanted;
-  std::optional<OnePath> path;
-};
-
-void bind_information(py::module_& module) {
-  py::class_<LinearSolverInfo>(module, "SolverInfo", "A registered linear solver.")
-      .def_readonly("name", &LinearSolverInfo::name)
-      .def_readonly("documentation", &LinearSolverInfo::documentation)
-      .def_property_readonly("available", [](const LinearSolverInfo& info) { return info.available(); })
-      .def_property_readonly("matrix_forms", [](const LinearSolverInfo& info) {
-        std::vector<std::string> out;
-        for (const MatrixForm& form : matrix_forms())
-          if (can_solve(form.name, info)) out.emplace_back(form.name);
-        return out;
-      });
-  module.def("linear_solvers", [] { return linear_solvers(); });
-  py::class_<PathScope>(module, "OnePath",
-                        "While it is entered, this thread computes by the instructions that every processor has.")
-      .def(py::init<bool>(), py::arg("wanted"))
-      .def("__enter__", [](PathScope& scope) { scope.path.emplace(scope.wanted); })
-      .def("__exit__", [](PathScope& scope, const py::args&) { scope.path.reset(); });
-  module.def(
-      "instruction_set", [] { return best_instruction_set().name; },
-      "The instruction set that the hot loops use on this processor, such as x86-64-v3.");
-  py::class_<FormulationInfo>(module, "FormulationInfo", "A registered formulation.")
-      .def_readonly("name", &FormulationInfo::name)
-      .def_readonly("documentation", &FormulationInfo::documentation)
-      .def_readonly("matrix_forms", &FormulationInfo::forms)
-      .def_readonly("options", &FormulationInfo::options)
-      .def_readonly("needs_full_rank", &FormulationInfo::needs_full_rank)
-      .def_readonly("compliant", &FormulationInfo::compliant);
-  module.def("formulations", [] { return formulations(); });
-  py::class_<StabilizationInfo>(module, "StabilizationInfo", "A registered stabilization.")
-      .def_property_readonly("name", [](const StabilizationInfo& info) { return info.name; })
-      .def_property_readonly("documentation", [](const StabilizationInfo& info) { return info.documentation; });
-  module.def("stabilizations", [] { return stabilizations(); });
-}
-
-void bind_options(py::module_& module) {
-  py::class_<OptionInfo>(module, "OptionInfo", "What an option of a run can be.")
-      .def_readonly("name", &OptionInfo::name)
-      .def_readonly("type", &OptionInfo::type, "\"name\", \"number\", \"whole\" or \"limits\".")
-      .def_readonly("choices", &OptionInfo::choices, "Of a name.")
-      .def_readonly("positive", &OptionInfo::positive, "A number: not zero.")
-      .def_readonly("usual", &OptionInfo::usual, "A number of some methods only: where it is not given, or None.")
-      .def_readonly("unit", &OptionInfo::unit)
-      .def_readonly("documentation", &OptionInfo::documentation)
-      .def_readonly("methods", &OptionInfo::methods,
-                    "Formulations or stabilizations that have it; empty: it is of all.");
-  module.def("options", &option_infos, "The table of options, formulation/options.def.");
-  py::class_<Options>(module, "Options", "The choices of a run.")
-      .def(py::init<>())
-      .def("resolved", &resolve, "As a run has them; OptionError: what cannot be honored.")
-#define LINKWORK_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) .def_readwrite(#NAME, &Options::NAME)
-#define LINKWORK_METHOD_OPTION(TYPE, NAME, DEFAULT, VALUES, UNIT, HELP) .def_readwrite(#NAME, &Options::NAME)
-#include "linkwork/formulation/options.def"
-#undef LINKWORK_OPTION
-#undef LINKWORK_METHOD_OPTION
-      ;
+void bind_rank(py::module_& module) {
   py::class_<RankReport>(module, "RankReport",
                          "Rank of the constraint matrix D: what is redundant in every pose, and what only in the "
                          "assembled one.")
@@ -444,8 +383,7 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
 
 // Long: one statement a property or method of Dynamics.
 void bind_formulation(py::module_& module) {
-  bind_information(module);
-  bind_options(module);
+  bind_rank(module);
   py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
   dynamics
       .def(py::init<const Model&, const Options&>(), py::arg("model"), py::arg("options"),
@@ -485,8 +423,7 @@ void bind_formulation(py::module_& module) {
            "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.")
       .def("residual_scales", exclusive(&residual_scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
-           "rate "
-           "are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
+           "rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
       .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),

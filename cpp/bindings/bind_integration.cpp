@@ -12,6 +12,23 @@ py::array_t<double> to_numpy(std::vector<double>&& values, std::vector<py::ssize
   return py::array_t<double>(std::move(shape), owner->data(), release);
 }
 
+py::dict frames_to_dict(Frames&& frames, const System& system) {
+  const auto count = static_cast<py::ssize_t>(frames.t.size());
+  const auto nq = static_cast<py::ssize_t>(system.q_size()), nv = static_cast<py::ssize_t>(system.v_size());
+  py::dict out;
+  out["t"] = to_numpy(std::move(frames.t), {count});
+  out["q"] = to_numpy(std::move(frames.q), {count, nq});
+  out["v"] = to_numpy(std::move(frames.v), {count, nv});
+  out["vdot"] = to_numpy(std::move(frames.v_dot), {count, nv});
+  out["lambda"] = to_numpy(std::move(frames.lambda), {count, static_cast<py::ssize_t>(system.row_count())});
+  out["kinetic"] = to_numpy(std::move(frames.kinetic), {count});
+  out["potential"] = to_numpy(std::move(frames.potential), {count});
+  out["work"] = to_numpy(std::move(frames.work), {count});
+  out["violation"] = to_numpy(std::move(frames.violation), {count, 3});
+  out["history"] = to_numpy(std::move(frames.history), {count, static_cast<py::ssize_t>(system.history_size())});
+  return out;
+}
+
 namespace {
 
 /// Data that a driver runs, without a Python call in its loop.
@@ -78,30 +95,13 @@ py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, boo
   return to_dict(found);
 }
 
-py::dict to_dict(Frames&& frames, const System& system) {
-  const auto count = static_cast<py::ssize_t>(frames.t.size());
-  const auto nq = static_cast<py::ssize_t>(system.q_size()), nv = static_cast<py::ssize_t>(system.v_size());
-  py::dict out;
-  out["t"] = to_numpy(std::move(frames.t), {count});
-  out["q"] = to_numpy(std::move(frames.q), {count, nq});
-  out["v"] = to_numpy(std::move(frames.v), {count, nv});
-  out["vdot"] = to_numpy(std::move(frames.v_dot), {count, nv});
-  out["lambda"] = to_numpy(std::move(frames.lambda), {count, static_cast<py::ssize_t>(system.row_count())});
-  out["kinetic"] = to_numpy(std::move(frames.kinetic), {count});
-  out["potential"] = to_numpy(std::move(frames.potential), {count});
-  out["work"] = to_numpy(std::move(frames.work), {count});
-  out["violation"] = to_numpy(std::move(frames.violation), {count, 3});
-  out["history"] = to_numpy(std::move(frames.history), {count, static_cast<py::ssize_t>(system.history_size())});
-  return out;
-}
-
 py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {
   Frames frames;
   {
     const py::gil_scoped_release release;
     frames = run.advance(max_frames, max_seconds);
   }
-  return to_dict(std::move(frames), run.dynamics().system());
+  return frames_to_dict(std::move(frames), run.dynamics().system());
 }
 
 py::list excesses(const Run& run) {
@@ -191,7 +191,7 @@ void bind_runs(py::module_& module) {
   run.def("advance", exclusive(&advance), py::arg("max_frames"), py::arg("max_seconds"),
           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
           "history.")
-      .def("take_frames", exclusive(+[](Run& run) { return to_dict(run.take_frames(), run.dynamics().system()); }))
+      .def("take_frames", exclusive(+[](Run& run) { return frames_to_dict(run.take_frames(), run.dynamics().system()); }))
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
       .def_property_readonly("last_state", exclusive(+[](const Run& run) {

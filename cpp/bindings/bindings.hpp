@@ -6,6 +6,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "linkwork/integration/recorder.hpp"
 #include "linkwork/math/types.hpp"
 
 namespace linkwork::python {
@@ -21,12 +22,17 @@ void bind_time_functions(py::module_& module);
 void bind_kinds(py::module_& module);
 void bind_model(py::module_& module);
 void bind_assembler(py::module_& module);
+void bind_options(py::module_& module);
 void bind_formulation(py::module_& module);
 void bind_integration(py::module_& module);
 void bind_driven_motion(py::module_& module);
+void bind_ensemble(py::module_& module);
 
 /// Hands a vector over to numpy without a copy.
 py::array_t<double> to_numpy(std::vector<double>&& values, std::vector<py::ssize_t> shape);
+
+/// Frames of a run by name, each an array (frames, ...).
+py::dict frames_to_dict(Frames&& frames, const System& system);
 
 /// OptionError: a vector of another size.
 void check_size(const ConstVector& vector, Eigen::Index size, const char* name);

@@ -19,7 +19,9 @@ PYBIND11_MODULE(_core, module) {
   linkwork::python::bind_kinds(module);
   linkwork::python::bind_model(module);
   linkwork::python::bind_assembler(module);
+  linkwork::python::bind_options(module);
   linkwork::python::bind_formulation(module);
   linkwork::python::bind_integration(module);
   linkwork::python::bind_driven_motion(module);
+  linkwork::python::bind_ensemble(module);
 }

@@ -168,6 +168,11 @@ PAGES = {
         "One mechanism in many variants.",
         ("sweep", "Study"),
     ),
+    "ensembles": Page(
+        "Ensembles",
+        "Many mechanisms of one structure at once, in the lanes of the processor.",
+        ("simulate_many", "Ensemble", "EnsembleResult"),
+    ),
     "system": Page(
         "Equations of motion",
         "The right-hand side itself, for integrators and codes of your own.",

@@ -31,6 +31,8 @@ _PLACES = {
     "linkwork.analyses.sensitivity": ("Sensitivity", "sensitivity"),
     "linkwork.equations.assembly": ("Assembly", "JointResidual", "assemble"),
     "linkwork.comparison": ("Comparison", "compare"),
+    "linkwork.ensemble.ensemble": ("Ensemble", "simulate_many"),
+    "linkwork.ensemble.outcome": ("EnsembleResult",),
     "linkwork.modeling.contact": ("contact_hysteresis",),
     "linkwork.running.events": ("Event", "State"),
     "linkwork.modeling.handles": ("Body", "Force", "Joint"),

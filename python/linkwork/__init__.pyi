@@ -27,6 +27,8 @@ from linkwork.errors import (
     ViolationError,
 )
 from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
+from linkwork.ensemble.ensemble import Ensemble, simulate_many
+from linkwork.ensemble.outcome import EnsembleResult
 from linkwork.modeling.contact import contact_hysteresis
 from linkwork.modeling.handles import Body, Force, Joint
 from linkwork.modeling.model import Model
@@ -51,6 +53,8 @@ __all__ = [
     "Comparison",
     "Cylinder",
     "Drive",
+    "Ensemble",
+    "EnsembleResult",
     "Equilibrium",
     "Event",
     "Fault",
@@ -105,5 +109,6 @@ __all__ = [
     "rotation",
     "sensitivity",
     "simulate",
+    "simulate_many",
     "sweep",
 ]

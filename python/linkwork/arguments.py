@@ -21,8 +21,8 @@ from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
 __all__ = [
-    "UNREADABLE", "array", "check_new", "check_suffix", "is_number", "is_one_of", "number", "one_of",
-    "optional_package", "path", "whole",
+    "UNREADABLE", "array", "check_new", "check_suffix", "folders", "is_number", "is_one_of", "number",
+    "one_of", "optional_package", "path", "whole",
 ]  # fmt: skip
 
 #: A shape (size,) of an array; None stands for any length.
@@ -115,6 +115,18 @@ def _is_encodable(text: str) -> bool:
     except UnicodeEncodeError:
         return False
     return True
+
+
+def folders(given: Any, what: str) -> list[Path]:
+    """Of one path or several, absolute. OptionError: no paths. FileError: one that is no folder."""
+    several = [given] if isinstance(given, str | bytes | os.PathLike) else given
+    if not isinstance(several, Iterable):
+        raise OptionError(f"{what} {given!r:.80} is no list of folders", code=what)
+    found = [path(it, what).resolve() for it in several]
+    for folder in found:
+        if not folder.is_dir():
+            raise FileError(f"{what} '{folder}': there is no such folder; check the path", code="not_found")
+    return found
 
 
 def check_suffix(given: Any, what: str) -> Path:

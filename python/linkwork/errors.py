@@ -236,6 +236,12 @@ def nearest(word: str, known: Iterable[str]) -> str:
     return f"; choose from {listed}{more}" if names and short and len(names) < MOST_LOOKED_AT else ""
 
 
+def counted(number: int, one: str, form: str = "") -> str:
+    """ "1 body", "2 bodies"; `form` of the number as in f"{number:,}"."""
+    many = one[:-1] + "ies" if one.endswith("y") else one + "s"
+    return f"{number:{form}} {one if number == 1 else many}"
+
+
 def warn(message: str) -> None:
     """LinkworkWarning at the line of the user's, the nearest outside this package."""
     package, frame, level = os.path.dirname(__file__) + os.sep, sys._getframe(1), 2

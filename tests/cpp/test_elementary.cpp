@@ -46,6 +46,17 @@ TEST_CASE("sine and cosine are right to a unit in the last place, also of large 
   CHECK(worst(cosine, cos, -40, 1000, true) < 0.85);
 }
 
+// The doubles next to multiples of pi / 2 (Muller, Elementary Functions, section 11.1, and one of 2^24), values by mpmath.
+TEST_CASE("sine and cosine keep their digits where they all but vanish") {
+  struct Near {
+    double (*f)(double);
+    double x, value;
+  };
+  for (const auto& [f, x, value] : {Near{cosine, 0x1.6ac5b262ca1ffp+849, -4.6871659242546277e-19},
+                                    Near{sine, 28922353.340556760, 3.3970076597972008e-18}})
+    CHECK(std::abs(f(x) / value - 1.0) < 2.3e-16);
+}
+
 TEST_CASE("arc tangent, exponential, logarithm and powers are right to a unit in the last place") {
   for (const double x : {1.0, -1.0, 0.3, -7e150, 1e-200}) {
     const auto own = [x](double y) { return arc_tangent(y, x); };

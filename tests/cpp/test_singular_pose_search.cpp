@@ -51,3 +51,17 @@ TEST_CASE("a pose that a motion passes is listed once, at its time") {
   CHECK(search.last_listed() == doctest::Approx(passes).epsilon(1e-4));
   CHECK(dynamics.watch().singular_poses() == 1);
 }
+
+TEST_CASE("of zeros beside each other all are found, of one motion that turns round or of two that are independent") {
+  for (const double other : {0.03, 0.1, 0.3, 0.62, 0.9, -0.05, -0.4, -0.8})
+    for (const bool independent : {false, true}) {
+      const auto value = [&](double t) {
+        return independent ? std::min(std::abs(t), std::abs(t - other)) : std::abs(t * (t - other));
+      };
+      const SingularValueAt before{-1.0, value(-1.0)}, zero{0.0, 0.0}, after{1.1, value(1.1)};
+      const std::vector<SingularValueAt> zeros = zeros_around(zero, before, after, value);
+      REQUIRE(zeros.size() == 2);
+      CHECK(zeros[0].at == doctest::Approx(std::min(0.0, other)).epsilon(1e-5));
+      CHECK(zeros[1].at == doctest::Approx(std::max(0.0, other)).epsilon(1e-5));
+    }
+}

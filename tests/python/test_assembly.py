@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -324,3 +325,42 @@ def test_a_run_goes_on_from_one_of_its_frames() -> None:
     assert half.find("crank").name == "crank"
     rest = lw.simulate(half, t_end=0.1, step=1e-3)
     assert rest.q[-1] == pytest.approx(whole.q[-1], abs=1e-9)
+
+
+def driven_chain(rates: np.ndarray) -> lw.Model:
+    """Light rods of 1 m in a zigzag in space, each turned by a motor on the one before."""
+    model = lw.Model(name="driven chain")
+    before, end = model.ground, np.zeros(3)
+    for k, rate in enumerate(rates):
+        along = np.array([np.cos(0.5), 0, (-1) ** k * np.sin(0.5)])
+        body = model.body(f"rod {k}", mass=1e-3, inertia=(1e-6, 1e-6, 1e-6), position=end + along / 2)
+        place: dict[str, Any] = {"at": end, "axis": (0, k % 2, 1 - k % 2)}
+        model.revolute(before, body, **place, name=f"pin {k}")
+        angle = lw.functions.polynomial(0.0, float(rate))
+        model.angle_driver(before, body, **place, angle=angle, name=f"motor {k}")
+        before, end = body, end + along
+    return model
+
+
+@pytest.mark.parametrize("n", [20, 400])
+def test_a_long_chain_of_motors_gets_the_velocities_that_they_add_up_to(n: int) -> None:
+    """omega of a rod is the sum over the motors before it: their axes stand still in the initial pose."""
+    rates = np.random.default_rng(3).normal(size=n)
+    model = lw.assemble(driven_chain(rates)).model
+    axes = np.array([(0, k % 2, 1 - k % 2) for k in range(n)])
+    omega = np.cumsum(rates[:, None] * axes, axis=0)
+    v = model.compiled().v0.reshape(n, 6)
+    np.testing.assert_allclose(v[:, 3:], omega, rtol=0, atol=1e-9 * np.abs(omega).max())
+    along = np.array([(np.cos(0.5), 0, (-1) ** k * np.sin(0.5)) for k in range(n)])
+    across = np.cross(omega, along)
+    center = np.cumsum(across, axis=0) - across / 2
+    np.testing.assert_allclose(v[:, :3], center, rtol=0, atol=1e-9 * np.abs(center).max())
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 30])
+def test_motors_that_contradict_each_other_are_told_however_they_are_tried(n: int) -> None:
+    model = driven_chain(np.random.default_rng(1).normal(size=n))
+    other = lw.functions.polynomial(0.0, 7.0)
+    model.angle_driver("ground", "rod 0", at=(0, 0, 0), axis=(0, 0, 1), angle=other, name="other")
+    with pytest.raises(lw.NotConvergedError, match="initial velocities.*conflict.*(other|motor 0)"):
+        lw.assemble(model)

@@ -7,7 +7,11 @@ import warnings
 import linkwork as lw
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from linkwork import functions
+from linkwork.running import breakpoints
+from random_mechanisms import examples
 from recorded import PAIRS
 from scipy.interpolate import CubicSpline, PPoly
 
@@ -249,12 +253,32 @@ def test_breaks_that_are_none_are_refused() -> None:
 # --- drivers that jump --------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("given", [{"rtol": 1e-6}, {"step": 1e-3}])
-def test_a_driver_whose_position_jumps_is_refused(given) -> None:
+@pytest.mark.parametrize("steps", [{"rtol": 1e-6}, {"step": 1e-3}])
+def test_a_driver_whose_position_jumps_is_refused(steps) -> None:
     model = driven(position=pieces(0.0, [0.0], 0.4, [0.1], 1.0))
     with pytest.raises(lw.ModelError, match=r"'driver'.*jumps by 0.1 at t = 0.4 s") as caught:
-        lw.simulate(model, 1.0, **given)
+        lw.simulate(model, 1.0, **steps)
     assert caught.value.time == 0.4
+
+
+@examples(200)
+@given(
+    start=st.floats(1e-3, 1e3), duration=st.floats(1e-4, 10.0), rise=st.floats(1e-6, 1e6), fall=st.booleans()
+)
+def test_a_cycloidal_driver_jumps_nowhere(start: float, duration: float, rise: float, fall: bool) -> None:
+    """Beside its ends its value is a small difference of numbers."""
+    motion = functions.cycloidal(rise, duration, start=start)
+    if fall:
+        motion = functions.Sum((motion, functions.cycloidal(-rise, duration, start=start + 2 * duration)))
+    breakpoints.check_drivers(driven(position=motion), 0.0, start + 5 * duration, adaptive=True)
+
+
+@pytest.mark.parametrize("jump", [1e-6, 1.0, 1e3])
+@pytest.mark.parametrize("at", [1e-2, 0.3, 70.0])
+def test_a_jump_of_any_size_is_seen(at: float, jump: float) -> None:
+    model = driven(position=pieces(0.0, [0.0, 0.3], at, [0.3 * at + jump, 0.3], 2 * at))
+    with pytest.raises(lw.ModelError, match="jumps by"):
+        breakpoints.check_drivers(model, 0.0, 2 * at, adaptive=True)
 
 
 @pytest.mark.parametrize("pair", PAIRS)

@@ -117,6 +117,31 @@ def test_a_run_may_end_beside_a_pose(load: bool, options: dict[str, float], afte
     assert abs(result.angular_acceleration[-1, 0, 2] - expected) <= tolerance * 9.81
 
 
+def parallelogram(model: lw.Model, place: float, theta: float, rate: float) -> None:
+    """Three rods of 1 m that turn by `rate` [rad/s], at `theta` from being in line."""
+    along, across = np.array([np.cos(theta), np.sin(theta), 0]), np.array([-np.sin(theta), np.cos(theta), 0])
+    inertia, ends = mechanisms.thin_rod(1.0, 1.0), [np.array([place + k, 0.0, 0.0]) for k in (0, 1)]
+    pose = lw.rotation.from_axes(x=along, y=across)
+    turn = {"orientation": pose, "velocity": rate * across / 2, "omega": (0, 0, rate)}
+    bars = [model.body(mass=1.0, inertia=inertia, position=end + along / 2, **turn) for end in ends]
+    middle = ends[0] + along + (0.5, 0, 0)
+    beam = model.body(mass=1.0, inertia=inertia, position=middle, velocity=rate * across)
+    for bar, end in zip(bars, ends, strict=True):
+        model.revolute(model.ground, bar, at=end, axis=(0, 0, 1))
+        model.revolute(bar, beam, at=end + along, axis=(0, 0, 1))
+
+
+@pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 5e-3}, {"rtol": 1e-4}, {"rtol": 1e-8}], ids=str)
+@pytest.mark.parametrize("apart", [0.005, 0.03, 0.06, 0.15])
+def test_poses_of_independent_loops_are_all_listed(apart: float, options: dict[str, float]) -> None:
+    """Two parallelograms that know nothing of each other, in line at 1 s and `apart` [s] later."""
+    model = lw.Model(gravity=(0, 0, -9.81))
+    for place, passes in ((0.0, 1.0), (5.0, 1.0 + apart)):
+        parallelogram(model, place, 1.5 * passes, -1.5)
+    result = lw.simulate(model, 2.0, progress=False, **options)
+    assert [it.t for it in result.singular_poses] == pytest.approx([1.0, 1.0 + apart], abs=1e-4)
+
+
 def flat_parallelogram(rocker: float) -> lw.Model:
     """Crank and rocker of 1 m on one line, the crank at 3 rad/s: D v = 0 with any rate of the rocker."""
     model = lw.Model(gravity=(0, -9.81, 0))

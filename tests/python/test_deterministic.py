@@ -42,6 +42,27 @@ def test_bits_are_those_without_wide_registers_and_fused_multiplication(path: st
     assert json.loads(done.stdout) == {name: GOLDEN[name] for name in SOME}, done.stderr
 
 
+@pytest.mark.parametrize("name", ["x86-64-v9", "avx2", ""])
+def test_a_set_of_instructions_that_there_is_not_is_refused(name: str) -> None:
+    """A misspelled one would leave the widest in use, without a word. An empty one is none."""
+    command = [
+        sys.executable,
+        "-c",
+        "from linkwork.cli import main; main()",
+        "run",
+        "pendulum",
+        "--t-end",
+        "0.01",
+    ]
+    environment = {**os.environ, "LINKWORK_INSTRUCTION_SET": name}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    assert done.returncode == (1 if name else 0)
+    said = f"LINKWORK_INSTRUCTION_SET: '{name}' is none of "
+    assert (
+        not name or said in done.stderr and done.stderr.startswith("error: ") and done.stderr.count("\n") == 1
+    )
+
+
 @pytest.mark.parametrize("solver", ["spqr", "umfpack", "cholmod", "cholmod_supernodal"])
 def test_solvers_with_blas_are_refused(solver: str) -> None:
     with pytest.raises(lw.OptionError) as caught:

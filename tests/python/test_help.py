@@ -169,7 +169,7 @@ def test_log_has_what_was_run_and_what_went_wrong(tmp_path: Path) -> None:
         words = ["--log", str(log), "run", "pendulum", "--t-end", "0.01", "--step", step]
         subprocess.run(f"{PROGRAM} {shlex.join(words)}", shell=True, capture_output=True)
     began, ended, failed = log.read_text().splitlines()
-    assert " INFO linkwork.running.simulation: pendulum: 1 bodies" in began
+    assert " INFO linkwork.running.simulation: pendulum: 1 body, " in began
     assert "done, 10 steps" in ended
     assert " ERROR linkwork.cli: step -1.0 s must be" in failed
 

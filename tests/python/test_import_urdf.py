@@ -346,3 +346,29 @@ def test_coordinates_are_checked() -> None:
         lw.import_urdf(ARM, coordinates={"elbo": 0.1})
     with pytest.raises(lw.ModelError, match="takes 1 finite numbers"):
         lw.import_urdf(ARM, coordinates={"elbow": (0.1, 0.2)})
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"shapes": "none"}, lw.OptionError, "shapes 'none' is not True or False"),
+        ({"inertia_as_is": 1}, lw.OptionError, "inertia_as_is 1 is not True or False"),
+        ({"merge_fixed": "no"}, lw.OptionError, "merge_fixed 'no' is not True or False"),
+        ({"floating": "no"}, lw.OptionError, "floating 'no' is not True, False or None"),
+        ({"search_path": 3}, lw.OptionError, "search_path 3 is no list of folders"),
+        ({"search_path": ["nowhere"]}, lw.FileError, "search_path '.*nowhere': there is no such folder"),
+        ({"search_path": ARM}, lw.FileError, "search_path '.*arm.urdf': there is no such folder"),
+    ],
+)
+def test_choices_that_there_are_not_are_refused(
+    options: dict[str, Any], error: type[Exception], message: str
+) -> None:
+    """Any text would count as yes, and folders with a misspelled name as empty."""
+    with pytest.raises(error, match=message):
+        lw.import_urdf(ARM, **options)
+
+
+def test_one_folder_is_a_search_path(tmp_path: Path) -> None:
+    """A text is not one of letters."""
+    (tmp_path / "meshes").mkdir()
+    assert lw.import_urdf(ARM, search_path=str(tmp_path / "meshes")).notes == lw.import_urdf(ARM).notes

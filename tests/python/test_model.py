@@ -7,6 +7,7 @@ import inspect
 import pickle
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -363,11 +364,30 @@ def test_the_components_of_a_force_are_in_its_frame(frame: str) -> None:
     assert found == pytest.approx(expected[frame], abs=1e-15)
 
 
+def no_force(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    return np.zeros(v.shape)
+
+
 def test_the_hash_does_not_depend_on_names() -> None:
-    models = [lw.Model() for _ in range(2)]
-    for name, model in zip("ab", models, strict=True):
+    """Of bodies, joints, those that are coupled, and forces of the user's own; which is coupled matters."""
+    models = [lw.Model() for _ in range(3)]
+    for letters, coupled, model in zip(("xyz", "abc", "abc"), (1, 1, 0), models, strict=True):
+        for name in letters:
+            body = model.body(name, **BODY)
+            model.revolute("ground", body, at=(0, 0, 0), axis=(0, 1, 0), name=f"pin {name}")
+        ends = (letters[coupled], letters[2])
+        model.coupler([(f"pin {name}", 1.0) for name in ends], name=f"belt {letters}")
+        model.user_force(no_force, name=f"wind {letters}")
+    assert models[0].hash() == models[1].hash() != models[2].hash()
+    assert len({wind_on(bodies).hash() for bodies in (None, "x", ["x"], ["y"], ["x", "y"])}) == 4
+
+
+def wind_on(bodies: Any) -> lw.Model:
+    model = lw.Model()
+    for name in "xyz":
         model.body(name, **BODY)
-    assert models[0].hash() == models[1].hash()
+    model.user_force(no_force, bodies)
+    return model
 
 
 def test_the_hash_depends_on_a_mass() -> None:

@@ -139,7 +139,10 @@ def test_log_tells_how_a_run_began_and_ended(caplog: pytest.LogCaptureFixture) -
     with caplog.at_level(logging.INFO, "linkwork"):
         lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3)
     began, ended = caplog.messages
-    assert "pendulum: 1 bodies" in began and "standard, sampled_baumgarte, rk4" in began
+    assert (
+        "pendulum: 1 body, 1 distance; 1 constraint equation;" in began
+        and "standard, sampled_baumgarte, rk4" in began
+    )
     assert "done, 10 steps" in ended
 
 

@@ -16,7 +16,7 @@ import linkwork as lw
 ROOMS = [
     "_core", "former", "arrays", "memory", "errors", "arguments", "rotation", "functions", "integrators",
     "options", "modeling", "equations", "motion", "accuracy", "plots", "view", "results", "running",
-    "analyses", "importers", "mechanisms", "comparison", "studies", "validation", "benchmark", "linkwork",
+    "analyses", "importers", "mechanisms", "comparison", "studies", "ensemble", "validation", "benchmark", "linkwork",
     "cli",
 ]  # fmt: skip
 

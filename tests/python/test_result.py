@@ -268,3 +268,21 @@ def test_a_reaction_is_about_the_joints_point_on_the_second_body() -> None:
     assert reaction.force == pytest.approx(np.tile([0, 0, 2 * 9.81], (len(result), 1)))
     assert reaction.torque == pytest.approx(-np.cross(arm, reaction.force))
     assert reaction.torque[-1] == pytest.approx([0, 0.3 * 2 * 9.81, 0])
+
+
+def test_one_of_a_kind_is_told_as_one() -> None:
+    model = lw.Model(name="top")
+    model.spherical("ground", model.body(mass=1.0, inertia=(1, 1, 1)), at=(0, 0, 0))
+    result = lw.simulate(model, t_end=0.01, step=1e-2, record_every=1)
+    assert model.describe().startswith("top: 1 body, 1 spherical; 3 constraint equations; ")
+    assert repr(result) == "<Result: 1 body, 1 joint, 2 frames to t = 0.01 s>"
+    assert "top: 1 body, 1 joint, 3 constraints" in result.summary()
+    assert repr(result.header) == "<Header: 1 body, 1 joint, 3 equations>"
+
+
+def test_what_does_not_change_is_not_read_again_for_each_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Metadata of the package, which take as long as a short run."""
+    manifest = lw.simulate(lw.mechanisms.pendulum(), t_end=0.01, step=1e-2).manifest
+    monkeypatch.setattr("importlib.metadata.version", lambda name: pytest.fail(f"read {name} again"))
+    again = lw.simulate(lw.mechanisms.pendulum(), t_end=0.01, step=1e-2).manifest
+    assert again["versions"] == manifest["versions"] and again["versions"]["linkwork"]

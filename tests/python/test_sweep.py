@@ -30,6 +30,9 @@ FEW: dict[str, Any] = {**RUN, "processes": 1}
 GRID = {"rod.mass": [1.0, 2.0, 3.0], "gravity[2]": [-9.81, -1.62]}
 
 
+#: Of threads: it computes nothing here.
+ANY = concurrent.futures.ThreadPoolExecutor(1)
+
 RANDOM: dict[str, Any] = {"parameters": {"rod.mass": (1, 2)}, "sampler": "random", "cases": 4, "seed": 1}
 
 
@@ -204,10 +207,10 @@ def test_bits_do_not_depend_on_processes_executors_or_shards(tmp_path: Path) -> 
     for shard in ((3, 3), (1, 3)):  # of arrays from 1
         part = lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, shard=shard)
         assert (part.status == "finished").sum() >= 2
-    partly = lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, gather=True)
+    partly = lw.sweep(rod(), GRID, outputs, **RUN, directory=tmp_path, gather=True)
     assert Counter(partly.status.tolist()) == {"finished": 4, "skipped": 2}
     lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, shard=(2, 3))
-    same(one, lw.sweep(rod(), GRID, outputs, **FEW, directory=tmp_path, gather=True))
+    same(one, lw.sweep(rod(), GRID, outputs, **RUN, directory=tmp_path, gather=True))
     assert set(keys_in(tmp_path).values()) == {1}
 
 
@@ -255,17 +258,30 @@ def test_an_interrupted_study_keeps_what_is_done(tmp_path: Path, monkeypatch: py
     keep = Store.keep
 
     def interrupted(store: Store, answer: Any) -> None:
+        if keys_in(tmp_path):
+            raise KeyboardInterrupt
         keep(store, answer)
-        raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
         patch.setattr(Store, "keep", interrupted)
-        with pytest.raises(KeyboardInterrupt):
+        with pytest.raises(KeyboardInterrupt) as caught:
             lw.sweep(rod(), GRID, "final", **FEW, directory=tmp_path)
     done = len(keys_in(tmp_path))
-    assert done >= 1
+    assert f"{done} of 6 cases are done, and kept in '{tmp_path}'" in str(caught.value)
+    assert f"the other {6 - done}" in str(caught.value) and done >= 1
     assert (lw.sweep(rod(), GRID, "final", **FEW, directory=tmp_path).status == "finished").all()
     assert set(keys_in(tmp_path).values()) == {1}
+
+
+def test_an_interrupted_study_without_a_directory_says_that_it_is_lost(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def interrupted(*_: Any) -> Any:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("linkwork.studies.chunks.in_processes", interrupted)
+    with pytest.raises(KeyboardInterrupt, match="0 of 6 cases are done, and lost: give a directory"):
+        lw.sweep(rod(), GRID, "final", **FEW)
 
 
 def test_a_broken_executor_says_so_and_leaves_a_study_that_goes_on(
@@ -289,6 +305,35 @@ def test_a_broken_executor_says_so_and_leaves_a_study_that_goes_on(
 
 
 # --- what fails ---
+
+
+def endless(result: lw.Result) -> float:
+    """Where the mass is 3 kg."""
+    while result.header.mass[0] == 3.0:
+        time.sleep(0.01)
+    return float(result.energy[-1])
+
+
+def test_a_case_that_never_ends_is_given_up_after_its_time_and_takes_no_other_with_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also one that shares its task with others: of ten cases by one process the first goes alone."""
+    monkeypatch.setattr("linkwork.studies.chunks.PATIENCE", 0.5)
+    for masses in ([3.0, 1.0], [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0]):
+        study = lw.sweep(rod(), {"rod.mass": masses}, endless, **FEW, case_seconds=0.5, directory=tmp_path)
+        assert [mass for mass, it in zip(masses, study.status, strict=True) if it == "failed"] == [3.0]
+        assert study.errors[masses.index(3.0)]["message"] == "not done after 0.5 s"
+    assert len(keys_in(tmp_path)) == 10  # it is not kept, and so tried again
+    kept = lw.sweep(rod(), {"rod.mass": [1.0, 2.0]}, endless, **RUN, directory=tmp_path, gather=True)
+    same(kept, lw.sweep(rod(), {"rod.mass": [1.0, 2.0]}, endless, **FEW))
+
+
+@pytest.mark.parametrize("value", [None, "text", [1.0, None], 1j])
+def test_what_a_function_gives_that_is_no_number_is_no_output(value: Any) -> None:
+    """NumPy would take None for NaN."""
+    study = lw.sweep(rod(), {"rod.mass": [1.0]}, {"mine": lambda result: value}, **FEW)
+    assert study.status.tolist() == ["failed"]
+    assert "output 'mine': its function gives " in study.errors[0]["message"]
 
 
 def test_failed_cases_are_kept_with_their_reason(tmp_path: Path) -> None:
@@ -368,6 +413,15 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"outputs": {"rod.mass": "energy.max"}}, lw.OptionError, "'rod.mass': is the name of a parameter"),
         ({"outputs": {"status": "energy.max"}}, lw.OptionError, "column that every study has"),
         ({"step": -1.0}, lw.OptionError, "step"),
+        ({"seed": 3}, lw.OptionError, "seed 3: nothing is drawn of a grid"),
+        ({"parameters": [{"rod.mass": 1}], "seed": 3}, lw.OptionError, "seed 3: nothing is drawn of a table"),
+        ({"cases": 3}, lw.OptionError, "cases 3: nothing is drawn of a grid"),
+        ({"parameters": {"rod": [1]}}, lw.OptionError, "'rod': is a whole body: name one .*: 'rod.mass'"),
+        ({"times": [0.05]}, lw.OptionError, "no output is an array over time"),
+        ({"case_seconds": 0}, lw.OptionError, "case_seconds"),
+        ({"case_seconds": 1, "executor": ANY, "processes": None}, lw.OptionError, "cannot be kept in"),
+        ({"gather": True, "directory": "x"}, lw.OptionError, "processes 1: gather runs no case"),
+        ({"gather": True, "directory": "x", "processes": None}, lw.FileError, "'x': there is no study to"),
         ({"shard": (1, 2)}, lw.OptionError, "directory"),
         ({"shard": (3, 2), "directory": "x"}, lw.OptionError, "shard"),
         ({"executor": 3, "processes": None}, lw.OptionError, "executor"),
@@ -436,11 +490,12 @@ def test_samplers_fill_their_bounds_and_repeat_by_their_seed() -> None:
 
     bounds = {"a": (1.0, 3.0), "b": stats.norm(5.0, 0.1)}
     for sampler in ("random", "sobol", "halton", "latin_hypercube", qmc.Sobol(2, seed=7)):
-        found = cases_of(bounds, sampler, 256, 7)
+        seed = 7 if isinstance(sampler, str) else None
+        found = cases_of(bounds, sampler, 256, seed)
         a, b = np.array(found.columns["a"]), np.array(found.columns["b"])
         assert 1 <= a.min() < 1.1 and 2.9 < a.max() <= 3
         assert stats.kstest(b, stats.norm(5.0, 0.1).cdf).pvalue > 1e-3
-        assert found.columns == cases_of(bounds, sampler, 256, 7).columns
+        assert found.columns == cases_of(bounds, sampler, 256, seed).columns
         if isinstance(sampler, str):
             assert found.columns != cases_of(bounds, sampler, 256, 8).columns
     fewer = cases_of(bounds, None, 100, 7)  # distributions alone mean random
@@ -449,6 +504,10 @@ def test_samplers_fill_their_bounds_and_repeat_by_their_seed() -> None:
         cases_of(bounds, "random", 4, None)
     with pytest.raises(lw.OptionError, match="has no seed"):
         cases_of(bounds, qmc.Halton(2), 4, None)
+    with pytest.raises(lw.OptionError, match="seed 3: an engine of scipy.stats.qmc has its own"):
+        cases_of(bounds, qmc.Halton(2, seed=7), 4, 3)
+    with pytest.warns(lw.LinkworkWarning, match="cases 5: The balance properties of Sobol"):
+        cases_of(bounds, "sobol", 5, 7)
 
 
 def test_rows_columns_frames_and_arrays_are_the_same_table() -> None:
@@ -567,7 +626,7 @@ def test_command_runs_shards_and_gathers_them(folder: Path, capsys: pytest.Captu
         ("t_end: 0.05", "t_ent: 0.05", r"study.yaml:3: t_ent: is not known here; the nearest is 't_end'"),
         ("t_end: 0.05", "t_end: soon", r"study.yaml:3: t_end: 'soon' is not a number"),
         ("linkwork_study: 1", "linkwork_study: 2", r"study.yaml:1: linkwork_study: 2 is not 1"),
-        ("model: rod.yaml", "model: rot.yaml", r"rot.yaml"),
+        ("model: rod.yaml", "model: rot.yaml", r"model file '.*rot.yaml'"),
         ("rod.mass: [1.0, 2.0, -3.0]", "rod.mass: {norn: {loc: 1}}", "no distribution 'norn'; .*'norm'"),
         (
             "rod.mass: [1.0, 2.0, -3.0]",
@@ -597,8 +656,8 @@ def test_a_command_that_is_ended_goes_on_where_it_was(folder: Path, sign: signal
     process.send_signal(sign)
     _, errors = process.communicate(timeout=60)
     assert process.returncode == code, errors
-    assert sign == signal.SIGKILL or "has the cases so far" in errors
     done = keys_in(folder / "kept")
+    assert sign == signal.SIGKILL or f"interrupted: {len(done)} of 40 cases are done, and kept" in errors
     assert 0 < len(done) < 40
     assert subprocess.run(line, cwd=folder, capture_output=True, timeout=120).returncode == 0
     whole = keys_in(folder / "kept")

@@ -271,7 +271,12 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, cons
   evaluate_constraints(t, q, v, history, out);  // D and gamma of (12.2)
   out.potential = evaluate_bodies(q, v, out);
   out.power = 0.0;
-  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);  // g of (12.1)
+  evaluate_forces(t, q, v, history, out);  // g of (12.1)
+}
+
+void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                             Evaluation& out) const {
+  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
 }
@@ -285,6 +290,19 @@ double System::evaluate_bodies(const ConstVector& q, const ConstVector& v, Evalu
                      v.data() + velocity_size * first, out.g.data() + velocity_size * first);
   });
   return std::accumulate(out.potentials.begin(), out.potentials.end(), 0.0);
+}
+
+bool System::has_rest() const {
+  return !model_.signals().empty() || !special_joints_.empty() || !model_.forces().empty() ||
+         !model_.joint_forces().empty() || !model_.user_forces().empty();
+}
+
+void System::evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                           Evaluation& out) const {
+  evaluate_signals(t, out);
+  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+  out.potential = out.power = 0.0;
+  evaluate_forces(t, q, v, history, out);
 }
 
 Wrenches<double> System::joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,

@@ -99,6 +99,13 @@ class System {
   void evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                          Evaluation& out) const;
 
+  // For ensembles, which evaluate bodies and joints of many mechanisms at once.
+  /// Whether there is more than bodies and joints without functions of time.
+  bool has_rest() const;
+  /// That: functions of time, special joints, and all forces, which are added to `out.g`, where those of the bodies are.
+  void evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                     Evaluation& out) const;
+
   // History variables: those of special joints, then those of force elements.
   int history_size() const { return static_cast<int>(history_owners_.size()); }
   const std::vector<HistoryOwner>& history_owners() const { return history_owners_; }
@@ -180,6 +187,8 @@ class System {
   BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
   const ConstraintBlock& block_of_body(int joint, int body) const;
   void check_limits(double t, const std::vector<Signal<double>>& signals) const;
+  void evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                       Evaluation& out) const;
   void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                              Evaluation& out) const;
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;

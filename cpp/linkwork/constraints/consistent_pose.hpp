@@ -8,11 +8,11 @@
 
 namespace linkwork {
 
-/// A pose on the constraints of the loops at some time; components that could not be brought there keep the pose they
-/// had.
+/// A pose on the constraints of the loops at some time, or, of loops that cannot close, where the squares of their
+/// residuals are least: Phi there says which. Components that came to no rest keep the pose they had.
 struct ConsistentPose {
   VectorXd q;
-  std::vector<char> reached;  ///< per component of the loops
+  std::vector<char> reached;  ///< per component of the loops: whether it came to rest, closed or not
 };
 
 /// Where bodies are at some time [s], and the history of their joints.

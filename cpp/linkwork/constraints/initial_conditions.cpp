@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <random>
 
 #include "linkwork/constraints/displacement.hpp"
@@ -22,7 +23,11 @@ constexpr double nearest = 1e-11;                              // displacement t
 constexpr double shortest_part = 1e-4;                         // of a step along the constraints
 constexpr double nudge = 0.05;  // [rad, or relative to the length of a body], off a saddle
 constexpr int most_descents = 300, most_approaches = 100, most_nudges = 4, most_refinements = 40;
-constexpr double most_velocity_damping = 1e-8, least_velocity_damping = 1e-13;
+constexpr double most_velocity_damping = 1e-8, least_velocity_damping = 1e-13, least_conjugate_damping = 1e-12;
+constexpr int most_conjugate = 300, patience = 20;
+constexpr std::size_t most_directions = 30;
+constexpr double progress = 0.9, new_part = 1e-8;  // of residuals; of a direction, beside those before
+constexpr double useful = 1e-3;                    // cosine of a direction and the residuals
 
 double largest(const VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -231,6 +236,51 @@ bool InitialConditions::velocities(const VectorXd& q, VectorXd& v) {
     if (!shrinking && (mu *= 0.01) < least_velocity_damping) break;
     if (!solve(rest_, -at_.Phi_dot, mu)) break;
     found += x_;
+  }
+  return least <= roundoff || conjugate_velocities(q, v, least);
+}
+
+/// Residuals of velocities, relative to the rows.
+VectorXd InitialConditions::velocity_residuals(const VectorXd& q, const VectorXd& v) {
+  evaluate(q, v);
+  return at_.Phi_dot.cwiseQuotient(row_lengths_);
+}
+
+// What mu leaves of a weak direction of S = D M^-1 D^T, of which sigma < mu, shrinks by mu / (sigma + mu) only: a chain of
+// n driven joints has sigma of 1 / n^4. So the steps above are made conjugate, D x orthogonal to those before, and as
+// long as leaves the least residual (Orthomin: P. K. W. Vinsome, An iterative method for solving sparse sets of
+// simultaneous linear equations, SPE 5729, 1976). Where joints contradict each other the residual stays what it is, and
+// so do the velocities: nothing of it is in the range of D.
+bool InitialConditions::conjugate_velocities(const VectorXd& q, VectorXd& v, double least) {
+  struct Direction {
+    VectorXd x, change;  // the velocity, and its part of the residuals
+  };
+  std::deque<Direction> before;
+  VectorXd found = v, drift = velocity_residuals(q, rest_);
+  double size = 0.0;
+  for (int k = 0, idle = 0; k < most_conjugate && idle < patience; ++k) {
+    const VectorXd residuals = velocity_residuals(q, found);
+    size = std::max(size, rate(found));
+    const double now = largest(residuals) / rounding_ / size;
+    idle = now < progress * least ? 0 : idle + 1;
+    if (now < least) {
+      v = found;
+      least = now;
+    }
+    if (now <= exact || (idle > 0 && least <= roundoff)) break;
+    if (!solve(rest_, -at_.Phi_dot, least_conjugate_damping)) break;
+    Direction next{x_, velocity_residuals(q, x_) - drift};
+    const double whole = next.change.norm();
+    for (const Direction& it : before) {
+      const double share = it.change.dot(next.change) / it.change.squaredNorm();
+      next.x -= share * it.x;
+      next.change -= share * it.change;
+    }
+    const double change = next.change.norm(), aligned = residuals.dot(next.change) / change;
+    if (!(change > new_part * whole) || !(std::abs(aligned) > useful * residuals.norm())) break;
+    found -= (aligned / change) * next.x;
+    before.push_back(std::move(next));
+    if (before.size() > most_directions) before.pop_front();
   }
   return least <= roundoff;
 }

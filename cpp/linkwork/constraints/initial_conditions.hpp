@@ -34,6 +34,8 @@ class InitialConditions {
   bool solve(const VectorXd& a, const VectorXd& b, double damping);
   double relative(const VectorXd& residuals) const;
   double rate(const VectorXd& v) const;
+  VectorXd velocity_residuals(const VectorXd& q, const VectorXd& v);
+  bool conjugate_velocities(const VectorXd& q, VectorXd& v, double least);
   double merit() const;
   bool descend(VectorXd& q);
   void approach(const VectorXd& given, VectorXd& q);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int least_iterations = 2, most_iterations = 8;
 constexpr double settled = 0.1;  // relative change of the value
-constexpr double news = 0.1;     // part of a vector in any direction
+constexpr double news = 1.0;     // a vector in any direction, to one that was the least
 
 }  // namespace
 

@@ -74,7 +74,7 @@ void find_redundancy(const System& given, const ClosedLoops& loops, double toler
   if (assembled.dependent.empty()) return;
   std::vector<int> freedoms = degrees_of_freedom(system, loops, assembled.dependent);
   for (std::size_t c = 0; c < freedoms.size(); ++c)
-    if (!start.reached[c]) freedoms[c] = 0;  // its joints contradict each other: there is no other pose to look at
+    if (!start.reached[c]) freedoms[c] = 0;  // it comes to no rest: there is no other pose to look at
   const PerturbedPose found = perturb(solver, loops, report.q, freedoms);
   report.q = found.q;
   const LoopPose perturbed(system, loops, {0.0, report.q, system.initial_history()}, tolerance);

@@ -210,6 +210,14 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   if (traces_) look_for_nan(false);
 }
 
+Evaluation& Dynamics::begin_elsewhere(double t, const ConstVector& y) {
+  now_.t = t;
+  now_.stage = 1;
+  now_.y = y;
+  formulation_->begin_elsewhere();
+  return at_;
+}
+
 void Dynamics::require_accuracy(double relative) {
   if (system_.row_count() > 0) formulation_->require_accuracy(relative);
 }

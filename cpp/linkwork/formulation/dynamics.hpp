@@ -85,6 +85,9 @@ class Dynamics {
   /// Evaluates at (t, y): everything below refers to this state. Redundant rows are zero in the D of the `evaluation`.
   /// `stage` of a step, from 1 on, is for errors.
   void evaluate(double t, const ConstVector& y, int stage = 1);
+  /// For ensembles: the state is (t, y), where somebody else evaluates and solves; what is needed of it goes into the
+  /// evaluation. Looks at its singular values evaluate the rest.
+  Evaluation& begin_elsewhere(double t, const ConstVector& y);
   /// Looks for values that are not finite in every evaluation from here on: a NotFiniteError names the first.
   void trace() { traces_ = true; }
   /// Roundoff in solutions must not show where only relative errors of this size are tolerated.

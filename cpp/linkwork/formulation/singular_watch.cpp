@@ -133,14 +133,17 @@ void SingularWatch::begin(double t, double pivot, std::vector<int> joints) {
 }
 
 void SingularWatch::change_rows(double t, double pivot, std::vector<int> joints) {
+  if (t <= silent_until_) return;
   row_changes_ += 1;
   keep(t, pivot, std::move(joints), true);
 }
 
 void SingularWatch::cross(double t, double pivot, std::vector<int> joints) {
+  const std::int64_t fallback_evaluations = std::exchange(fallback_evaluations_, 0);
+  if (t <= silent_until_) return;
   singular_poses_ += 1;
   keep(t, pivot, std::move(joints), false);
-  crossings_.back().fallback_evaluations = std::exchange(fallback_evaluations_, 0);
+  crossings_.back().fallback_evaluations = fallback_evaluations;
 }
 
 std::optional<SingularWatch::Trend> SingularWatch::trend() const {

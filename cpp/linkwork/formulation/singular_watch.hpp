@@ -99,8 +99,9 @@ class SingularWatch {
   void keep(Archive& archive) {
     archive(level_, suspicious_, untrusted_, suspicion_, open_, samples_, next_sample_, fallback_evaluations_);
   }
-  /// What it has listed was before this run.
-  void forget_crossings() {
+  /// What was listed is forgotten, and what comes up to t is not listed: a run is taken once more up to there.
+  void silence_until(double t) {
+    silent_until_ = t;
     crossings_.clear();
     singular_poses_ = row_changes_ = 0;
   }
@@ -119,6 +120,7 @@ class SingularWatch {
   std::array<Sample, 32> samples_;
   std::size_t next_sample_ = 0;
   std::int64_t fallback_evaluations_ = 0;  ///< since the last crossing
+  double silent_until_ = -INFINITY;
   std::vector<SingularityCrossing> crossings_;
   std::int64_t singular_poses_ = 0, row_changes_ = 0;
 };

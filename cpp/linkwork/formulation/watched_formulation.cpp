@@ -37,7 +37,18 @@ void WatchedFormulation::analyze(const System& system, const Evaluation& typical
 
 void WatchedFormulation::begin() {
   dropped_.take_out(at_);
+  factorized_ = fallback_ = elsewhere_ = false;
+}
+
+void WatchedFormulation::begin_elsewhere() {
   factorized_ = fallback_ = false;
+  elsewhere_ = true;
+}
+
+void WatchedFormulation::evaluate_here() {
+  if (!elsewhere_) return;
+  system_.evaluate_constraints(now_.t, q(), now_.y.segment(system_.q_size(), system_.v_size()), now_.history, at_);
+  begin();
 }
 
 void WatchedFormulation::factorize(const Evaluation& at) {
@@ -130,6 +141,7 @@ void WatchedFormulation::distribute(MutableVector lambda) {
 }
 
 double WatchedFormulation::least_singular_value() {
+  evaluate_here();
   try {
     factorize(at_);
   } catch (const SingularSystemError&) {
@@ -185,6 +197,7 @@ bool WatchedFormulation::choose_rows(std::vector<int> rows, std::vector<int> joi
 
 bool WatchedFormulation::improve_rows() {
   if (dropped_.empty()) return false;
+  evaluate_here();
   factorize(at_);
   std::vector<int> rows = choose_redundant_rows(system_, {now_.t, q(), now_.history}, dropped_.rows()), joints;
   for (const int row : dropped_.rows())

@@ -47,6 +47,8 @@ class WatchedFormulation final : public Formulation {
 
   /// There is an evaluation at another state, and no factorization.
   void begin();
+  /// The same, of which nothing is evaluated yet but what somebody else needs; see Dynamics::begin_elsewhere.
+  void begin_elsewhere();
   bool factorized() const { return factorized_; }
   std::int64_t factorizations() const { return factorizations_; }
   double smallest_pivot() const { return smallest_pivot_; }  ///< of all, 0 where one broke down
@@ -98,6 +100,7 @@ class WatchedFormulation final : public Formulation {
   template <class Factorize>
   double try_factorization(Factorize factorize);
   VectorXd q() const { return now_.y.head(system_.q_size()); }
+  void evaluate_here();
   PoseExamination examine_here(double pivot) const;
   bool inspect();
   void leave_out(std::vector<int> rows);
@@ -121,6 +124,7 @@ class WatchedFormulation final : public Formulation {
   std::int64_t factorizations_ = 0;
   bool rank_needed_ = false, watched_ = false, watching_ = true, looking_ = false;
   bool factorized_ = false, fallback_ = false;
+  bool elsewhere_ = false;
 };
 
 }  // namespace linkwork

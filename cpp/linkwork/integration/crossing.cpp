@@ -411,10 +411,10 @@ std::vector<double> Crossing::poses_in_leap(double beyond_it) {
     if (!(b.value <= a.value && b.value < c.value)) continue;
     const SingularValueAt least = least_value(a, b, c, value);
     if (!vanishes(a, least, c)) continue;
-    const auto earlier = other_zero(least, samples[std::max<std::size_t>(k, 2) - 2], value);
-    const auto later = other_zero(least, samples[std::min(k + 2, samples.size() - 1)], value);
-    for (const auto& zero : {earlier, std::optional(least), later})
-      if (zero && (found.empty() || zero->at > found.back() + apart)) found.push_back(zero->at);
+    const SingularValueAt& first = samples[std::max<std::size_t>(k, 2) - 2];
+    const SingularValueAt& last = samples[std::min(k + 2, samples.size() - 1)];
+    for (const SingularValueAt& zero : zeros_around(least, first, last, value))
+      if (found.empty() || zero.at > found.back() + apart) found.push_back(zero.at);
   }
   const SingularValueAt &before = *(samples.end() - 2), &end = samples.back();
   const double fall = (before.value - end.value) / (end.at - before.at), beyond = end.value / fall;

@@ -29,6 +29,8 @@ class Crossing final : public Interpolant {
   Crossing(const Crossing&) = delete;
   Crossing& operator=(const Crossing&) = delete;
 
+  /// Whether there are loops, in which poses can be singular.
+  bool watches() const { return prepared_; }
   /// Before a step of size h from (t, y), where `dynamics` is evaluated: whether a pose may be too near for it.
   bool due(double t, double h, const VectorXd& y, bool adaptive);
   /// For an adaptive step where none is due: to where a leap over the pose ahead begins well.

@@ -62,7 +62,6 @@ void Run::mark(bool last) {
     repeating_ = false;
     steps_before_ = steps_done_;
     sampling_.begin_anew(dynamics_, y_[y_.size() - 1]);
-    dynamics_.formulation().watch().forget_crossings();
   }
   const bool marks = !bounded_ && !repeating_ && (due_ || last);
   bounded_ = bounded_ || last;
@@ -80,6 +79,8 @@ void Run::resume(const std::string& state, double work) {
   } catch (const Error&) {  // in a singular pose, where only those can go on that were there before
   }
   recorder_.silence_until(t());
+  dynamics_.formulation().watch().silence_until(t());
+  singular_poses_ = 0;
   const Eigen::Index size = y_.size();
   Archive archive(state);
   keep(archive);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/elementary.hpp"
@@ -11,15 +10,16 @@
 namespace linkwork {
 namespace {
 
-constexpr double passed = 0.9;         // of the usual root of pivots: a pose was passed only if the least is below
-constexpr double away = 1e-3;          // of the same: as far the motion has been from the last pose
-constexpr double vanishing = 0.1;      // value in the pose, part of the least around it
-constexpr double found = 1e-6;         // the same, for the search to end
-constexpr double at_rest = 1e-4;       // of the usual root of pivots: at the end of the motion
-constexpr double same_pose = 1e-2;     // relative to the time between states
-constexpr double golden = 0.381966;    // part of the larger side of a bracket
-constexpr double near_part = 1.0 / 6;  // of the way from a pose: where another may be that is near
-constexpr double no_zero = 0.7;        // a guess that lowers the least by no more finds no zero
+constexpr double passed = 0.9;       // of the usual root of pivots: a pose was passed only if the least is below
+constexpr double away = 1e-3;        // of the same: as far the motion has been from the last pose
+constexpr double vanishing = 0.1;    // value in the pose, part of the least around it
+constexpr double found = 1e-6;       // the same, for the search to end
+constexpr double at_rest = 1e-4;     // of the usual root of pivots: at the end of the motion
+constexpr double same_pose = 1e-2;   // relative to the time between states
+constexpr double golden = 0.381966;  // part of the larger side of a bracket
+constexpr double places_beside[] = {0.02, 0.08, 0.25, 0.55,
+                                    1.0};  // of the way from a pose: between them another may be
+constexpr double no_zero = 0.7;            // a guess that lowers the least by no more finds no zero
 constexpr int most_guesses = 24, few_guesses = 4;
 
 /// |log| of the ratio of two slopes.
@@ -58,23 +58,40 @@ bool vanishes(const SingularValueAt& a, const SingularValueAt& least, const Sing
   return least.value <= vanishing * std::min(a.value, c.value);
 }
 
-// With its sign, what vanishes is about s x + c x^2 over the way: with one or the other sign at the end, of which one
-// fits better what is in the middle.
-std::optional<SingularValueAt> other_zero(const SingularValueAt& zero, const SingularValueAt& end,
-                                          const std::function<double(double)>& value_at) {
-  const auto at = [&](double part) { return zero.at + part * (end.at - zero.at); };
-  for (const double scale : {1.0, near_part}) {
-    const double first = value_at(at(scale / 8.0)), middle = value_at(at(scale / 2.0));
-    const double last = scale == 1.0 ? end.value : value_at(at(scale));
-    const double same = (64.0 * first - last) / 7.0, other = (64.0 * first + last) / 7.0;  // s
-    if (std::abs(std::abs(other - last) / 4.0 - middle) > std::abs((same + last) / 4.0 - middle)) continue;
-    const double part = scale * other / (other + last);
-    const SingularValueAt turn{at(0.5 * part), value_at(at(0.5 * part))}, found{at(part), value_at(at(part))};
-    const SingularValueAt beyond{at(scale), last};
-    const auto& [a, c] = turn.at < beyond.at ? std::tie(turn, beyond) : std::tie(beyond, turn);
-    if (const SingularValueAt least = least_value(a, found, c, value_at); vanishes(a, least, c)) return least;
+namespace {
+
+/// Between a zero and the end of a way from it: the value is looked at in places, closer ones near the zero, and between
+/// them where lines down to another zero would meet.
+void append_other_zeros(const SingularValueAt& zero, const SingularValueAt& end,
+                        const std::function<double(double)>& value_at, std::vector<SingularValueAt>& zeros) {
+  const auto place = [&](double part) { return zero.at + part * (end.at - zero.at); };
+  std::vector<SingularValueAt> samples = {zero};
+  for (const double part : places_beside) {
+    const SingularValueAt next = part < 1.0 ? SingularValueAt{place(part), value_at(place(part))} : end;
+    const SingularValueAt last = samples.back();
+    if (samples.size() > 1 && last.value > 0.0 && next.value > 0.0) {
+      const double at = last.at + (next.at - last.at) * last.value / (last.value + next.value);
+      samples.push_back({at, value_at(at)});
+    }
+    samples.push_back(next);
   }
-  return {};
+  if (end.at < zero.at) std::reverse(samples.begin(), samples.end());
+  for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+    const SingularValueAt &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
+    if (!(b.value < a.value && b.value < c.value)) continue;
+    if (const SingularValueAt least = least_value(a, b, c, value_at); vanishes(a, least, c)) zeros.push_back(least);
+  }
+}
+
+}  // namespace
+
+std::vector<SingularValueAt> zeros_around(const SingularValueAt& zero, const SingularValueAt& before,
+                                          const SingularValueAt& after, const std::function<double(double)>& value_at) {
+  std::vector<SingularValueAt> zeros;
+  if (before.at < zero.at) append_other_zeros(zero, before, value_at, zeros);
+  zeros.push_back(zero);
+  if (after.at > zero.at) append_other_zeros(zero, after, value_at, zeros);
+  return zeros;
 }
 
 void SingularPoseSearch::restart() {
@@ -102,26 +119,33 @@ bool SingularPoseSearch::pass(double t, double value, const VectorXd& y, int par
 
 bool SingularPoseSearch::pass(Mark mark) {
   auto& [a, b, c] = marks_;
+  std::swap(earlier_, a);
   std::swap(a, b);
   std::swap(b, c);
   c = std::move(mark);
-  count_ = std::min(count_ + 1, 3);
+  count_ = std::min(count_ + 1, 4);
   highest_ = std::max(highest_, c.value);
   if (count_ < 2 || !worth_a_search(b.value)) return false;
   if (count_ == 2) search_between(b, c);
   else if (b.value <= a.value && b.value < c.value) search_around();
+  else if (last_listed_ > a.t) search_next();
   else return false;
   return true;
 }
 
-/// The roots of pivots lead here, the singular values go on.
+SingularValueAt SingularPoseSearch::sample(const Mark& mark) { return {mark.t, value_at(mark.t, mark.y)}; }
+
+/// The roots of pivots lead here, the singular values go on. Of two poses near each other one may be before the three.
 void SingularPoseSearch::search_around() {
   const auto& [a, b, c] = marks_;
-  const auto sample = [&](const Mark& mark) { return SingularValueAt{mark.t, value_at(mark.t, mark.y)}; };
   const SingularValueAt from = sample(a), middle = sample(b), to = sample(c);
+  if (count_ > 3) search_single(sample(earlier_), from);
   if (middle.value <= std::min(from.value, to.value)) search(from, middle, to);
   else if (!search_single(from, middle)) search_single(middle, to);
 }
+
+/// Or after them.
+void SingularPoseSearch::search_next() { search_single(sample(marks_[1]), sample(marks_[2])); }
 
 SingularValueAt SingularPoseSearch::sample_between(const SingularValueAt& a, const SingularValueAt& c, double part) {
   const double t = a.at + (c.at - a.at) * part;
@@ -187,10 +211,10 @@ bool SingularPoseSearch::search(SingularValueAt a, SingularValueAt b, SingularVa
   };
   const SingularValueAt least = least_value(a, b, c, value);
   if (!vanishes(a, least, c) || least.at <= last_listed_ + same_pose * (c.at - a.at)) return false;
-  const auto before = other_zero(least, a, value), after = other_zero(least, c, value);
-  bool listed = before && before->at > last_listed_ && list_zero(*before);
-  listed = list_zero(least) || listed;
-  return (after && list_zero(*after)) || listed;
+  bool listed = false;
+  for (const SingularValueAt& zero : zeros_around(least, a, c, value))
+    if (zero.at > last_listed_) listed = list_zero(zero) || listed;
+  return listed;
 }
 
 bool SingularPoseSearch::list_zero(const SingularValueAt& zero) {
@@ -203,8 +227,9 @@ bool SingularPoseSearch::list_zero(const SingularValueAt& zero) {
 }
 
 void SingularPoseSearch::interpolate(double t, VectorXd& y) const {
-  const bool later = count_ < 3 || t >= marks_[1].t;
-  interpolate(marks_[later ? 1 : 0], marks_[later ? 2 : 1], t, y);
+  if (count_ < 3 || t >= marks_[1].t) interpolate(marks_[1], marks_[2], t, y);
+  else if (t >= marks_[0].t) interpolate(marks_[0], marks_[1], t, y);
+  else interpolate(earlier_, marks_[0], t, y);
 }
 
 // Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <optional>
+#include <vector>
 
 #include "linkwork/formulation/dynamics.hpp"
 
@@ -21,9 +21,10 @@ SingularValueAt least_value(SingularValueAt a, SingularValueAt b, SingularValueA
 /// Whether that is a zero.
 bool vanishes(const SingularValueAt& a, const SingularValueAt& least, const SingularValueAt& c);
 
-/// Between a zero and the end of a way from it, the other one of a motion that turns round beside the pose.
-std::optional<SingularValueAt> other_zero(const SingularValueAt& zero, const SingularValueAt& end,
-                                          const std::function<double(double)>& value_at);
+/// A zero, and others on the ways from it to both ends: where a motion turns round beside the pose, or loops that do not
+/// know of each other pass theirs. Ascending.
+std::vector<SingularValueAt> zeros_around(const SingularValueAt& zero, const SingularValueAt& before,
+                                          const SingularValueAt& after, const std::function<double(double)>& value_at);
 
 /// Lists the singular poses that a motion passes, each once.
 ///
@@ -52,7 +53,7 @@ class SingularPoseSearch {
   /// The least singular value. Leaves `dynamics` evaluated there.
   double value_at(double t, const VectorXd& y);
 
-  void keep(Archive& archive) { archive(marks_, count_, highest_, last_listed_); }
+  void keep(Archive& archive) { archive(earlier_, marks_, count_, highest_, last_listed_); }
 
  private:
   struct Mark {
@@ -63,7 +64,9 @@ class SingularPoseSearch {
 
   bool pass(Mark mark);
   bool worth_a_search(double value) const;
+  SingularValueAt sample(const Mark& mark);
   void search_around();
+  void search_next();
   SingularValueAt sample_between(const SingularValueAt& a, const SingularValueAt& c, double part);
   bool search_single(const SingularValueAt& a, const SingularValueAt& c);
   bool search_between(const Mark& before, const Mark& after);
@@ -74,7 +77,8 @@ class SingularPoseSearch {
 
   Dynamics& dynamics_;
   std::array<Mark, 3> marks_;  ///< the last ones
-  int count_ = 0;              ///< of them
+  Mark earlier_;               ///< the one before them
+  int count_ = 0;              ///< of all four
   double highest_ = 0.0;       ///< value since the last pose that was listed
   double last_listed_ = -INFINITY;
   VectorXd y_;

@@ -1,6 +1,7 @@
 #include "linkwork/math/elementary.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -88,9 +89,12 @@ Reduced reduce_large(double x) {
   const bool over = (high >> 61) != 0;
   Wide part = (Wide{high} << 64) | next;  // of 2^126
   if (over) part = (Wide{1} << 126) - part, quadrant += 1;
-  const double hi = static_cast<double>(static_cast<std::uint64_t>(part >> 64) >> 9) * 0x1p-53;
-  const Wide left = part & ((Wide{1} << 73) - 1);
-  const double lo = static_cast<double>(static_cast<std::uint64_t>(left >> 20)) * 0x1p-106;
+  const int zeros =
+      std::countl_zero(static_cast<std::uint64_t>(part >> 64));  // up to 61, where x is next to a multiple
+  part <<= zeros;
+  const double hi = std::ldexp(static_cast<double>(static_cast<std::uint64_t>(part >> 75)), -51 - zeros);
+  const auto left = static_cast<std::uint64_t>((part & ((Wide{1} << 75) - 1)) >> 22);
+  const double lo = std::ldexp(static_cast<double>(left), -104 - zeros);
   const Pair q = product(hi, half_pi[0] + half_pi[1]);
   const Pair turned = sum(q.hi, q.lo + hi * 0x1.1a62633145c07p-54 + lo * (half_pi[0] + half_pi[1]));
   const double sign = (over ? -1.0 : 1.0) * (x < 0.0 ? -1.0 : 1.0);

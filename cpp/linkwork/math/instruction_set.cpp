@@ -1,20 +1,40 @@
 #include "linkwork/math/instruction_set.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <string_view>
+
+#include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
 
 thread_local bool one_path = false;
 
+/// Those that this program is compiled for, whatever the processor has.
+#if LINKWORK_X86
+constexpr int named_sets = max_instruction_sets;
+#else
+constexpr int named_sets = 1;
+#endif
+
+/// OptionError: there is no set of this name.
+int level_named(std::string_view wanted) {
+  std::string names;
+  for (int k = 0; k < named_sets; ++k) {
+    if (wanted == instruction_set(k).name) return k;
+    names += (k ? ", " : "") + std::string(instruction_set(k).name);
+  }
+  throw OptionError("instruction_set", "environment variable LINKWORK_INSTRUCTION_SET: '" + std::string(wanted) +
+                                           "' is none of " + names + "; give one of them, or unset it");
+}
+
 int allowed_level() {
   static const int level = [] {
     const int widest = instruction_set_count() - 1;
     const char* const wanted = std::getenv("LINKWORK_INSTRUCTION_SET");
-    for (int k = 0; wanted && k < widest; ++k)
-      if (std::string_view(wanted) == instruction_set(k).name) return k;
-    return widest;
+    return wanted && *wanted ? std::min(widest, level_named(wanted)) : widest;
   }();
   return level;
 }

@@ -16,6 +16,7 @@ constexpr int max_instruction_sets = 3;
 int instruction_set_count();
 InstructionSet instruction_set(int level);
 /// The widest; level 0 where OnePath is; not wider than the environment variable LINKWORK_INSTRUCTION_SET says, by name.
+/// OptionError: it says a name that is none.
 InstructionSet best_instruction_set();
 
 /// While it is there, this thread computes by the instructions that every processor has, and so with the same bits on

@@ -44,6 +44,19 @@ struct JointArrays {
   const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
 };
 
+/// The joints of one kind in several mechanisms of one structure at once, each mechanism in a lane: what is said of a
+/// joint or body holds for `width` numbers, one of each mechanism.
+struct JointLanes {
+  int count;
+  const int *body_i, *body_j;  ///< places in the states
+  const double* attachment;    ///< numbers of Attachment of each joint (24 x width)
+  const double* parameters;    ///< value, rate, acceleration of `parameter_count` parameters of each joint
+  int parameter_count;
+  const int* row;           ///< first constraint row
+  const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
+  const double* states;     ///< of each body numbers of BodyState (18 x width), of the ground behind them
+};
+
 struct JointBatch {
   std::vector<int> body_i, body_j, row;
   std::vector<std::ptrdiff_t> D;

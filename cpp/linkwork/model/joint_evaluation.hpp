@@ -109,4 +109,51 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
   }
 }
 
+/// Numbers that stand `width` by `width`.
+template <int count>
+LINKWORK_INLINE void load_lanes_of(const double* from, Pack* out) {
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
+    out[k].v = load_native(from + k * width);
+}
+template <int count>
+LINKWORK_INLINE void store_lanes_of(double* to, const Pack* in) {
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
+    store_native(to + k * width, in[k].v);
+}
+
+LINKWORK_INLINE BodyState<Pack> load_state(const double* from, Pack* velocity) {
+  BodyState<Pack> state;
+  load_lanes_of<3>(from, state.r.data());
+  load_lanes_of<9>(from + 3 * width, state.A.data());
+  load_lanes_of<6>(from + 12 * width, velocity);
+  state.r_dot = Vec3<Pack>(velocity[0], velocity[1], velocity[2]);
+  state.omega = Vec3<Pack>(velocity[3], velocity[4], velocity[5]);
+  return state;
+}
+
+/// One joint of all lanes after the other.
+template <class Joint>
+LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const ConstraintArrays& out) {
+  constexpr int rows = Joint::rows;
+  Signal<Pack> parameters[max_joint_parameters];
+  for (int joint = 0; joint < joints.count; ++joint) {
+    const double* given = joints.parameters + 3l * width * joints.parameter_count * joint;
+    for (int p = 0; p < joints.parameter_count; ++p, given += 3 * width)
+      parameters[p] = {Pack(load_native(given)), Pack(load_native(given + width)),
+                       Pack(load_native(given + 2 * width))};
+    Pack v_i[6], v_j[6], Phi[rows], Phi_t[rows], Phi_dot[rows], gamma[rows], D[12 * rows];
+    const BodyState<Pack> i = load_state(joints.states + 18l * width * joints.body_i[joint], v_i);
+    const BodyState<Pack> j = load_state(joints.states + 18l * width * joints.body_j[joint], v_j);
+    Joint::template evaluate<Pack>(load_attachment(joints.attachment + 24l * width * joint), parameters, i, j,
+                                   Rows<Pack, rows>{Phi, Phi_t, gamma, D, D + 6 * rows});
+    multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
+    for (int k = 0; k < 12 * rows; ++k) store_native(out.D + (joints.D[joint] + k) * width, D[k].v);
+    const long row = static_cast<long>(joints.row[joint]) * width;
+    store_lanes_of<rows>(out.Phi + row, Phi);
+    store_lanes_of<rows>(out.Phi_dot + row, Phi_dot);
+    store_lanes_of<rows>(out.gamma + row, gamma);
+    store_lanes_of<rows>(out.Phi_t + row, Phi_t);
+  }
+}
+
 }  // namespace linkwork::simd::LINKWORK_ISA

@@ -31,9 +31,13 @@ struct ConstraintArrays {
 using EvaluateJoints = void (*)(const JointArrays&, const double* q, const double* v, const Signal<double>* signals,
                                 const ConstraintArrays&);
 
+/// The same for mechanisms in lanes: where equations go, each number is `width` of them.
+using EvaluateJointLanes = void (*)(const JointLanes&, const ConstraintArrays&);
+
 struct JointKind {
   KindInfo info;
-  EvaluateJoints evaluate[max_instruction_sets];  ///< by level of the instruction set
+  EvaluateJoints evaluate[max_instruction_sets];            ///< by level of the instruction set
+  EvaluateJointLanes evaluate_lanes[max_instruction_sets];  ///< likewise; the same bits at every level
 };
 
 /// An evaluation holds the parameters of a joint in an array of this size.
@@ -42,9 +46,15 @@ constexpr std::size_t max_joint_parameters = 8;
 /// A std::logic_error, when the list of kinds is first read: more parameters than max_joint_parameters.
 JointKind checked(JointKind kind);
 
+/// Both ways to evaluate a kind, by one instruction set.
+struct JointEvaluation {
+  EvaluateJoints joints = nullptr;
+  EvaluateJointLanes lanes = nullptr;
+};
+
 template <class Joint>
-JointKind make_joint_kind(EvaluateJoints v2, EvaluateJoints v3, EvaluateJoints v4) {
-  JointKind kind{Joint::info(), {v2, v3, v4}};
+JointKind make_joint_kind(JointEvaluation v2, JointEvaluation v3 = {}, JointEvaluation v4 = {}) {
+  JointKind kind{Joint::info(), {v2.joints, v3.joints, v4.joints}, {v2.lanes, v3.lanes, v4.lanes}};
   kind.info.rows = Joint::rows;
   return checked(std::move(kind));
 }
@@ -59,33 +69,37 @@ int joint_kind_index(const std::string& name);
 #define LINKWORK_EVALUATE(NAME)                                                                                    \
   void evaluate_##NAME(const JointArrays& joints, const double* q, const double* v, const Signal<double>* signals, \
                        const ConstraintArrays& out)
+#define LINKWORK_EVALUATE_LANES(NAME) \
+  void evaluate_##NAME##_lanes(const JointLanes& joints, const ConstraintArrays& out)
+#define LINKWORK_DECLARE_JOINT(ISA, NAME) \
+  namespace ISA {                         \
+  LINKWORK_EVALUATE(NAME);                \
+  LINKWORK_EVALUATE_LANES(NAME);          \
+  }
+#define LINKWORK_JOINT_EVALUATION(ISA, NAME) {&ISA::evaluate_##NAME, &ISA::evaluate_##NAME##_lanes}
 #if defined(LINKWORK_ISA)
 #define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                  \
   namespace LINKWORK_ISA {                                                   \
   __attribute__((flatten)) LINKWORK_EVALUATE(NAME) {                         \
     simd::LINKWORK_ISA::evaluate_joints<STRUCT>(joints, q, v, signals, out); \
   }                                                                          \
+  __attribute__((flatten)) LINKWORK_EVALUATE_LANES(NAME) {                   \
+    simd::LINKWORK_ISA::evaluate_joint_lanes<STRUCT>(joints, out);           \
+  }                                                                          \
   }
 #elif LINKWORK_X86
-#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                           \
-  namespace v2 {                                                                                      \
-  LINKWORK_EVALUATE(NAME);                                                                            \
-  }                                                                                                   \
-  namespace v3 {                                                                                      \
-  LINKWORK_EVALUATE(NAME);                                                                            \
-  }                                                                                                   \
-  namespace v4 {                                                                                      \
-  LINKWORK_EVALUATE(NAME);                                                                            \
-  }                                                                                                   \
-  JointKind NAME##_joint() {                                                                          \
-    return make_joint_kind<STRUCT>(&v2::evaluate_##NAME, &v3::evaluate_##NAME, &v4::evaluate_##NAME); \
+#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                                       \
+  LINKWORK_DECLARE_JOINT(v2, NAME)                                                                                \
+  LINKWORK_DECLARE_JOINT(v3, NAME)                                                                                \
+  LINKWORK_DECLARE_JOINT(v4, NAME)                                                                                \
+  JointKind NAME##_joint() {                                                                                      \
+    return make_joint_kind<STRUCT>(LINKWORK_JOINT_EVALUATION(v2, NAME), LINKWORK_JOINT_EVALUATION(v3, NAME), \
+                                   LINKWORK_JOINT_EVALUATION(v4, NAME));                                          \
   }
 #else
 #define LINKWORK_DEFINE_JOINT(NAME, STRUCT) \
-  namespace v2 {                            \
-  LINKWORK_EVALUATE(NAME);                  \
-  }                                         \
-  JointKind NAME##_joint() { return make_joint_kind<STRUCT>(&v2::evaluate_##NAME, nullptr, nullptr); }
+  LINKWORK_DECLARE_JOINT(v2, NAME)          \
+  JointKind NAME##_joint() { return make_joint_kind<STRUCT>(LINKWORK_JOINT_EVALUATION(v2, NAME)); }
 #endif
 
 }  // namespace linkwork

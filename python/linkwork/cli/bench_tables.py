@@ -8,6 +8,7 @@ from typing import Any
 from linkwork import benchmark
 from linkwork.benchmark import Comparison, Growth, Measured, Missing, Refused, Run, Size, Steps
 from linkwork.cli import output as out
+from linkwork.errors import counted
 
 #: Keys of ns_per_body, and columns.
 PARTS = ("evaluate", "assemble", "factorize", "solve", "reactions", "whole")
@@ -20,7 +21,8 @@ RUNS = ("mechanism", "method", "bodies", "step [s]", "time [s]", "setup [s]", "c
 
 
 def show_comparison(found: Comparison) -> None:
-    counts = f"{found.bodies:,} bodies, {found.joints:,} joints, {found.rows:,} constraints"
+    each = (found.bodies, "body"), (found.joints, "joint"), (found.rows, "constraint")
+    counts = ", ".join(counted(*it, form=",") for it in each)
     print(f"{found.mechanism}{_shown(found.parameters)}: {counts}")
     print(f"formulation {found.formulation}")
     measured = [solver for solver in found.solvers if isinstance(solver, Measured)]

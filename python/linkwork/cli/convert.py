@@ -8,7 +8,7 @@ from typing import Any
 import linkwork
 from linkwork import importers
 from linkwork.cli import output as out
-from linkwork.errors import FileError
+from linkwork.errors import FileError, counted
 from linkwork.modeling import files
 from linkwork.modeling.files.syntax import check_suffix
 from linkwork.modeling.model import Model
@@ -43,8 +43,9 @@ def convert_and_show(
         counts = {"bodies": model.body_count, "joints": model.joint_count, "forces": model.force_count}
         out.print_json({"source": source, "target": target, **counts, "notes": notes_as_data})
         return
-    counts_text = f"{model.body_count} bodies, {model.joint_count} joints, {model.force_count} forces"
-    out.print_pairs([("from", source), ("to", target), ("model", counts_text)])
+    each = (model.body_count, "body"), (model.joint_count, "joint"), (model.force_count, "force")
+    text = ", ".join(counted(*it) for it in each)
+    out.print_pairs([("from", source), ("to", target), ("model", text)])
     if notes:
         rows = [(note.topic, note.subject, note.message) for note in notes]
         out.print_table(("topic", "what", "in the model"), rows, title="Not as in the file", left=3)

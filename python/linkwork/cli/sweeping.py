@@ -20,18 +20,31 @@ __all__ = ["sweep"]
 @click.option("--shard", metavar="K/N", help="Only every Nth case: job K of N, from 0 or from 1 on.")
 @click.option("--gather", is_flag=True, help="Run nothing; collect what the shards have done.")
 @click.option("--processes", type=click.IntRange(1), metavar="N", help="Local processes; one a processor.")
+@click.option(
+    "--case-seconds",
+    type=click.FloatRange(0, min_open=True),
+    metavar="S",
+    help="Wall time that a case may take [s]; one that takes longer counts as failed.",
+)
 @click.option("--output", "-o", type=click.Path(), metavar="FILE", help="All cases: .csv, or netCDF (.nc).")
+@click.option("--plot", "picture", type=click.Path(), metavar="FILE", help="A picture of the cases.")
+@click.option(
+    "--kind", type=click.Choice(("scatter", "histogram", "bands", "surface", "tornado")), default="scatter",
+    show_default=True, help="What the picture shows.",
+)  # fmt: skip
+@click.option("--page", type=click.Path(), metavar="FILE", help="A page of parallel coordinates (.html).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-def sweep(file: str, shard: str | None, gather: bool, processes: int | None, output: str | None,
+def sweep(file: str, shard: str | None, gather: bool, processes: int | None, case_seconds: float | None,
+          output: str | None, picture: str | None, kind: str, page: str | None,
           as_json: bool) -> None:  # fmt: skip
     """Simulate a mechanism in many variants, as a file says.
 
     \b
     linkwork sweep study.yaml --output study.csv
     linkwork sweep study.yaml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT
-    linkwork sweep study.yaml --gather --output study.nc
+    linkwork sweep study.yaml --gather --output study.nc --plot study.png
 
-    Every case is kept in the study's directory at once: the same command again runs what is missing.
+    Cases are kept in the study's directory as they end: the same command again runs what is missing.
     """
     from linkwork.cli import output as out
     from linkwork.studies.files import read_study
@@ -40,19 +53,28 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, out
     part = None if shard is None else _shard(shard)
     if output is not None:
         out.check_writable(output, "data set" if output.endswith(".nc") else "table")
+    if picture is not None:
+        from linkwork.plots.figures import check_format
+
+        out.check_writable(picture, "picture")
+        check_format(picture)
+    if page is not None:
+        out.check_writable(page, "page")
     given = read_study(file)
-    try:
-        study = run(**given, shard=part, gather=gather, processes=processes)
-    except KeyboardInterrupt as stop:
-        raise type(stop)(f"interrupted; '{given['directory']}' has the cases so far") from stop
+    study = run(**given, shard=part, gather=gather, processes=processes, case_seconds=case_seconds)
     if output is not None:
         save = study.save if output.endswith(".nc") else study.to_csv
         save(output, overwrite=True)
+    if picture is not None:
+        study.plot(kind, picture)
+    if page is not None:
+        study.view(page)
     if as_json:
         out.print_json(_document(study, given, output))
     else:
         _print(study)
-        out.print_pairs([("directory", str(given["directory"])), ("output", output or "")])
+        files = [("output", output or ""), ("picture", picture or ""), ("page", page or "")]
+        out.print_pairs([("directory", str(given["directory"])), *files])
 
 
 def _shard(text: str) -> tuple[int, int]:

@@ -24,7 +24,7 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Any, TypeVar
 
-__all__ = ["Lost", "in_processes", "processor_count"]
+__all__ = ["Lost", "can_fork", "in_processes", "processor_count"]
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -38,6 +38,7 @@ class Lost:
     """Why a task has no answer: its process died, or its time was over."""
 
     reason: str
+    late: bool = False  #: its time was over
 
 
 @dataclass
@@ -51,6 +52,11 @@ class _Worker:
 def processor_count() -> int:
     """Processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def can_fork() -> bool:
+    """Whether `in_processes` has processes, and so can end what takes too long."""
+    return hasattr(os, "fork") and sys.platform.startswith("linux")
 
 
 def in_processes(
@@ -67,7 +73,7 @@ def in_processes(
 
     An exception of `task` ends everything; closing the iterator ends all processes.
     """
-    if not hasattr(os, "fork") or not sys.platform.startswith("linux"):
+    if not can_fork():
         for place, item in enumerate(items):
             beat([place])
             yield place, task(item)
@@ -116,7 +122,7 @@ def _answers(crew: list[_Worker], seconds: float | None) -> Iterator[tuple[int, 
         if worker.place is not None and time.monotonic() > worker.deadline:
             crew.remove(worker)
             _end(worker)
-            yield worker.place, Lost(f"not done after {seconds:g} s")
+            yield worker.place, Lost(f"not done after {seconds:g} s", late=True)
 
 
 def _started(task: Callable[[T], R], items: Sequence[T], crew: Sequence[_Worker]) -> _Worker:
@@ -148,7 +154,7 @@ def _serve(connection: Connection, others: Sequence[Connection], task: Any, item
     """The other process: it ends when nobody is left to ask it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
-    os.environ["OMP_NUM_THREADS"] = "1"  # the other processors are for the other processes
+    os.environ["OMP_NUM_THREADS"] = "1"  # of threads counted from here on: others need processors, too
     logging.getLogger("linkwork").setLevel(logging.WARNING)  # who asks tells of each item
     for other in others:  # inherited; while they are open, nobody would notice that the one who asks is gone
         other.close()

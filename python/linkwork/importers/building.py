@@ -95,12 +95,21 @@ class _Group:
         return self.mass == 0 or not self.inertia.any()
 
 
+#: Options that are yes or no.
+SWITCHES = ("keep_massless", "repair_inertia", "inertia_as_is", "shapes", "couple", "merge_fixed")
+
+
 def check_options(options: Options) -> None:
-    """OptionError: no such option, or two that contradict each other."""
+    """OptionError: no such option, a value that it cannot have, or two that contradict each other."""
     for name in options:
         if name not in Options.__annotations__:
             hint = nearest(name, Options.__annotations__)
             raise OptionError(f"an import has no option '{name}'{hint}", code="unknown_option")
+    for name in SWITCHES:
+        if not isinstance(value := options.get(name, False), bool):
+            raise OptionError(f"{name} {value!r:.60} is not True or False", code=name)
+    if not isinstance(floating := options.get("floating"), bool | None):
+        raise OptionError(f"floating {floating!r:.60} is not True, False or None", code="floating")
     one_of(options.get("limits", "note"), ("note", "stops"), "limits")
     if options.get("repair_inertia") and options.get("inertia_as_is"):
         raise OptionError(

@@ -5,10 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 from typing import Unpack
 
 import numpy as np
 
+from linkwork.arguments import folders
 from linkwork.arrays import Floats
 from linkwork.importers.building import PERPENDICULAR, Options, build
 from linkwork.importers.coverage import report
@@ -58,14 +60,14 @@ KINDS = {
 def import_sdf(
     path: str | os.PathLike[str],
     *,
-    search_path: Sequence[str | os.PathLike[str]] = (),
+    search_path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
     **options: Unpack[Options],
 ) -> Imported:
     """The mechanism in an SDF file, with its closed loops, at the poses of its links or at `coordinates`.
 
-    search_path  folders where models of other files are looked for, and meshes: model://arm is the folder or
-                 file arm in one of them or beside the file; a path is relative to the file, or to one of
-                 them. What an <include> means must be in these folders; nothing is downloaded
+    search_path  a folder or several where models of other files are looked for, and meshes: model://arm is
+                 the folder or file arm in one of them or beside the file; a path is relative to the file, or
+                 to one of them. What an <include> means must be in these folders; nothing is downloaded
 
     Other options are those of linkwork.importers.building.Options: floating, coordinates, velocities,
     gravity, keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed.
@@ -76,10 +78,11 @@ def import_sdf(
 
     Not represented, and listed in the notes: limits, unless limits="stops", plugins, collision geometry, and
     what else linkwork.importers.sdf_coverage lists. ModelFileError: what is wrong in the file, with lines;
-    moving links without inertia. ModelError: wrong coordinates.
+    moving links without inertia. ModelError: wrong coordinates. FileError: `search_path` leads nowhere.
     """
-    library, source = Library.of(path, search_path)
-    file = _SdfFile(source, library, search_path, options)
+    places = folders(search_path, "search_path")
+    library, source = Library.of(path, places)
+    file = _SdfFile(source, library, places, options)
     library.finish()
     description = file.description(
         source.reader.path, file.root.name, gravity=np.array(file.gravity), grounded=file.grounded
@@ -91,11 +94,7 @@ class _SdfFile(RobotFile):
     """All models of a file."""
 
     def __init__(
-        self,
-        source: Source,
-        library: Library,
-        search_path: Sequence[str | os.PathLike[str]],
-        options: Options,
+        self, source: Source, library: Library, search_path: Sequence[Path], options: Options
     ) -> None:
         super().__init__(options)
         self._reader = reader = source.reader

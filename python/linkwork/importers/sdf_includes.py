@@ -38,12 +38,10 @@ class Library:
     models: int = 0
 
     @classmethod
-    def of(
-        cls, path: str | os.PathLike[str], search_path: Sequence[str | os.PathLike[str]]
-    ) -> tuple[Library, Source]:
+    def of(cls, path: str | os.PathLike[str], search_path: Sequence[Path]) -> tuple[Library, Source]:
         """With the first file. FileError: it cannot be read. ModelFileError: it is no SDF."""
         file = path_of(path, "<sdf> file").resolve()
-        library = cls([Path(folder).resolve() for folder in search_path], file.parent)
+        library = cls(search_path, file.parent)
         library.readers[file] = Reader(path, "sdf")
         return library, library._source(file, ())
 

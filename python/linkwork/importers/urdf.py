@@ -6,10 +6,12 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
+from pathlib import Path
 from typing import TypeVar, Unpack
 
 import numpy as np
 
+from linkwork.arguments import folders
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.importers.building import Options, build
@@ -50,13 +52,13 @@ OTHERS = {"fixed": "fixed", "floating": "free", "spherical": "spherical", "ball"
 def import_urdf(
     path: str | os.PathLike[str],
     *,
-    search_path: Sequence[str | os.PathLike[str]] = (),
+    search_path: str | os.PathLike[str] | Sequence[str | os.PathLike[str]] = (),
     **options: Unpack[Options],
 ) -> Imported:
     """The robot in a URDF file, at joint coordinates zero or at `coordinates`.
 
-    search_path  folders where meshes are looked for: package://name/... is in a folder of that name in one of
-                 them or of ROS_PACKAGE_PATH, or around the file
+    search_path  a folder or several where meshes are looked for: package://name/... is in a folder of that
+                 name in one of them or of ROS_PACKAGE_PATH, or around the file
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
     keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. The base is
@@ -65,10 +67,11 @@ def import_urdf(
 
     Not represented, and listed in the notes: limits, unless limits="stops", transmissions, collision
     geometry, and what else linkwork.importers.urdf_coverage lists. ModelFileError: what is wrong in the file,
-    with lines; moving links without inertia. ModelError: coordinates of joints that do not exist.
+    with lines; moving links without inertia. ModelError: coordinates of joints that do not exist. FileError:
+    `search_path` leads nowhere.
     """
     reader = Reader(path, "robot")
-    robot = _Robot(reader, search_path, options)
+    robot = _Robot(reader, folders(search_path, "search_path"), options)
     reader.finish()
     name = reader.root.attributes.get("name", "")
     return build(robot.description(reader.path, name, grounded=robot.links), options, robot.lines)
@@ -84,9 +87,7 @@ _Named = TypeVar("_Named", LinkDescription, JointDescription)
 
 
 class _Robot(RobotFile):
-    def __init__(
-        self, reader: Reader, search_path: Sequence[str | os.PathLike[str]], options: Options
-    ) -> None:
+    def __init__(self, reader: Reader, search_path: Sequence[Path], options: Options) -> None:
         super().__init__(options)
         self._reader = reader
         root = reader.root

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
@@ -29,11 +28,9 @@ Notes = Callable[[str, str, str], None]
 class Visuals:
     """Shapes of the links of one file. `wanted`: False: nothing is drawn, which is noted once."""
 
-    def __init__(
-        self, path: str, search_path: Sequence[str | os.PathLike[str]], note: Notes, wanted: bool
-    ) -> None:
+    def __init__(self, path: str, search_path: Sequence[Path], note: Notes, wanted: bool) -> None:
         self._here = Path(path).resolve().parent
-        self._search_path = [Path(folder).resolve() for folder in search_path]
+        self._search_path = search_path
         self._note, self.wanted = note, wanted
         self._left_out = 0
         self._failed: dict[str, list[str]] = {}  #: by the code of the error: its messages

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from linkwork import _core, arguments
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, OptionError
+from linkwork.errors import ModelError, OptionError, counted
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.tables import COLUMNS, Table, tables
@@ -191,21 +191,21 @@ class Model(ModelBuilder):
         for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements, _history(core)):
             digest.update(np.ascontiguousarray(array).data)
         for joint, special in self._special.items():
-            digest.update(f"{joint} {special.arguments()}".encode())
+            digest.update(f"{joint} {special.facts(core)}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
-        for name, own, place in self._user_forces:
-            digest.update(f"{name} {getattr(own, '__qualname__', '')} {place}".encode())
+        for _, own, place in self._user_forces:
+            digest.update(f"{getattr(own, '__qualname__', '')} {place}".encode())
         return digest.hexdigest()
 
     def describe(self) -> str:
         """One line: what the model consists of."""
         kinds = "".join(f", {count} {kind}" for kind, count in sorted(self._counts.items()))
         gravity = ", ".join(f"{g:g}" for g in self._core.gravity)
-        equations = f"{self.row_count} constraint equations"
-        return (
-            f"{self.name or 'model'}: {self.body_count} bodies{kinds}; {equations}; gravity ({gravity}) m/s2"
-        )
+        bodies, equations = (
+            counted(self.body_count, "body"), counted(self.row_count, "constraint equation")
+        )  # fmt: skip
+        return f"{self.name or 'model'}: {bodies}{kinds}; {equations}; gravity ({gravity}) m/s2"
 
     def __repr__(self) -> str:
         return f"<Model {self.describe()}>"

@@ -50,6 +50,10 @@ class CouplerData:
         """Of Model.coupler, but the offset, as plain data."""
         return {"coordinates": [term._asdict() for term in self.coordinates]}
 
+    def facts(self, core: _core.Model) -> list[Any]:
+        """What decides on the motion: joints by their place."""
+        return [term._replace(joint=str(core.find_joint(term.joint))) for term in self.coordinates]
+
 
 @dataclass(frozen=True)
 class CurveData:
@@ -63,6 +67,10 @@ class CurveData:
         """Of Model.point_on_curve, but the bodies, as plain data."""
         points, at = self.points.tolist(), self.at.tolist()
         return {"points": points, "at": at, "closed": self.closed, "frames": "body"}
+
+    def facts(self, _core: _core.Model) -> dict[str, Any]:
+        """What decides on the motion."""
+        return self.arguments()
 
     def line(self) -> Floats:
         """Points along the curve (m, 3), in body a [m], near enough to each other for a picture."""

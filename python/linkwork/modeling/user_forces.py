@@ -50,14 +50,14 @@ class UserForceMethods:
         name = model._named(name, "user force", len(model._user_forces))
         if not callable(function):
             raise ModelError(f"user force '{name}': {function!r} is not a function", code="not_callable")
-        whole = function
+        whole, place = function, ""
         if bodies is not None:
-            single = isinstance(bodies, Body | str)
-            whole = _on_bodies(function, model.indices(bodies), single, name)
+            single, indices = isinstance(bodies, Body | str), model.indices(bodies)
+            whole, place = _on_bodies(function, indices, single, name), f"bodies {list(indices)}"
         times = functions.check_breaks(breaks, f"user force '{name}'")
         model._core.add_user_force(name, whole)
         model._core.add_breaks(times)
-        model._user_forces.append((name, function, ""))
+        model._user_forces.append((name, function, place))
 
     def joint_force(
         self,

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork.arrays import Floats
+from linkwork.errors import counted
 from linkwork.modeling.shapes import Shapes
 
 if TYPE_CHECKING:
@@ -122,7 +123,8 @@ class Header:
         )
 
     def __repr__(self) -> str:
-        return f"<Header: {self.body_count} bodies, {self.joint_count} joints, {self.row_count} equations>"
+        counts = (self.body_count, "body"), (self.joint_count, "joint"), (self.row_count, "equation")
+        return f"<Header: {', '.join(counted(*it) for it in counts)}>"
 
     def detached(self) -> Header:
         """The same without the compiled model behind it, so that it can go to another process."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from linkwork.errors import counted
 from linkwork.options import LEVELS
 
 if TYPE_CHECKING:
@@ -52,13 +53,15 @@ def lines(result: Result) -> list[tuple[str, str]]:
     """The summary as pairs of a label and what it says."""
     found, manifest = numbers(result), result.manifest
     model = manifest.get("model") or "model"
-    counts = f"{found['bodies']} bodies, {found['joints']} joints, {found['constraints']} constraints"
+    names = {"bodies": "body", "joints": "joint", "constraints": "constraint"}
+    counts = ", ".join(counted(found[name], one) for name, one in names.items())
     end = f"{result.t[0]:.6g} to {found['t_end']:.6g} s" if found["frames"] else "nothing"
+    frames = counted(found["frames"], "frame")
     violation = ", ".join(f"{level} {_figure(value)}" for level, value in found["max_violation"].items())
     return [
         ("model", f"{model}: {counts}"),
         ("method", ", ".join(method(manifest.get("options", {})))),
-        ("recorded", f"{end}, {found['frames']} frames{'' if result.finished else ', not finished'}"),
+        ("recorded", f"{end}, {frames}{'' if result.finished else ', not finished'}"),
         ("verdict", verdict_text(result)),
         ("violation", f"largest {violation}"),
         ("energy", f"{_figure(found['energy_start'])} J at the start, error at most "

@@ -17,7 +17,7 @@ from linkwork.accuracy.verification import Finer, band, difference
 from linkwork.arguments import check_new, check_suffix, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, OptionError, nearest, warn
+from linkwork.errors import ModelError, OptionError, counted, nearest, warn
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.modeling.handles import Body, Joint, Named
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
@@ -127,8 +127,9 @@ class Result:
 
     def __repr__(self) -> str:
         end = f" to t = {self.t[-1]:g} s" if len(self) else ""
-        bodies, joints = self._header.body_count, self._header.joint_count
-        return f"<Result: {bodies} bodies, {joints} joints, {len(self)} frames{end}>"
+        bodies = counted(self._header.body_count, "body")
+        joints = counted(self._header.joint_count, "joint")
+        return f"<Result: {bodies}, {joints}, {counted(len(self), 'frame')}{end}>"
 
     def _repr_html_(self) -> str:
         """In a notebook: the summary."""

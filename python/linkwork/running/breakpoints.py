@@ -17,7 +17,10 @@ BESIDE = 4
 #: Jumps of a driver that are none, relative to its size and to the way that it makes beside the break.
 ROUNDOFF = 1e-9
 
-#: The same at t = 0 [s].
+#: The same, relative to the largest values up to the next breaks: near zero these are differences of numbers.
+CANCELLED = 16 * float(np.finfo(float).eps)
+
+#: Beside a break at t = 0 [s].
 LEAST = float(np.finfo(float).tiny)
 
 
@@ -40,10 +43,9 @@ def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool)
     """
     struck = []
     for what, signal in model.drivers:
-        for t in signal.break_points:
-            if not t_start < t < t_end:
-                continue
-            level, size = _jump(signal, t)
+        inside = [t for t in signal.break_points if t_start < t < t_end]
+        for last, t, following in zip([t_start, *inside], inside, [*inside[1:], t_end], strict=False):
+            level, size = _jump(signal, last, t, following)
             if level == 0:
                 raise ModelError(
                     f"{what} jumps by {size:.4g} at t = {t:.6g} s: it drives a joint, and no force moves "
@@ -61,14 +63,28 @@ def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool)
         )
 
 
-def _jump(signal: TimeFunction, t: float) -> tuple[int, float]:
-    """The lowest derivative that jumps at t, of order 0 or 1, and by how much; (2, 0.0): neither."""
+def _jump(signal: TimeFunction, last: float, t: float, following: float) -> tuple[int, float]:
+    """The lowest derivative that jumps at t, of order 0 or 1, and by how much; (2, 0.0): neither.
+
+    last, following: the breaks, or ends of the run, next to it [s].
+    """
     beside = max(BESIDE * float(np.finfo(float).eps) * abs(t), LEAST)
     before, after = signal.evaluate(t - beside), signal.evaluate(t + beside)
     for level in (0, 1):
         size = abs(after[level] - before[level])
         slope = max(abs(before[level + 1]), abs(after[level + 1]))
         noise = ROUNDOFF * max(abs(after[level]), abs(before[level])) + 8 * beside * slope
-        if math.isfinite(size) and size > noise:
+        if (
+            math.isfinite(size)
+            and size > noise
+            and size > CANCELLED * _largest(signal, level, last, t, following)
+        ):
             return level, size
     return 2, 0.0
+
+
+def _largest(signal: TimeFunction, level: int, last: float, t: float, following: float) -> float:
+    """Of the derivative of that order, in between the breaks on either side of t."""
+    parts = (0.25, 0.5, 0.75)
+    times = [t + part * (end - t) for end in (last, following) for part in parts]
+    return max(abs(signal.evaluate(at)[level]) for at in times)

@@ -9,7 +9,7 @@ import textwrap
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Any, NamedTuple, Unpack
 
 from numpy.typing import ArrayLike
 
@@ -32,7 +32,7 @@ from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, reporting
 from linkwork.running.recording import PythonStep
 
-__all__ = ["PythonStep", "check_run", "simulate"]
+__all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
 
 log = logging.getLogger(__name__)
 
@@ -199,12 +199,8 @@ def _prepared(
 ) -> _Prepared:
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
     t_start = checks.start_time(start)
-    checks.check_tables(model, plan.t_end)
-    breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
-    breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
-    method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
-    options = _honored(method, options)
-    system, assembly = _system(model, method, options, plan, given["assemble"], start)
+    stepped = what_steps(model, plan, given, options, start)
+    method, options, system, assembly, breaks = stepped
     key = resuming.key(model, method, {**plan.steps(), **system.options}, watched, given, assembly)
     resume = resuming.of(start, key, plan.t_end)
     if start is not None:
@@ -228,6 +224,34 @@ def _prepared(
         **({} if start is None else {"resumed": resume is not None}),
     }
     return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
+
+
+class Stepped(NamedTuple):
+    """A method, and the system that it steps."""
+
+    method: Integrator | PythonStep
+    options: Options
+    system: System
+    assembly: Assembly | None  # what it took to make the initial state consistent
+    breaks: Sequence[float]  # [s], in the run
+
+
+def what_steps(
+    model: Model,
+    plan: schedule.Fixed | schedule.Adaptive,
+    given: Mapping[str, Any],
+    options: Options,
+    start: Snapshot | None = None,
+) -> Stepped:
+    """The system of a run, with all that is looked at before. OptionError, ModelError: what cannot be run."""
+    t_start = checks.start_time(start)
+    checks.check_tables(model, plan.t_end)
+    breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
+    breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
+    method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
+    options = _honored(method, options)
+    system, assembly = _system(model, method, options, plan, given["assemble"], start)
+    return Stepped(method, options, system, assembly, breaks)
 
 
 def check_run(

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import concurrent.futures as futures
 import math
-import pickle
 from collections.abc import Callable, Generator, Iterator, Sequence
 from typing import Any
 
-from linkwork.comparison.workers import Lost, in_processes, processor_count
-from linkwork.errors import LinkworkError, OptionError
+from linkwork.comparison.workers import Lost, in_processes
+from linkwork.errors import LinkworkError
 from linkwork.studies.cases import Answer, Case, Runner
+from linkwork.studies.executors import adapted, workers_of
 
-__all__ = ["check_executor", "chunked", "run_cases", "workers_of"]
+__all__ = ["chunked", "run_cases"]
 
 #: A task takes about so long [s], which is at most lost with its process.
 TASK_SECONDS = 3.0
@@ -30,54 +30,31 @@ FILES = 50_000
 #: Tasks that an executor holds for each of its workers.
 AHEAD = 3
 
+#: Beyond the time of one case a task of several has so long [s]; then each of them is tried alone.
+PATIENCE = 10 * TASK_SECONDS
+
 Chunk = Sequence[Case]
 Found = tuple[Chunk, Answer | Lost]
 Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
 
 
-def check_executor(executor: Any, processes: int | None, runner: Runner) -> None:
-    """OptionError: no executor, or a study that cannot go to other processes."""
-    if executor is None:
-        return
-    if not callable(getattr(executor, "submit", None)):
-        raise OptionError(
-            f"executor {executor!r:.80} is no concurrent.futures.Executor: it has no submit", code="executor"
-        )
-    if processes is not None:
-        raise OptionError("processes is of the local ones: with an executor leave it out", code="conflict")
-    if isinstance(executor, futures.ThreadPoolExecutor):
-        return
-    try:
-        pickle.dumps(runner)
-    except Exception as error:
-        raise OptionError(
-            f"executor: the study cannot go to another process ({error}): functions must be of a module, no "
-            "lambdas; or leave executor out for local processes",
-            code="executor",
-        ) from error
-
-
-def workers_of(executor: Any, processes: int | None) -> int:
-    if executor is None:
-        return processes or processor_count()
-    known = getattr(executor, "_max_workers", None)
-    return known if isinstance(known, int) and known > 0 else processor_count()
-
-
 def run_cases(
     runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
-    beat: Callable[[], object] = lambda: None,
+    beat: Callable[[], object] = lambda: None, case_seconds: float | None = None,
 ) -> Generator[Found, None, None]:  # fmt: skip
-    """(cases, what became of them) as they come.
+    """(cases, what became of them) as they come. What takes longer than `case_seconds`, alone, is lost.
 
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
     """
     workers = workers_of(executor, processes)
-    pool = _local(processes, beat) if executor is None else _on(executor, workers, beat)
+    local = executor is None
+    pool = _local(processes, beat, case_seconds) if local else _on(adapted(executor), workers, beat)
     lost: list[Case] = []
     seconds: list[float] = []
     for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):
-        if isinstance(answer, Lost):
+        if isinstance(answer, Lost) and answer.late:
+            yield chunk, answer
+        elif isinstance(answer, Lost):
             lost.extend(chunk)
         else:
             seconds.extend(run.seconds for run in answer.runs)
@@ -98,9 +75,12 @@ def chunked(cases: Sequence[Case], seconds: float, workers: int) -> list[Chunk]:
     return [cases[start : start + size] for start in range(0, len(cases), size)]
 
 
-def _local(processes: int | None, beat: Callable[[], object]) -> Pool:
+def _local(processes: int | None, beat: Callable[[], object], case_seconds: float | None) -> Pool:
     def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
-        for place, answer in in_processes(runner, chunks, processes, beat=lambda _: beat()):
+        seconds = case_seconds
+        if seconds is not None and any(len(chunk) > 1 for chunk in chunks):
+            seconds += PATIENCE
+        for place, answer in in_processes(runner, chunks, processes, seconds, lambda _: beat()):
             yield chunks[place], answer
 
     return run
@@ -129,14 +109,17 @@ def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:
 def _submitted(executor: Any, runner: Runner, chunk: Chunk) -> futures.Future[Answer]:
     try:
         future: futures.Future[Answer] = executor.submit(runner, chunk)
-    except (futures.BrokenExecutor, RuntimeError) as error:
+    except Exception as error:  # every library has its own: it is shut down, its scheduler is gone
         raise _broken(error) from error
     return future
 
 
 def _answer(future: futures.Future[Answer]) -> Answer | Lost:
     """LinkworkError: nobody is there any more."""
-    error = future.exception()
+    try:
+        error = future.exception()
+    except futures.CancelledError as cancelled:  # by the executor: nobody here does before the end
+        raise _broken(cancelled) from cancelled
     if isinstance(error, futures.BrokenExecutor):
         raise _broken(error) from error
     return future.result() if error is None else Lost(f"its task ended with {type(error).__name__}: {error}")

@@ -55,7 +55,7 @@ def read_study(path: str | os.PathLike[str]) -> dict[str, Any]:
 
     OptionError: no such mechanism.
     """
-    syntax = parse(path)
+    syntax = parse(path, "study file")
     document = _checked(path, syntax)
     folder = Path(path).absolute().parent
     given = document.model_dump(exclude={"linkwork_study", "model", "simulation", "parameters"},

@@ -84,6 +84,11 @@ class Output:
         """Whether it is an array at the times of the study."""
         return self.function is None and not self.reduction
 
+    @property
+    def at_end(self) -> bool:
+        """Whether the last frame is enough."""
+        return self.reduction == "final" or self.function in (_final_q, _final_v)
+
     def value(self, result: Result, times: Floats | None) -> Floats:
         """OptionError: what is no number, or no frame at a time."""
         if self.function is not None:
@@ -166,7 +171,7 @@ def _final_v(result: Result) -> Floats:
 
 def _numbers(label: str, found: Any) -> Floats:
     try:
-        if np.iscomplexobj(found):
+        if np.asarray(found).dtype.kind not in "biuf":  # NumPy would take None for NaN
             raise TypeError
         return np.array(found, dtype=float)
     except (TypeError, ValueError) as error:

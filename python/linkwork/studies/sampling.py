@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import itertools
 import math
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,7 +14,7 @@ import numpy as np
 
 from linkwork.arguments import is_number, one_of, whole
 from linkwork.arrays import Floats
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, warn
 from linkwork.studies.fingerprints import plain
 
 __all__ = ["SAMPLERS", "Cases", "cases_of"]
@@ -54,10 +55,11 @@ def cases_of(parameters: Any, sampler: Any, count: int | None, seed: int | None)
         whole(seed, 0, "seed")
     columns = _columns(parameters)
     kind = _kind(parameters, columns, sampler)
-    if kind in ("grid", "table") and count is not None:
-        raise OptionError(
-            f"cases {count!r:.40}: a {kind} has as many as it has; cases= is for samplers", code="cases"
-        )
+    for name, given in (("cases", count), ("seed", seed)):
+        if kind in ("grid", "table") and given is not None:
+            raise OptionError(
+                f"{name} {given!r:.40}: nothing is drawn of a {kind}; {name}= is for samplers", code=name
+            )
     if kind == "grid":
         return _grid({name: _values(name, given, single=True) for name, given in columns.items()})
     if kind == "table":
@@ -160,6 +162,10 @@ def _table(columns: Mapping[str, list[Any]]) -> Cases:
 def _sampled(columns: Mapping[str, Any], sampler: Any, kind: str, count: int, seed: int | None) -> Cases:
     quantiles = {name: _quantile(name, given) for name, given in columns.items()}
     if kind == "engine":
+        if seed is not None:
+            raise OptionError(
+                f"seed {seed}: an engine of scipy.stats.qmc has its own; leave seed out", code="seed"
+            )
         points, kind = _of_engine(sampler, len(columns), count)
     else:
         drawn = next((name for name in columns if _is_distribution(columns[name])), "")
@@ -184,7 +190,16 @@ def _scrambled(columns: Mapping[str, Any], kind: str, count: int, seed: int) -> 
     from scipy.stats import qmc
 
     engine = getattr(qmc, SAMPLERS[kind])(d=len(columns), seed=seed)
-    points: Floats = engine.random(count)
+    return _points(engine, count)
+
+
+def _points(engine: Any, count: int) -> Floats:
+    """(count, p). LinkworkWarning: what SciPy has to say about their number."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        points: Floats = engine.random(count)
+    for text in dict.fromkeys(" ".join(str(it.message).split()) for it in told):
+        warn(f"cases {count}: {text}")
     return points
 
 
@@ -207,8 +222,7 @@ def _of_engine(engine: Any, dimensions: int, count: int) -> tuple[Floats, str]:
             "can be repeated",
             code="seed",
         )
-    points: Floats = copy.deepcopy(engine).reset().random(count)
-    return points, type(engine).__name__
+    return _points(copy.deepcopy(engine).reset(), count), type(engine).__name__
 
 
 def _is_repeatable(engine: Any) -> bool:

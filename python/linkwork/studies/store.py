@@ -33,10 +33,20 @@ VERSION = 1
 
 
 class Store:
-    """A directory with the cases of one study. FileError: it cannot be written, or belongs to another."""
+    """A directory with the cases of one study. FileError: it cannot be written, belongs to another, or is not
+    there though it is not to be a `new` one.
+    """
 
-    def __init__(self, directory: Any, identity: Mapping[str, Any], about: Mapping[str, Any]) -> None:
+    def __init__(
+        self, directory: Any, identity: Mapping[str, Any], about: Mapping[str, Any], *, new: bool = True
+    ) -> None:
         self.directory = arguments.path(directory, "directory")
+        if not new and not (self.directory / "study.json").is_file():
+            raise FileError(
+                f"directory '{self.directory}': there is no study to gather; check the path, or run its "
+                "shards first",
+                code="not_found",
+            )
         self._cases = self.directory / "cases"
         try:
             self._claim(dict(identity), dict(about))

@@ -24,6 +24,11 @@ from linkwork.studies.sampling import Cases
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from matplotlib.figure import Figure
+
+    from linkwork.studies.page import Server
+    from linkwork.studies.pictures import Swing
+    from linkwork.view.page import Page
 
 __all__ = ["Study", "assembled"]
 
@@ -100,6 +105,71 @@ class Study:
         if not whole or not -len(self) <= number < len(self):
             raise OptionError(f"case {number!r:.40} is none of the {len(self)} of this study", code="case")
         return int(number) % len(self)
+
+    # --- pictures ---
+
+    def plot(
+        self,
+        kind: str = "scatter",
+        path: str | os.PathLike[str] | None = None,
+        *,
+        outputs: str | Sequence[str] | None = None,
+        parameters: str | Sequence[str] | None = None,
+    ) -> Figure:
+        """A picture of finished cases, also written to `path`, by its suffix.
+
+        kind        "scatter": every parameter and output over every other; failed cases are crosses
+                    "histogram": outputs, with median, 5th and 95th percentile
+                    "bands": outputs that are arrays over time: median, half and nine tenths of the cases
+                    "surface": outputs over the first two parameters
+                    "tornado": the change of outputs with each parameter, see `swings`
+        outputs, parameters   which; None: all that are numbers and not the same in every case
+
+        OptionError: no such kind or name, or nothing to draw. FileError: `path` cannot be written.
+        """
+        from linkwork.studies import pictures
+
+        return pictures.plot(self, kind, path, outputs=outputs, parameters=parameters)
+
+    def swings(self, output: str) -> list[Swing]:
+        """What each parameter does to an output, the strongest first, by the linear fit to all cases.
+
+        `change` is that of the output while a parameter goes from the 5th to the 95th percentile of its
+        values, the others held; `explained` is the share of the variance that the fit explains: where it is
+        far from 1, the output is not linear there, and indices of Sobol tell more.
+
+        OptionError: no such output, too few cases, or parameters that move together.
+        """
+        from linkwork.studies import pictures
+
+        return pictures.swings(self, output)
+
+    def view(self, path: str | os.PathLike[str] | None = None) -> Page:
+        """A page of parallel coordinates, a line a case, written to `path` when given; needs no network.
+
+        Drag along an axis to choose cases, click its name to color by it, click a line for its case. From
+        `serve` the click opens the motion.
+
+        OptionError: nothing that varies is a number. FileError: `path` cannot be written.
+        """
+        from linkwork.studies.page import page
+
+        found = page(self)
+        if path is not None:
+            found.save(path)
+        return found
+
+    def serve(self, port: int = 0) -> Server:
+        """The page of `view` by a server for this machine alone, where a click on a case opens its motion,
+        simulated again to the same bits. A context manager; `close()` ends it.
+
+        port  0: a free one, see `url`
+
+        OptionError: the port is taken.
+        """
+        from linkwork.studies.page import Server
+
+        return Server(self, port)
 
     # --- tables ---
 

@@ -9,16 +9,18 @@ import os
 import time
 import warnings
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from contextlib import closing
-from typing import Any
+from contextlib import closing, contextmanager
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.arguments import whole
-from linkwork.comparison.workers import Lost
+from linkwork.arrays import Floats
+from linkwork.comparison.workers import Lost, can_fork
 from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionError, warn
 from linkwork.modeling.model import Model
@@ -31,15 +33,16 @@ from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
-from linkwork.studies.cases import Case, Run, Runner, check_times, machine
-from linkwork.studies.chunks import check_executor, run_cases
+from linkwork.studies.cases import Answer, Case, Run, Runner, check_times, machine
+from linkwork.studies.chunks import run_cases
+from linkwork.studies.executors import check_executor
 from linkwork.studies.fingerprints import canonical, digest
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store
 from linkwork.studies.study import Study, assembled
 from linkwork.studies.variants import Built, Source, source_of
 
-__all__ = ["sweep"]
+__all__ = ["probe", "sweep"]
 
 log = logging.getLogger(__name__)
 
@@ -68,11 +71,12 @@ def sweep(
     sampler: Any = None,
     cases: int | None = None,
     seed: int | None = None,
-    executor: Executor | None = None,
+    executor: Executor | Any = None,
     processes: int | None = None,
     directory: str | os.PathLike[str] | None = None,
     shard: tuple[int, int] | None = None,
     gather: bool = False,
+    case_seconds: float | None = None,
     progress: ShowOption = None,
     **options: Any,
 ) -> Study:
@@ -98,19 +102,22 @@ def sweep(
                 "latin_hypercube", or an engine of scipy.stats.qmc
     cases       how many, of a sampler
     seed        of a sampler: the same cases again, of "random" also with more of them
-    executor    any of concurrent.futures; None: local processes
+    executor    any of concurrent.futures, such as MPIPoolExecutor of mpi4py, a Client of Dask, an executor of
+                submitit; None: local processes
     processes   how many of them; None: one a processor
     directory   keeps every case, so that a study that was interrupted, or has more cases now, runs what is
                 missing. It may be on a file system that machines share
     shard       (k, n): only every nth case, of arrays of jobs that begin at 0 or 1; needs `directory`
     gather      only collect what is in `directory`
+    case_seconds  wall time that one case may take [s], of local processes: what takes longer is failed, and
+                tried again when the study is run again. None: any time
     progress    None: a line on a terminal or in a notebook; False: nothing
     options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
                 recorded, so that nothing between frames is missed; on_inaccurate is "pass": see Study.verdict
 
     A case gives the bits that `simulate` gives, whatever runs beside it. One that fails is kept as failed; a
     process that dies takes no case with it but the one that ended it. Ctrl-C keeps in `directory` what is
-    done, but for tasks of a few seconds under way.
+    done, but for tasks of a few seconds under way, and says how many cases that are.
 
     OptionError, ModelError: a parameter or output that does not exist, a value of another shape, no cases, a
     sampler without seed, an option that cannot be: before the first case. FileError: `directory` belongs to
@@ -119,6 +126,7 @@ def sweep(
     """  # Long: the arguments alone are twenty lines.
     check_number("t_end", t_end, positive=True, unit="s")
     _check_places(shard, gather, directory, processes)
+    _check_gather(gather, shard=shard, executor=executor, processes=processes, case_seconds=case_seconds)
     _check_options(options)
     drawn = cases_of(parameters, sampler, cases, seed)
     source = source_of(model, drawn.columns)
@@ -128,20 +136,23 @@ def sweep(
     _check_names(drawn, asked)
     example = _example(model, source, drawn)
     _check_run(source, drawn, float(t_end), run_options)
-    checked = [wanted.checked(it, _probe(example, run_options), wanted_times) for it in asked]
+    checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
     _check_reductions(checked, run_options)
+    _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
     check_executor(executor, processes, runner)
+    _check_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
     keys = [digest(head, drawn.case(k)) for k in range(len(drawn))]
     about = _about(runner, drawn, seed)
-    store = None if directory is None else Store(directory, identity, about)
+    store = None if directory is None else Store(directory, identity, about, new=not gather)
     if store is not None and isinstance(source, Built):
         _check_example(source, store)
     known, machines = ({}, []) if store is None else store.found(keys)
     todo = [] if gather else _todo(drawn, keys, known, shard)
-    lost = _carried_out(runner, todo, known, machines, store, executor, processes, progress)
+    found, workers = _Found(known, machines, store), _Workers(executor, processes, case_seconds)
+    lost = _carried_out(runner, todo, found, progress, workers)
     _tell_machines(machines)
     return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
 
@@ -162,11 +173,33 @@ def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> No
             raise OptionError(
                 f"shard {shard!r:.40}: give (k, n), k from 0 to n - 1 or from 1 to n", code="shard"
             )
-        if gather:
-            raise OptionError("shard and gather: gather collects what all shards did", code="conflict")
     if directory is None and (shard is not None or gather):
         what = "shard" if shard is not None else "gather"
         raise OptionError(f"{what} needs a directory, where the cases are kept", code="directory")
+
+
+def _check_gather(gather: bool, **others: Any) -> None:
+    """OptionError: what says how cases are run, where none is."""
+    for name, value in others.items():
+        if gather and value is not None:
+            raise OptionError(
+                f"{name} {value!r:.40}: gather runs no case, it collects what all shards did; leave one out",
+                code="conflict",
+            )
+
+
+def _check_case_seconds(case_seconds: Any, executor: Any) -> None:
+    """OptionError: no time, or one that nobody could keep."""
+    if case_seconds is None:
+        return
+    check_number("case_seconds", case_seconds, positive=True, unit="s")
+    if executor is not None or not can_fork():
+        where = "an executor's own processes" if executor is not None else "this system"
+        raise OptionError(
+            f"case_seconds {case_seconds:g}: cannot be kept in {where}, where nobody ends what takes too "
+            "long; leave it out",
+            code="case_seconds",
+        )
 
 
 def _check_names(cases: Cases, outputs: Sequence[wanted.Output]) -> None:
@@ -235,7 +268,7 @@ def _prepare(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
         check_run(model, plan, given, chosen)
 
 
-def _probe(model: Model, options: Mapping[str, Any]) -> Result:
+def probe(model: Model, options: Mapping[str, Any]) -> Result:
     """A result of one frame, in which outputs are looked for."""
     core = model.compiled()
     try:
@@ -257,6 +290,17 @@ def _check_reductions(outputs: Sequence[wanted.Output], options: Mapping[str, An
                 "miss what is between: give a fixed step, or two studies",
                 code="outputs",
             )
+
+
+def _check_times(outputs: Sequence[wanted.Output], times: Floats | None, options: Mapping[str, Any]) -> None:
+    """OptionError: times that nothing is asked for at."""
+    at_frames = "times" in options and any(it.function is not None for it in outputs)
+    if times is not None and not at_frames and not any(it.over_time for it in outputs):
+        raise OptionError(
+            "times: no output is an array over time, such as \"body('rod').position\" without a reduction; "
+            "leave times out",
+            code="times",
+        )
 
 
 # --- what it is ---
@@ -320,35 +364,69 @@ def _todo(
 # --- the cases ---
 
 
+class _Workers(NamedTuple):
+    """Who runs the cases, and for how long at most each [s]."""
+
+    executor: Any
+    processes: int | None
+    case_seconds: float | None
+
+
+@dataclass(frozen=True)
+class _Found:
+    """Cases that are done, by key, the machines that ran them, and who keeps them."""
+
+    known: dict[str, Run]
+    machines: list[Mapping[str, Any]]
+    store: Store | None
+
+    def add(self, answer: Answer) -> None:
+        if self.store is not None:
+            self.store.keep(answer)
+        self.known.update({run.key: run for run in answer.runs})
+        if answer.machine not in self.machines:
+            self.machines.append(answer.machine)
+
+
 def _carried_out(
-    runner: Runner, todo: Sequence[Case], known: dict[str, Run], machines: list[Mapping[str, Any]],
-    store: Store | None, executor: Any, processes: int | None, progress: ShowOption,
-) -> dict[str, str]:  # fmt: skip
-    """Adds to `known` and `machines`; gives back why cases were lost."""
+    runner: Runner, todo: Sequence[Case], to: _Found, progress: ShowOption, workers: _Workers
+) -> dict[str, str]:
+    """Adds to what is found; gives back why cases were lost. KeyboardInterrupt: it says what is kept."""
     lost: dict[str, str] = {}
     if not todo:
         return lost
+    executor, processes, seconds = workers
     done, counts, started = 0, Counter[str](), time.monotonic()
-    with counting(progress, len(todo)) as report:
+    with counting(progress, len(todo)) as report, _telling(todo, to):
 
         def beat() -> None:
             report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
 
-        with closing(run_cases(runner, todo, executor, processes, beat)) as found:
+        with closing(run_cases(runner, todo, executor, processes, beat, seconds)) as found:
             for chunk, answer in found:
                 done += len(chunk)
                 if isinstance(answer, Lost):
                     lost.update({case.key: answer.reason for case in chunk})
                 else:
-                    if store is not None:
-                        store.keep(answer)
-                    known.update({run.key: run for run in answer.runs})
+                    to.add(answer)
                     counts.update(run.status for run in answer.runs)
-                    if answer.machine not in machines:
-                        machines.append(answer.machine)
                 beat()
     log.info("%s", _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
     return lost
+
+
+@contextmanager
+def _telling(todo: Sequence[Case], to: _Found) -> Iterator[None]:
+    """KeyboardInterrupt says what is kept, and what is not."""
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        open_ = sum(case.key not in to.known for case in todo)
+        done = f"interrupted: {len(todo) - open_} of {len(todo)} cases are done"
+        kept = "and lost: give a directory, which keeps them"
+        if to.store is not None:
+            kept = f"and kept in '{to.store.directory}'; the same study again runs the other {open_}"
+        raise type(stop)(f"{done}, {kept}") from stop
 
 
 def _line(done: int, total: int, elapsed: float, failed: int) -> str:

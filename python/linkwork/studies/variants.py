@@ -249,6 +249,7 @@ def _object(name: str, record: Record) -> tuple[tuple[str, int], str]:
             f"parameter '{name}': '{name[: longest[0][0]]}' is {kinds}: name them apart", code="parameters"
         )
     if not longest:
+        _refuse_whole(name, record)
         known = [it["name"] for section in SECTIONS for it in record.get(section, [])[:1000]]
         raise OptionError(
             f"parameter '{name}': no body, joint or force element "
@@ -257,6 +258,18 @@ def _object(name: str, record: Record) -> tuple[tuple[str, int], str]:
         )
     size, section, place = longest[0]
     return (section, place), name[size + 1 :]
+
+
+def _refuse_whole(name: str, record: Record) -> None:
+    """OptionError: the name of an object without a field."""
+    for section, kind in SECTIONS.items():
+        for place, it in enumerate(record.get(section, [])):
+            if it["name"] == name:
+                fields = [f"'{name}.{field}'" for field in _fields(record, (section, place))]
+                raise OptionError(
+                    f"parameter '{name}': is a whole {kind}: name one of its values: {', '.join(fields)}",
+                    code="parameters",
+                )
 
 
 def _called(record: Record, where: tuple[Any, ...]) -> str:

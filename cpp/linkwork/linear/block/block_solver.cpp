@@ -69,19 +69,6 @@ class BlockSolver final : public SaddleSolver {
   }
 
  private:
-  /// Light bodies between heavy ones cost digits, which the residual brings back.
-  static bool masses_far_apart(const System& system) {
-    double least[2] = {INFINITY, INFINITY}, most[2] = {0.0, 0.0};
-    for (int body = 0; body < system.body_count(); ++body) {
-      const double size[2] = {system.mass(body), system.inertia(body).diagonal().maxCoeff()};
-      for (int k = 0; k < 2; ++k) {
-        least[k] = std::min(least[k], size[k]);
-        most[k] = std::max(most[k], size[k]);
-      }
-    }
-    return most[0] > far_apart * least[0] || most[1] > far_apart * least[1];
-  }
-
   void refine(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
     for (int step = 0; step < most_refinements; ++step) {
       system_->multiply_mass(x, change_x_);
@@ -218,15 +205,8 @@ class BlockSolver final : public SaddleSolver {
 
   void factorize_masses() {
     mass_factors_.resize(symbolic_->mass_factor_count);
-    for (const CoreBody& body : symbolic_->bodies) {
-      if (body.mass_factor < 0) continue;
-      const auto J = system_->inertia(body.body);
-      const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
-      const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
-      const double m = 1.0 / system_->mass(body.body);
-      mass_factors_[body.mass_factor] = {
-          L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}, L43 == 0.0 && L53 == 0.0 && L54 == 0.0};
-    }
+    for (const CoreBody& body : symbolic_->bodies)
+      if (body.mass_factor >= 0) mass_factors_[body.mass_factor] = mass_factor(*system_, body.body);
   }
 
   /// With hubs: a joint that depends on others while the hubs after it are held is eliminated after
@@ -323,6 +303,26 @@ class BlockSolver final : public SaddleSolver {
 };
 
 }  // namespace
+
+bool masses_far_apart(const System& system) {
+  double least[2] = {INFINITY, INFINITY}, most[2] = {0.0, 0.0};
+  for (int body = 0; body < system.body_count(); ++body) {
+    const double size[2] = {system.mass(body), system.inertia(body).diagonal().maxCoeff()};
+    for (int k = 0; k < 2; ++k) {
+      least[k] = std::min(least[k], size[k]);
+      most[k] = std::max(most[k], size[k]);
+    }
+  }
+  return most[0] > far_apart * least[0] || most[1] > far_apart * least[1];
+}
+
+MassFactor mass_factor(const System& system, int body) {
+  const auto J = system.inertia(body);
+  const double L43 = J(1, 0) / J(0, 0), L53 = J(2, 0) / J(0, 0), d4 = J(1, 1) - L43 * J(1, 0);
+  const double L54 = (J(2, 1) - L53 * J(1, 0)) / d4, d5 = J(2, 2) - L53 * J(2, 0) - L54 * L54 * d4;
+  const double m = 1.0 / system.mass(body);
+  return {L43, L53, L54, {m, m, m, 1.0 / J(0, 0), 1.0 / d4, 1.0 / d5}, L43 == 0.0 && L53 == 0.0 && L54 == 0.0};
+}
 
 std::unique_ptr<SaddleSolver> make_block_solver(const InstructionSet& instructions) {
   return std::make_unique<BlockSolver>(instructions);

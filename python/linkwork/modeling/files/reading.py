@@ -435,4 +435,4 @@ def _place(document: schema.Document, where: Where, error: LinkworkError) -> tup
     record = getattr(document, str(section))[key]
     if inner or not error.field or getattr(record, error.field, None) is None:  # inner: a shape
         return where, error.reason
-    return (*where, error.field), error.reason.removeprefix(error.field).lstrip(": ")
+    return (*where, error.field), error.reason.removeprefix(error.field).lstrip(":= ")

@@ -31,23 +31,23 @@ SUFFIXES: Mapping[str, tuple[Callable[[str], Any], int]] = {
 }
 
 
-def check_suffix(path: str | os.PathLike[str]) -> str:
-    """The extension. FileError: none of a model file."""
-    suffix = path_of(path, "model file").suffix.lower()
+def check_suffix(path: str | os.PathLike[str], what: str = "model file") -> str:
+    """The extension. FileError: none of such a file."""
+    suffix = path_of(path, what).suffix.lower()
     if suffix not in SUFFIXES:
         known = ", ".join(SUFFIXES)
         raise FileError(
-            f"model file '{path}': extension '{suffix}' is none of {known}{nearest(suffix, SUFFIXES)}",
+            f"{what} '{path}': extension '{suffix}' is none of {known}{nearest(suffix, SUFFIXES)}",
             code="suffix",
         )
     return suffix
 
 
-def parse(path: str | os.PathLike[str]) -> Syntax:
+def parse(path: str | os.PathLike[str], what: str = "model file") -> Syntax:
     """The document in a file. FileError: it cannot be read. ModelFileError: it is no YAML or JSON."""
-    suffix = check_suffix(path)
+    suffix = check_suffix(path, what)
     reader, most = SUFFIXES[suffix]
-    text = _text(path, most, suffix)
+    text = _text(path, most, suffix, what)
     try:
         document: Syntax = reader(text)
     except (json_text.Malformed, yaml_text.Malformed) as error:
@@ -55,12 +55,12 @@ def parse(path: str | os.PathLike[str]) -> Syntax:
     return document
 
 
-def _text(path: str | os.PathLike[str], most: int, suffix: str) -> str:
+def _text(path: str | os.PathLike[str], most: int, suffix: str, what: str) -> str:
     try:
         size = os.stat(path).st_size
         found = content.read(path, most) if size <= most else None
     except OSError as error:
-        raise FileError(f"model file '{path}': {cause(error)}", code="not_readable") from error
+        raise FileError(f"{what} '{path}': {cause(error)}", code="not_readable") from error
     if found is None:
         advice = "; larger models are written as .json" if suffix != ".json" else ""
         has = f"has {size / 2**20:.0f} MiB" if size > most else "goes on"

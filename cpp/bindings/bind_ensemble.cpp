@@ -1,0 +1,48 @@
+#include "bindings.hpp"
+#include "linkwork/ensemble/ensemble.hpp"
+
+namespace linkwork::python {
+namespace {
+
+/// Each Dynamics busy, in the order of the list.
+struct AllBusy {
+  explicit AllBusy(const std::vector<Dynamics*>& dynamics) {
+    for (const Dynamics* it : dynamics) each.push_back(std::make_unique<Busy>(*it));
+  }
+  std::vector<std::unique_ptr<Busy>> each;
+};
+
+py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, double t_end, double step,
+                      std::int64_t record_every, int threads) {
+  const FixedSteps steps(t_end, step, record_every);
+  const InstructionSet widest = best_instruction_set();
+  const AllBusy busy(dynamics);
+  std::vector<Ensemble::Member> members;
+  {
+    const py::gil_scoped_release release;
+    Ensemble ensemble(dynamics, tableau, steps, widest);
+    ensemble.run(threads);
+    members = ensemble.take();
+  }
+  py::list out;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    py::dict one;
+    one["reason"] = members[k].reason;
+    one["left_at"] = std::isnan(members[k].left_at) ? py::object(py::none()) : py::float_(members[k].left_at);
+    if (members[k].reason.empty()) one["frames"] = frames_to_dict(std::move(members[k].frames), dynamics[k]->system());
+    out.append(one);
+  }
+  return out;
+}
+
+}  // namespace
+
+void bind_ensemble(py::module_& module) {
+  module.def("run_ensemble", &run_ensemble, py::arg("dynamics"), py::arg("tableau"), py::arg("t_end"), py::arg("step"),
+             py::arg("record_every"), py::arg("threads"),
+             "Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, "
+             "in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the "
+             "reason is empty, else why it has to be simulated by itself.");
+}
+
+}  // namespace linkwork::python

@@ -1,0 +1,122 @@
+#include "linkwork/ensemble/ensemble.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "linkwork/integration/runge_kutta.hpp"
+#include "linkwork/math/interruption.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr auto between_looks = std::chrono::milliseconds(20);
+
+/// Ends a pack.
+struct Stopped {};
+
+}  // namespace
+
+Ensemble::Ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, const FixedSteps& steps,
+                   const InstructionSet& widest)
+    : dynamics_(dynamics), tableau_(tableau), steps_(steps), widest_(widest), members_(dynamics.size()) {
+  check(tableau);
+  for (int k = 0; k < static_cast<int>(dynamics.size()); ++k) {
+    members_[k].reason = LaneStructure::refusal(*dynamics[k]);
+    if (!members_[k].reason.empty()) continue;
+    auto found = std::find_if(groups_.begin(), groups_.end(),
+                              [&](const auto& group) { return group->structure.same(*dynamics[k]); });
+    if (found == groups_.end())
+      found = groups_.insert(groups_.end(), std::make_unique<Group>(Group{LaneStructure(*dynamics[k]), {}}));
+    (*found)->members.push_back(k);
+  }
+  const std::ptrdiff_t width = lane_kernels(widest).width;
+  for (const auto& group : groups_)
+    for (std::ptrdiff_t first = 0; first < std::ssize(group->members); first += width) {
+      const auto last = std::min(first + width, std::ssize(group->members));
+      tasks_.push_back({group.get(), {group->members.begin() + first, group->members.begin() + last}});
+    }
+}
+
+void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
+  std::vector<std::unique_ptr<Lane>> lanes;
+  std::vector<Lane*> alive;
+  std::vector<int> members;
+  for (const int member : task.members) {
+    std::optional<Busy> busy;
+    try {
+      lanes.push_back(std::make_unique<Lane>(*dynamics_[member]));
+    } catch (const Error& error) {
+      members_[member].reason = error.what();
+      continue;
+    }
+    members.push_back(member);
+    alive.push_back(lanes.back().get());
+  }
+  if (alive.empty()) return;
+  const InstructionSet fitting = instruction_set_for(static_cast<int>(alive.size()), widest_);
+  LanePack pack(task.group->structure, lane_kernels(fitting), fitting.level, alive, tableau_, steps_);
+  pack.run(look);
+  for (std::size_t k = 0; k < members.size(); ++k)
+    members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
+}
+
+/// What the threads of a run share.
+struct Ensemble::Work {
+  std::atomic<std::size_t> next{0};
+  std::atomic<int> working{0};
+  std::atomic<bool> stopped{false};
+  std::exception_ptr failure;
+  std::mutex access;
+
+  void stop(std::exception_ptr why) {
+    const std::lock_guard<std::mutex> lock(access);
+    if (!failure) failure = std::move(why);
+    stopped = true;
+  }
+};
+
+void Ensemble::run_tasks(Work& work, const std::function<void()>& look) {
+  const OnePath path(true);  // whatever is computed lane by lane
+  try {
+    for (std::size_t task = work.next++; task < tasks_.size(); task = work.next++) run_task(tasks_[task], look);
+  } catch (const Stopped&) {
+  } catch (...) {
+    work.stop(std::current_exception());
+  }
+  work.working -= 1;
+}
+
+void Ensemble::run(int threads) {
+  Work work;
+  if (threads <= 1 || tasks_.size() <= 1) {
+    run_tasks(work, [] { look_for_interruption(); });
+  } else {
+    const auto look = [&] {
+      if (work.stopped) throw Stopped();
+    };
+    std::vector<std::thread> workers;
+    const auto count = std::min<std::size_t>(threads, tasks_.size());
+    work.working = static_cast<int>(count);
+    for (std::size_t k = 0; k < count; ++k) workers.emplace_back([&] { run_tasks(work, look); });
+    while (work.working > 0) {
+      std::this_thread::sleep_for(between_looks);
+      try {
+        look_for_interruption();
+      } catch (...) {
+        work.stop(std::current_exception());
+        break;
+      }
+    }
+    for (std::thread& worker : workers) worker.join();
+  }
+  if (work.failure) std::rethrow_exception(work.failure);
+}
+
+std::vector<Ensemble::Member> Ensemble::take() { return std::exchange(members_, {}); }
+
+}  // namespace linkwork

@@ -1,0 +1,120 @@
+#include "linkwork/ensemble/lane.hpp"
+
+#include <limits>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double same_time = 1e-9;  // as in Simulation
+constexpr double singular_pivot = 1e-15;
+
+}  // namespace
+
+FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every)
+    : t_end_(t_end), step_(step), record_every_(record_every) {
+  if (!(step > 0.0) || !std::isfinite(step)) throw OptionError("step", "step must be positive and finite");
+  if (!(t_end >= 0.0) || !std::isfinite(t_end)) throw OptionError("t_end", "t_end must be finite and not negative");
+  if (record_every < 1) throw OptionError("record_every", "record_every must be at least 1");
+  const double steps = std::ceil(t_end / step - same_time);
+  if (steps > 1e15) throw OptionError("step", "t_end / step is more than 1e15 steps; use a larger step");
+  count_ = static_cast<std::int64_t>(steps);
+  const double end = static_cast<double>(count_) * step;
+  whole_ = std::abs(t_end - end) <= same_time * step + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_end);
+}
+
+Lane::Lane(Dynamics& dynamics)
+    : dynamics_(dynamics),
+      recorder_(dynamics),
+      crossing_(dynamics),
+      redundancy_(dynamics.system(), dynamics.initial_y().head(dynamics.system().q_size())),
+      turns_(dynamics),
+      divergence_(dynamics.system()) {}
+
+void Lane::leave(double t, std::string reason) {
+  if (!alive_) return;
+  alive_ = false;
+  left_at_ = t;
+  reason_ = std::move(reason);
+}
+
+template <class Action>
+void Lane::guarded(double t, Action action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    leave(t, error.what());
+  }
+}
+
+void Lane::accept(double t, double last_step) {
+  if (dynamics_.system().history_size() == 0) return;
+  if (last_step > 0.0 && TurnGuard::too_far(turns_.largest(last_step)))
+    return leave(t, "an angle turns too far in a step");
+  dynamics_.advance_history();
+  turns_.accept();
+}
+
+void Lane::watch_redundant_rows(double t, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  const auto v = y.segment(system.q_size(), system.v_size());
+  if (redundancy_.suspicious(system, dynamics_.evaluation(), dynamics_.dropped(), v))
+    leave(t, "redundant equations are violated more than the others");
+}
+
+/// As a run records in the course of a step: by solving once more with the factors of the step.
+void Lane::record(double t, double frame_t, const VectorXd& y, bool last) {
+  dynamics_.formulation().look(true);
+  guarded(t, [&] {
+    dynamics_.evaluate(t, y);
+    if (!last) dynamics_.factorize();
+    recorder_.record(frame_t, y);
+  });
+  dynamics_.formulation().look(false);
+}
+
+/// As Simulation begins a leap over a pose; most of what may be one is none, and is not leapt over.
+void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& y) {
+  const double t = steps.time(at), h = steps.size(at), step = steps.step();
+  const double most = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
+  const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
+  guarded(t, [&] {
+    if (at == 0) dynamics_.evaluate(t, y);
+    else dynamics_.begin_elsewhere(t, y);
+    if (crossing_.due(t, h, y, false)) {
+      const bool leaps = crossing_.leap(t, h, step, most, y);
+      if (leaps) leave(t, "a singular pose is ahead");
+      else dynamics_.evaluate(t, y);
+    }
+    if (dynamics_.watch().row_changes() != changes) leave(t, "other equations became the redundant ones");
+    if (dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
+    looked_ = dynamics_.formulation().factorized();
+  });
+}
+
+void Lane::note(double t, double pivot, bool first_stage) {
+  if (!(pivot > singular_pivot)) return leave(t, "the equations are singular");
+  if (first_stage && looked_) return;
+  SingularWatch& watch = dynamics_.formulation().watch();
+  watch.note(t, pivot);
+  if (!watch.usual(pivot)) leave(t, "a small pivot: the pose may be singular");
+}
+
+void Lane::look_back(double t, double h, const VectorXd& y) {
+  const std::int64_t poses = dynamics_.watch().singular_poses();
+  guarded(t, [&] { crossing_.look_back(t, h, y); });
+  if (dynamics_.watch().singular_poses() != poses) leave(t, "a singular pose was passed");
+}
+
+void Lane::check(double t, double h, const VectorXd& y) {
+  guarded(t, [&] { divergence_.check(y, t, h); });
+}
+
+void Lane::end(double t, const VectorXd& y) {
+  const std::int64_t poses = dynamics_.watch().singular_poses();
+  guarded(t, [&] { crossing_.end(t, y); });
+  if (dynamics_.watch().singular_poses() != poses) leave(t, "the motion ends in a singular pose");
+}
+
+}  // namespace linkwork

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "linkwork/integration/crossing.hpp"
+#include "linkwork/integration/divergence.hpp"
+#include "linkwork/integration/history_watch.hpp"
+#include "linkwork/integration/recorder.hpp"
+#include "linkwork/constraints/redundancy_watch.hpp"
+
+namespace linkwork {
+
+/// When to step and what to keep, from t = 0.
+class FixedSteps {
+ public:
+  /// OptionError: sizes that make no sense.
+  FixedSteps(double t_end, double step, std::int64_t record_every);
+
+  std::int64_t count() const { return count_; }
+  double step() const { return step_; }
+  double t_end() const { return t_end_; }
+  /// As Simulation counts them.
+  double time(std::int64_t step) const {
+    return step >= count_ && !whole_ ? t_end_ : static_cast<double>(step) * step_;
+  }
+  double size(std::int64_t step) const { return time(step + 1) - time(step); }
+  bool records(std::int64_t step) const { return step == count_ || step % record_every_ == 0; }
+  /// Of a frame.
+  double frame_time(std::int64_t step) const { return step == count_ ? t_end_ : time(step); }
+
+ private:
+  double t_end_, step_;
+  std::int64_t record_every_, count_ = 0;
+  bool whole_ = false;
+};
+
+/// One mechanism of an ensemble: what watches it, as a single run is watched, and what is recorded of it. Whatever a
+/// single run would do otherwise than take its steps makes it leave; the single run is then the one to ask.
+class Lane {
+ public:
+  explicit Lane(Dynamics& dynamics);
+
+  Dynamics& dynamics() { return dynamics_; }
+  bool alive() const { return alive_; }
+  /// Why it left, in words; empty where it did not, and when [s].
+  const std::string& reason() const { return reason_; }
+  double left_at() const { return left_at_; }
+  void leave(double t, std::string reason);
+  Frames take_frames() { return recorder_.take(); }
+  bool watches() const { return crossing_.watches(); }
+  /// Whether the stage that comes was looked at ahead, and is factorized there already.
+  bool looked() const { return looked_; }
+  double power() const { return power_; }
+  void set_power(double power) { power_ = power; }
+
+  // At the start of a step, in this order, with the evaluation of `begin`.
+  Evaluation& begin(double t, const VectorXd& y) { return dynamics_.begin_elsewhere(t, y); }
+  /// Of the history variables.
+  void accept(double t, double last_step);
+  /// Of Phi and Phi_dot, where rows are redundant.
+  void watch_redundant_rows(double t, const VectorXd& y);
+  void record(double t, double frame_t, const VectorXd& y, bool last);
+  /// Singular poses ahead of a step from the state y.
+  void look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& y);
+  void expect_nothing() { looked_ = false; }
+
+  /// The smallest pivot of a stage at t.
+  void note(double t, double pivot, bool first_stage);
+  /// After a step.
+  void look_back(double t, double h, const VectorXd& y);
+  void check(double t, double h, const VectorXd& y);
+  void end(double t, const VectorXd& y);
+
+ private:
+  template <class Action>
+  void guarded(double t, Action action);
+
+  Dynamics& dynamics_;
+  Recorder recorder_;
+  Crossing crossing_;
+  RedundancyWatch redundancy_;
+  TurnGuard turns_;
+  Divergence divergence_;
+  bool alive_ = true, looked_ = false;
+  double power_ = 0.0, left_at_ = NAN;
+  std::string reason_;
+};
+
+}  // namespace linkwork

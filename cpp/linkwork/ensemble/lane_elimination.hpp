@@ -1,0 +1,62 @@
+#pragma once
+
+#include <type_traits>
+
+#include "linkwork/ensemble/lanes.hpp"
+#include "linkwork/math/simd.hpp"
+
+/// What the eliminations of lanes share. For lane_kernels.cpp only, which is compiled once per instruction set.
+namespace linkwork {
+namespace {
+
+using namespace simd::LINKWORK_ISA;
+
+/// Number k of a list.
+LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return load_native(from + k * width); }
+LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { store_native(to + k * width, x); }
+
+LINKWORK_INLINE bool any(NativeIndex mask) {
+  long long found = 0;
+  for (int l = 0; l < width; ++l) found |= mask[l];
+  return found != 0;
+}
+
+constexpr double breakdown = 1e-15;                  // as in BlockSolver: there is no hub
+constexpr double not_a_number = -__builtin_inf();    // as a ratio of pivots: the smallest of all
+constexpr int articulated = 48;                      // numbers of an articulated inertia: columns of 8
+constexpr int right_hand_side = block::right_hand_side;
+
+/// The smallest pivot relative to its diagonal entry in each lane.
+struct SmallestPivots {
+  Native ratio = splat_native(1.0);
+
+  LINKWORK_INLINE void note(Native pivot, Native diagonal) {
+    const NativeIndex smaller = ~(pivot >= ratio * diagonal) & ~(ratio < splat_native(breakdown));
+    if (!any(smaller)) return;
+    const Native found = pivot / diagonal;
+    ratio = smaller ? (found == found ? found : splat_native(not_a_number)) : ratio;
+  }
+  /// Of a mass matrix.
+  LINKWORK_INLINE void note_mass(Native pivot) {
+    const NativeIndex bad = ~(pivot > Native{});
+    if (!any(bad)) return;
+    ratio = bad ? (pivot == pivot ? Native{} : splat_native(not_a_number)) : ratio;
+  }
+};
+
+/// The sum over the 8 lanes of a vector as block/kernels.cpp takes it on every processor: even and odd ones apart.
+LINKWORK_INLINE Native sum_of_eight(const Native* x) {
+  return ((x[0] + x[2]) + x[4]) + x[6] + (((x[1] + x[3]) + x[5]) + x[7]);
+}
+
+/// Calls f with the count, 1 to `most`, as a constant.
+template <int most, class Function>
+LINKWORK_INLINE void with_count(int count, const Function& f) {
+  if constexpr (most > 1) {
+    if (count < most) return with_count<most - 1>(count, f);
+  }
+  f(std::integral_constant<int, most>());
+}
+
+}  // namespace
+}  // namespace linkwork

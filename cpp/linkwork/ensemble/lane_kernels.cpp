@@ -1,0 +1,134 @@
+// Compiled once per instruction set with LINKWORK_ISA = v2, v3, v4; see CMakeLists.txt.
+#include "linkwork/ensemble/lane_loops.hpp"
+#include "linkwork/ensemble/lane_trees.hpp"
+#include "linkwork/math/pack.hpp"
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+namespace {
+
+template <int count>
+LINKWORK_INLINE Eigen::Matrix<Pack, count, 1> get_vector(const double* from, std::ptrdiff_t k) {
+  Eigen::Matrix<Pack, count, 1> out;
+  LINKWORK_UNROLL for (int c = 0; c < count; ++c)
+    out[c].v = get(from, k + c);
+  return out;
+}
+template <class Vector>
+LINKWORK_INLINE void put_vector(double* to, std::ptrdiff_t k, const Vector& x) {
+  constexpr int count = Vector::SizeAtCompileTime;
+  LINKWORK_UNROLL for (int c = 0; c < count; ++c)
+    put(to, k + c, x.data()[c].v);
+}
+
+void states(int bodies, const double* y, double* out) {
+  for (long body = 0; body <= bodies; ++body) {
+    const bool ground = body == bodies;
+    Vec3<Pack> r = Vec3<Pack>::Zero();
+    Vec4<Pack> p(Pack(1.0), Pack(0.0), Pack(0.0), Pack(0.0));
+    Eigen::Matrix<Pack, 6, 1> v = Eigen::Matrix<Pack, 6, 1>::Zero();
+    if (!ground) {
+      r = get_vector<3>(y, 7 * body);
+      p = get_vector<4>(y, 7 * body + 3);
+      v = get_vector<6>(y, 7l * bodies + 6 * body);
+    }
+    put_vector(out, 18 * body, r);
+    put_vector(out, 18 * body + 3, rotation_matrix<Pack>(p));
+    put_vector(out, 18 * body + 12, v);
+  }
+}
+
+// In the order of operations of assembly/body_forces.cpp.
+void body_forces(int bodies, const double* mass, const double* gravity, const double* y, double* g) {
+  const Vec3<Pack> down = get_vector<3>(gravity, 0);
+  for (long body = 0; body < bodies; ++body) {
+    const Vec3<Pack> omega = get_vector<3>(y, 7l * bodies + 6 * body + 3);
+    const auto M = get_vector<10>(mass, 10 * body);
+    Vec3<Pack> momentum;
+    for (int k = 0; k < 3; ++k)
+      momentum[k] = M[1 + 3 * k] * omega[0] + M[2 + 3 * k] * omega[1] + M[3 + 3 * k] * omega[2];
+    put_vector(g, 6 * body, Vec3<Pack>(M[0] * down));
+    put_vector(g, 6 * body + 3, Vec3<Pack>(momentum.cross(omega)));
+  }
+}
+
+void rates(int bodies, const double* y, const double* v_dot, double* y_dot) {
+  const long q_size = 7l * bodies;
+  for (long body = 0; body < bodies; ++body) {
+    put_vector(y_dot, 7 * body, get_vector<3>(y, q_size + 6 * body));
+    put_vector(y_dot, 7 * body + 3,
+               euler_parameter_rates<Pack>(get_vector<4>(y, 7 * body + 3), get_vector<3>(y, q_size + 6 * body + 3)));
+    put_vector(y_dot, q_size + 6 * body, get_vector<6>(v_dot, 6 * body));
+  }
+}
+
+// In the order in which Eigen sums four squares, two at a time.
+void normalize(int bodies, double* y) {
+  for (long body = 0; body < bodies; ++body) {
+    Vec4<Pack> p = get_vector<4>(y, 7 * body + 3);
+    const Pack square = (p[0] * p[0] + p[2] * p[2]) + (p[1] * p[1] + p[3] * p[3]), length = sqrt(square);
+    for (int k = 0; k < 4; ++k) {
+      const Native unit = p[k].v / length.v;
+      put(y, 7 * body + 3 + k, square.v > Native{} ? unit : p[k].v);
+    }
+  }
+}
+
+void combine(int count, const double* y, int terms, const double* factors, const double* const* x, double* out) {
+  for (int k = 0; k < count; ++k) {
+    Native sum = get(y, k);
+    for (int term = 0; term < terms; ++term) sum += factors[term] * get(x[term], k);
+    put(out, k, sum);
+  }
+}
+
+void weigh(int count, double f, const double* x, double g, const double* z, double* out) {
+  for (int k = 0; k < count; ++k) put(out, k, f * get(x, k) + g * get(z, k));
+}
+
+void largest(int count, const double* x, double* out) {
+  Native most{}, doubtful{};
+  for (int k = 0; k < count; ++k) {
+    const Native value = get(x, k), size = value < Native{} ? -value : value;
+    most = size > most ? size : most;
+    doubtful += value - value;  // not zero of what is not finite
+  }
+  put(out, 0, doubtful == Native{} ? most : splat_native(__builtin_inf()));
+}
+
+/// The memory of `scratch` behind that of bodies, which need none while joints are eliminated.
+EliminationScratch elimination_scratch(const LaneData& data) {
+  std::ptrdiff_t highest = 0;
+  for (std::ptrdiff_t f = 0; f < data.front_count; ++f)
+    if (data.fronts[f].stride() > highest) highest = data.fronts[f].stride();
+  return {data.scratch, data.scratch + at_once * highest * width};
+}
+
+void factor(const LaneData& data, const double* a, const double* b, double* smallest) {
+  SmallestPivots pivots;
+  factor_branches(data, a, b, pivots);
+  factor_loops(data, a, b, elimination_scratch(data), pivots);
+  put(smallest, 0, pivots.ratio);
+}
+
+void forward(const LaneData& data, const double* a, const double* b) {
+  SmallestPivots unchanged;
+  factor_branches(data, a, b, unchanged);
+  forward_loops(data, a, b);
+}
+
+void backward(const LaneData& data, const double* a, double* x, double* lambda) {
+  backward_loops(data, a, x, lambda);
+  backward_branches(data, x, lambda);
+}
+
+}  // namespace
+
+#define LINKWORK_JOIN(A, B) A##B
+#define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_kernels_, ISA)
+
+extern const LaneKernels LINKWORK_NAME(LINKWORK_ISA);
+const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {width,   &states, &body_forces, &rates,   &normalize, &combine,
+                                                 &weigh, &largest, &factor,      &forward, &backward};
+
+}  // namespace linkwork

@@ -1,0 +1,110 @@
+#include "linkwork/ensemble/lane_structure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/linear/block/block_solver.hpp"
+#include "linkwork/model/joint_kind.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr int widest_front = 512;  // see lane_loops.hpp
+
+/// Where D_i of a joint on two bodies is.
+std::ptrdiff_t place_of_D(const System& system, int joint, const Element& element) {
+  const ConstraintBlock& block = system.blocks()[*system.joint_blocks(joint).begin()];
+  return block.body == element.i ? block.offset : block.offset - velocity_size * block.rows;
+}
+
+bool same_elements(const std::vector<Element>& a, const std::vector<Element>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Element& one, const Element& other) {
+    return one.kind == other.kind && one.i == other.i && one.j == other.j;
+  });
+}
+
+}  // namespace
+
+LaneStructure::LaneStructure(const Dynamics& dynamics)
+    : bodies(dynamics.system().body_count()),
+      rows(dynamics.system().row_count()),
+      D_size(dynamics.system().row_of_zeros() + velocity_size),
+      time_dependent(dynamics.system().time_dependent_constraints()),
+      symbolic(dynamics.system(), dynamics.dropped().rows()),
+      compliance(static_cast<std::size_t>(rows), 0.0),
+      dropped(dynamics.dropped().rows()),
+      elements_(dynamics.system().model().joints()),
+      blocks_(dynamics.system().blocks()) {
+  find_positions(dynamics.system());
+  list_joints(dynamics.system());
+  for (const int row : dropped) {
+    compliance[row] = 1.0;
+    for (const ConstraintBlock& block : blocks_)
+      if (block.row <= row && row < block.row + block.rows)
+        dropped_D.push_back(block.offset + velocity_size * (row - block.row));
+  }
+}
+
+void LaneStructure::find_positions(const System& system) {
+  for (const block::CoreBody& body : symbolic.bodies)
+    for (int v = body.first_vector; v < body.first_vector + body.vectors; ++v)
+      for (int l = 0; l < block::lanes; ++l)
+        if (symbolic.vectors[v].D[l] != system.row_of_zeros())
+          row_positions.push_back(symbolic.vectors[v].position + l);
+}
+
+void LaneStructure::list_joints(const System& system) {
+  std::vector<int> place(joint_kinds().size(), -1);
+  for (int joint = 0; joint < system.joint_count(); ++joint) {
+    const Element& element = elements_[joint];
+    if (system.model().special_joint(joint)) {
+      special.push_back(joint);
+      continue;
+    }
+    if (place[element.kind] < 0) {
+      place[element.kind] = static_cast<int>(joints.size());
+      joints.push_back({element.kind, {}, {}, {}, {}, {}});
+    }
+    Joints& all = joints[place[element.kind]];
+    all.joint.push_back(joint);
+    all.body_i.push_back(element.i == ground ? bodies : element.i);
+    all.body_j.push_back(element.j == ground ? bodies : element.j);
+    all.row.push_back(system.model().joint_rows()[joint]);
+    all.D.push_back(place_of_D(system, joint, element));
+  }
+}
+
+bool LaneStructure::same(const Dynamics& dynamics) const {
+  const System& system = dynamics.system();
+  if (system.body_count() != bodies || !same_elements(system.model().joints(), elements_)) return false;
+  if (system.time_dependent_constraints() != time_dependent || dynamics.dropped().rows() != dropped) return false;
+  return std::equal(blocks_.begin(), blocks_.end(), system.blocks().begin(), system.blocks().end(),
+                    [](const ConstraintBlock& a, const ConstraintBlock& b) {
+                      return a.joint == b.joint && a.body == b.body && a.row == b.row && a.offset == b.offset;
+                    });
+}
+
+std::string LaneStructure::refusal(const Dynamics& dynamics) {
+  const Options& options = dynamics.options();
+  const System& system = dynamics.system();
+  if (!options.deterministic) return "lanes have the bits of deterministic runs only";
+  if (options.formulation != "standard" || options.linear_solver != "block")
+    return "lanes have formulation 'standard' by linear solver 'block' only";
+  const StabilizationKind kind = dynamics.stabilization();
+  if (projects_positions(kind) || projects_velocities(kind)) return "lanes have no stabilization by projection";
+  for (const double limit : options.violation_limit)
+    if (std::isfinite(limit)) return "lanes do not watch a violation_limit";
+  if (system.row_count() == 0) return "it has no joints";
+  if (!system.massless_bodies().empty()) return "it has bodies without mass or inertia";
+  if (block::masses_far_apart(system)) return "its masses are far apart, which takes refinement";
+  const RegularizedInertia& inertia = dynamics.formulation().inertia();
+  if (inertia.regularized() || inertia.shows(INFINITY)) return "it has very small inertias, which take refinement";
+  if (!system.model().user_forces().empty()) return "it has forces that are functions of Python";
+  const block::SymbolicFactorization symbolic(system, dynamics.dropped().rows());
+  if (!symbolic.hubs.empty()) return "it has a body with very many joints";
+  if (symbolic.widest_front > widest_front) return "its loops are too large";
+  return "";
+}
+
+}  // namespace linkwork

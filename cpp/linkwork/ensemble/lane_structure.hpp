@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "linkwork/ensemble/lanes.hpp"
+#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/integrator.hpp"
+#include "linkwork/linear/block/symbolic_factorization.hpp"
+
+namespace linkwork {
+
+/// What mechanisms must have in common to run in the lanes of one pack: bodies, kinds of joints and the bodies that they
+/// join, redundant rows. All numbers may differ, and force elements may be others.
+class LaneStructure {
+ public:
+  explicit LaneStructure(const Dynamics& dynamics);
+
+  /// Why lanes cannot run this, in words that end a sentence; empty where they can.
+  static std::string refusal(const Dynamics& dynamics);
+  bool same(const Dynamics& dynamics) const;
+
+  /// The joints of one kind.
+  struct Joints {
+    int kind;
+    std::vector<int> joint, body_i, body_j, row;  ///< bodies as places of states: the ground is the last
+    std::vector<std::ptrdiff_t> D;
+  };
+
+  int bodies, rows;
+  std::ptrdiff_t D_size;
+  bool time_dependent;  ///< constraints, of any
+  block::SymbolicFactorization symbolic;
+  std::vector<int> row_positions;  ///< of symbolic.rows in their fronts
+  std::vector<Joints> joints;
+  std::vector<int> special;             ///< special joints
+  std::vector<double> compliance;       ///< of each row
+  std::vector<int> dropped;             ///< redundant rows, ascending
+  std::vector<std::ptrdiff_t> dropped_D;  ///< where the D of dropped rows is, 6 numbers each
+
+  int y_size() const { return 13 * bodies + 1; }
+
+ private:
+  void find_positions(const System& system);
+  void list_joints(const System& system);
+
+  std::vector<Element> elements_;
+  std::vector<ConstraintBlock> blocks_;
+};
+
+}  // namespace linkwork

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+
+#include "linkwork/linear/block/kernels.hpp"
+
+/// The inner loops of ensembles: mechanisms of one structure, each in a lane. Every number here is `width` of them, one
+/// of each mechanism, side by side. Compiled once per instruction set (lane_kernels.cpp) and chosen at run time; without
+/// fused operations and in the order of operations of a single run with `deterministic`, so that a lane has the bits
+/// of that run, whatever the width and whatever the other lanes hold.
+namespace linkwork {
+
+/// What an elimination reads and writes; places are those of SymbolicFactorization, in numbers.
+struct LaneData {
+  const block::TreeStep* steps;
+  std::ptrdiff_t step_count;
+  const block::Front* fronts;  ///< without hubs
+  std::ptrdiff_t front_count;
+  const block::RelativeIndices* relative_indices;
+  const block::CoreBody* bodies;
+  const block::BodyRow* rows;
+  const int* row_positions;  ///< of `rows` in their fronts
+  const int* unknowns;
+  const double* compliance;    ///< of each constraint row, for all lanes: not zero in rows that are left out
+  const double* mass;          ///< 10 a body: m, J row by row
+  const double* mass_factors;  ///< 9 a body that has one: L43, L53, L54, six inverse pivots
+  const double* D;
+  double* factors;
+  double* articulated_inertias;
+  double* panels;
+  double* contributions;
+  double* scratch;  ///< 12 of the most rows of a body; 8 of the highest front; 1 of the widest
+};
+
+/// y = (q, v, work), 13 n + 1 numbers.
+struct LaneKernels {
+  int width;
+
+  /// Numbers of BodyState (18 a body) from y; of the ground behind them.
+  void (*states)(int bodies, const double* y, double* states);
+  /// g = (m gravity, -omega x J omega), 6 a body.
+  void (*body_forces)(int bodies, const double* mass, const double* gravity, const double* y, double* g);
+  /// q_dot = N(q) v and v_dot, without the work.
+  void (*rates)(int bodies, const double* y, const double* v_dot, double* y_dot);
+  /// Every p to unit length.
+  void (*normalize)(int bodies, double* y);
+  /// out = y + sum_k factors[k] x[k], of `count` numbers.
+  void (*combine)(int count, const double* y, int terms, const double* factors, const double* const* x, double* out);
+  /// out = f x + g z.
+  void (*weigh)(int count, double f, const double* x, double g, const double* z, double* out);
+  /// The largest amount of all numbers in each lane; infinite where one is no number.
+  void (*largest)(int count, const double* x, double* out);
+
+  /// Factors, with forward substitution of a (6 a body) and b (one a row) on the way; the smallest pivot of each lane,
+  /// relative to its diagonal entry.
+  void (*factor)(const LaneData&, const double* a, const double* b, double* smallest);
+  /// The same forward substitution with factors that are there.
+  void (*forward)(const LaneData&, const double* a, const double* b);
+  void (*backward)(const LaneData&, const double* a, double* x, double* lambda);
+};
+
+const LaneKernels& lane_kernels(const InstructionSet& instructions);
+
+}  // namespace linkwork

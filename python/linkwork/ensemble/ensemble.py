@@ -1,0 +1,399 @@
+"""`simulate_many`: from a model and its variations to the motions of all of them."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import time
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork import memory
+from linkwork.arguments import whole
+from linkwork.arrays import Floats
+from linkwork.comparison.workers import processor_count
+from linkwork.ensemble.members import Member, Method, run_members
+from linkwork.ensemble.outcome import TRAJECTORIES, EnsembleResult, whole_number
+from linkwork.errors import LinkworkError, LinkworkWarning, OptionError
+from linkwork.integrators import ButcherTableau, named
+from linkwork.modeling.model import Model, check_model
+from linkwork.options import TABLE, check_name, check_number, check_option
+from linkwork.options import names as option_names
+from linkwork.results.result import Result
+from linkwork.running import recording, schedule
+from linkwork.running.manifest import platform_facts
+from linkwork.running.progress import ShowOption, counting
+from linkwork.running.simulation import check_run, simulate
+from linkwork.studies import outputs as wanted
+from linkwork.studies.cases import check_times
+from linkwork.studies.sampling import Cases, cases_of
+from linkwork.studies.sweeping import probe
+from linkwork.studies.variants import Built, source_of
+
+__all__ = ["Ensemble", "simulate_many"]
+
+#: Members that are made and simulated at a time, for each thread: some packs of the widest registers.
+AT_ONCE = 32
+
+#: Arguments of `simulate` that an ensemble has in another way, or cannot have.
+OTHERS = {
+    "output": "an ensemble keeps arrays; Ensemble.single simulates one member by itself",
+    "overwrite": "an ensemble keeps arrays; Ensemble.single simulates one member by itself",
+    "start": "give the models another initial state, model.with_initial_state(q, v)",
+    "verify": "Ensemble.single simulates one member by itself",
+    "progress": "it is that of the ensemble",
+}
+
+
+def simulate_many(
+    model: Model | Callable[..., Model] | Sequence[Model],
+    variations: Any = None,
+    t_end: float | None = None,
+    step: float | None = None,
+    *,
+    sampler: Any = None,
+    cases: int | None = None,
+    seed: int | None = None,
+    **arguments: Any,
+) -> EnsembleResult:
+    """Simulate many mechanisms of one structure at once: `Ensemble(model, variations).simulate(t_end, step)`.
+
+        many = lw.simulate_many(model, {"rod.mass": [1, 2, 3]}, 2.0, step=1e-3)
+
+    For what the arguments are see Ensemble and Ensemble.simulate.
+    """
+    if t_end is None:
+        raise OptionError("t_end is missing: simulate_many(model, variations, t_end, step)", code="t_end")
+    return Ensemble(model, variations, sampler=sampler, cases=cases, seed=seed).simulate(
+        t_end, step, **arguments
+    )
+
+
+class Ensemble:
+    """n mechanisms: variations of a model by path, of a function, or the models of a list.
+
+    model       a model, whose parameters are named by path as in `sweep`: "crank.mass", "motor pin.at[2]",
+                "rod.omega", "gravity[2]"; a function build(**parameters) -> Model; or a list of models
+    variations  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
+                named fields: a member a row. With a sampler {name: (low, high)} or distributions
+    sampler     None, "grid", "table", "random", "sobol", "halton", "latin_hypercube", or an engine of
+                scipy.stats.qmc
+    cases       how many members, of a sampler
+    seed        of a sampler
+
+    Members whose bodies, joints and redundant equations are the same run side by side in the lanes of the
+    processor's registers: 8 with AVX-512, 4 with AVX2, else 2. All else may differ: masses, points, axes,
+    parameters, functions of time, forces, gravity, the initial state.
+
+    OptionError, ModelError: a path that leads nowhere, values of another shape, no members.
+    """
+
+    def __init__(
+        self, model: Model | Callable[..., Model] | Sequence[Model], variations: Any = None, *,
+        sampler: Any = None, cases: int | None = None, seed: int | None = None,
+    ) -> None:  # fmt: skip
+        self._members = _members(model, variations, sampler, cases, seed)
+
+    def __len__(self) -> int:
+        return len(self._members)
+
+    def __repr__(self) -> str:
+        return f"<Ensemble: {len(self)} members of {', '.join(self.parameters) or 'a list of models'}>"
+
+    @property
+    def parameters(self) -> Mapping[str, np.ndarray[Any, Any]]:
+        """By name: values (n, ...)."""
+        return {name: np.array(values) for name, values in self._members.columns.items()}
+
+    def model(self, number: int) -> Model:
+        """Of one member. OptionError: there is no such member. What its building raises."""
+        return self._members.model(whole_number(number, len(self)))
+
+    def single(self, number: int, t_end: float, step: float | None = None, **arguments: Any) -> Result:
+        """One member by itself, `simulate(model, ..., deterministic=True)`: the same bits, with a verdict."""
+        return simulate(self.model(number), t_end, step, **{"deterministic": True, **arguments})
+
+    def simulate(
+        self,
+        t_end: float,
+        step: float | None = None,
+        integrator: Any = None,
+        *,
+        outputs: Any = None,
+        times: ArrayLike | None = None,
+        record_every: int | None = None,
+        threads: int | None = None,
+        progress: ShowOption = None,
+        **options: Any,
+    ) -> EnsembleResult:
+        """Simulate all members from t = 0 to `t_end` [s].
+
+        step          [s] fixed
+        integrator    as of `simulate`; None: "rk4"
+        outputs       names of quantities as in `sweep`, "reaction('pin').force.max", "final", functions of a
+                      Result: kept instead of motions, so that memory does not grow with time
+        times         [s] of outputs that are arrays; multiples of the step
+        record_every  steps between frames; None: about 1000 frames, with outputs every step
+        threads       of this process; None: one a processor
+        progress      None: a line on a terminal or in a notebook; False: nothing
+        options       of `simulate`. `deterministic` is always on
+
+        Lanes have formulation "standard" by linear solver "block", explicit Runge-Kutta methods with a fixed
+        step, stabilization "sampled_baumgarte", "baumgarte" or "none". What they do not have, and members
+        that leave their lane (a singular pose ahead, redundant equations that change), are simulated by
+        themselves from the start: `EnsembleResult.alone` says which and why. Either way a member has the bits
+        of its run by itself with deterministic=True, whatever its place, its neighbors and `threads` are; one
+        that fails is kept as failed, and disturbs no other.
+
+        OptionError: an option or output that does not exist or cannot be, before the first member. Ctrl-C
+        ends it.
+        """  # Long: its arguments are fifteen lines.
+        started = time.perf_counter()
+        check_number("t_end", t_end, positive=True, unit="s")
+        _check_options(options)
+        count = processor_count() if threads is None else whole(threads, 1, "threads")
+        example = self._members.example()
+        asked = None if outputs is None else wanted.outputs_of(outputs)
+        arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
+                     "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
+        wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
+        method = _method(example, float(t_end), arguments, count)
+        _check_run(self._members, method)
+        if asked is not None:
+            found = probe(example, arguments)
+            asked = [wanted.checked(it, found, wanted_times) for it in asked]
+        else:
+            _check_memory(len(self), method, example)
+        members = _Kept(asked, wanted_times)
+        with counting(progress, len(self)) as report:
+            for first in range(0, len(self), AT_ONCE * count):
+                report(first, f"{first} of {len(self)} members")
+                numbers = range(first, min(first + AT_ONCE * count, len(self)))
+                models = [self._members.model_or_error(k) for k in numbers]
+                for number, member in zip(numbers, run_members(models, method), strict=True):
+                    members.keep(number, member)
+        about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count,
+                 "seconds": time.perf_counter() - started}  # fmt: skip
+        return members.outcome(self, about)
+
+
+# --- members ---
+
+
+@dataclass(frozen=True)
+class _Members:
+    columns: Mapping[str, Sequence[Any]]
+    make: Callable[[int], Model]
+    count: int
+    units: Mapping[str, str]
+
+    def __len__(self) -> int:
+        return self.count
+
+    def model(self, number: int) -> Model:
+        return self.make(number)
+
+    def model_or_error(self, number: int) -> Model | Exception:
+        try:
+            return self.make(number)
+        except Exception as error:
+            return error
+
+    def example(self) -> Model:
+        """The first that there is. What its building raises where none of the first has one."""
+        first: Exception | None = None
+        for k in range(min(self.count, 20)):
+            found = self.model_or_error(k)
+            if isinstance(found, Model):
+                return found
+            first = first or found
+        assert first is not None
+        raise first
+
+
+def _members(model: Any, variations: Any, sampler: Any, cases: int | None, seed: int | None) -> _Members:
+    if isinstance(model, list | tuple):
+        if variations is not None or sampler is not None or cases is not None or seed is not None:
+            raise OptionError("a list of models is varied already: leave variations out", code="conflict")
+        for it in model:
+            check_model(it)
+        if not model:
+            raise OptionError("model: the list of models is empty, so there is no member", code="parameters")
+        return _Members({}, model.__getitem__, len(model), {})
+    if variations is None:
+        raise OptionError(
+            "variations is missing: {name: values}, or give a list of models", code="parameters"
+        )
+    drawn = cases_of(variations, sampler, cases, seed)
+    source = source_of(model, drawn.columns)
+    table: Cases = drawn if isinstance(source, Built) else drawn.as_floats()
+    return _Members(table.columns, lambda number: source.model(table.case(number)), len(table),
+                    source.units(list(table.columns)))  # fmt: skip
+
+
+# --- before the first ---
+
+
+def _check_options(options: Mapping[str, Any]) -> None:
+    """OptionError: none of `simulate`, or one that an ensemble has in another way."""
+    known = [*list(inspect.signature(simulate).parameters)[2:-1], *TABLE]
+    for name in options:
+        if name in OTHERS:
+            raise OptionError(f"option '{name}' is none of an ensemble: {OTHERS[name]}", code="option")
+        check_option(name, known)
+    if options.get("deterministic") is False:
+        raise OptionError(
+            "deterministic: members have the bits of deterministic runs; leave it out", code="deterministic"
+        )
+    policy = options.get("on_inaccurate", "pass")
+    check_name("on_inaccurate", policy, option_names()["on_inaccurate"])
+    if policy != "pass":
+        raise OptionError(
+            f"on_inaccurate '{policy}': members have no verdict, which Ensemble.single has", code="option"
+        )
+
+
+def _recorded(
+    asked: Sequence[wanted.Output] | None, times: ArrayLike | None, t_end: float, arguments: dict[str, Any]
+) -> tuple[Floats | None, dict[str, Any]]:
+    """The times of arrays [s], and when frames are recorded. OptionError: times that have no frame."""
+    if asked is None:
+        if times is not None:
+            raise OptionError("times are those of outputs: give outputs, or record_every", code="conflict")
+        return None, arguments
+    if arguments["record_every"] is None:
+        del arguments["record_every"]
+        at_end = all(it.at_end for it in asked) and arguments["step"] is not None
+        if at_end and times is None:
+            arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"])))
+    return check_times(times, t_end, arguments)
+
+
+def _method(example: Model, t_end: float, arguments: Mapping[str, Any], threads: int) -> Method:
+    """OptionError: a plan that makes no sense."""
+    step, rtol, atol, every, at = (
+        arguments.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
+    )
+    plan = schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(example), 0.0)
+    given = {name: value for name, value in arguments.items() if value is not None or name in TABLE}
+    integrator = arguments["integrator"] or plan.usual_integrator
+    found = named(integrator) if isinstance(integrator, str) else integrator
+    alone = ""
+    if not isinstance(plan, schedule.Fixed):
+        alone = "lanes have fixed steps only"
+    elif not isinstance(found, ButcherTableau):
+        alone = "lanes have explicit Runge-Kutta methods only"
+    elif arguments.get("events"):
+        alone = "lanes have no events"
+    return Method(t_end, given, threads, alone, plan)
+
+
+def _check_run(members: _Members, method: Method) -> None:
+    """OptionError: a choice that does not exist, or that none of some members can honor."""
+    refused: OptionError | None = None
+    for k in sorted({0, len(members) // 2, len(members) - 1}):
+        model = members.model_or_error(k)
+        if isinstance(model, Exception):
+            return
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", LinkworkWarning)
+                check_run(model, method.plan, {"events": (), **method.given}, method.options)
+            return
+        except OptionError as error:
+            refused = refused or error
+        except LinkworkError:  # this member alone may fail
+            return
+    if refused is not None:
+        raise refused
+
+
+def _check_memory(count: int, method: Method, example: Model) -> None:
+    """OptionError: the motions are too many."""
+    plan = method.plan
+    frames = plan.t_end / plan.step / plan.record_every + 2 if isinstance(plan, schedule.Fixed) else 1000
+    needed, there = 2.0 * count * frames * recording.frame_bytes(example), memory.available()
+    if needed > there:
+        raise OptionError(
+            f"the motions of {count} members need {memory.in_words(needed)}, and there are "
+            f"{memory.in_words(there)}: give outputs=, or record fewer frames (record_every)",
+            code="memory",
+        )
+
+
+# --- what is kept ---
+
+
+class _Kept:
+    def __init__(self, outputs: Sequence[wanted.Output] | None, times: Floats | None) -> None:
+        self._outputs, self._times = outputs, times
+        self._members: list[Member] = []
+        self._values: dict[str, dict[int, Floats]] = {it.label: {} for it in outputs or ()}
+
+    def keep(self, number: int, member: Member) -> None:
+        """With outputs instead of the motion, where they were asked for."""
+        if self._outputs is not None and member.result is not None:
+            try:
+                for it in self._outputs:
+                    self._values[it.label][number] = it.value(member.result, self._times)
+                member = Member(None, member.reason, {}, member.remarks)
+            except (LinkworkError, ArithmeticError, LookupError, TypeError, ValueError) as error:
+                facts = {"type": type(error).__name__, "code": "", "message": str(error)}
+                member = Member(None, member.reason, facts, member.remarks)
+        self._members.append(member)
+
+    def outcome(self, ensemble: Ensemble, about: Mapping[str, Any]) -> EnsembleResult:
+        members = dict(enumerate(self._members))
+        results = {k: it.result for k, it in members.items() if it.result is not None}
+        longest = max((it.t for it in results.values()), key=len, default=np.zeros(0))
+        outputs = {label: _stacked(values, len(members)) for label, values in self._values.items()}
+        asked = self._outputs or ()
+        return EnsembleResult(
+            parameters=ensemble.parameters,
+            status=np.array(["failed" if it.error else "finished" for it in members.values()]),
+            errors={k: dict(it.error) for k, it in members.items() if it.error},
+            alone={k: it.reason for k, it in members.items() if it.reason},
+            remarks={k: "; ".join(it.remarks) for k, it in members.items() if it.remarks},
+            t=np.asarray(longest),
+            trajectories=dict(_trajectories(results, len(members), len(longest))),
+            outputs=outputs,
+            units={**ensemble._members.units, **{it.label: it.unit for it in asked}},
+            times=self._times,
+            manifest=dict(about),
+            over_time=frozenset(it.label for it in asked if it.over_time),
+            results=results,
+        )
+
+
+def _trajectories(results: Mapping[int, Result], count: int, frames: int) -> Iterator[tuple[str, Floats]]:
+    """Of members with the same bodies, rows and times as the first; others have their own in `results`."""
+    if not results:
+        return
+    first = next(iter(results.values()))
+    for name in TRAJECTORIES:
+        values = {k: _of(it, name) for k, it in results.items()}
+        shape = _of(first, name).shape
+        alike = {k: it for k, it in values.items() if it.shape == shape and len(it) == frames}
+        yield name, _stacked(alike, count)
+
+
+def _of(result: Result, name: str) -> Floats:
+    return result.energy if name == "energy" else result.recorded(name)
+
+
+def _stacked(values: Mapping[int, Floats], count: int) -> Floats:
+    """(n, ...), NaN where there is none."""
+    shapes = {np.shape(it) for it in values.values()}
+    if len(shapes) > 1:
+        raise OptionError(
+            f"outputs: a function gives arrays of shapes {sorted(map(str, shapes))}", code="outputs"
+        )
+    found = np.full((count, *(next(iter(shapes)) if shapes else ())), np.nan)
+    for k, value in values.items():
+        found[k] = value
+    return found

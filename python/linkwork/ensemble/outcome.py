@@ -1,0 +1,142 @@
+"""What an ensemble found: the motions of all members as arrays, or outputs of each."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.arguments import optional_package
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError
+from linkwork.results.result import Result
+
+if TYPE_CHECKING:
+    import xarray
+
+__all__ = ["EnsembleResult"]
+
+#: Reasons that a summary lists.
+LISTED = 3
+
+#: Arrays over time that are kept: their dimensions after lane and time, and unit.
+TRAJECTORIES = {
+    "q": (("body", "q"), "m, 1"), "v": (("body", "v"), "m/s, rad/s"),
+    "vdot": (("body", "v"), "m/s2, rad/s2"), "lambda": (("row",), "N, N m"), "energy": ((), "J"),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, repr=False)
+class EnsembleResult:
+    """n members, of which k frames or the outputs that were asked for are kept.
+
+    parameters    by name: values (n, ...)
+    status        (n,) "finished" or "failed"
+    errors        by member: type, code, message of what failed, and `reached`, the simulated time [s]
+    alone         by member: why it was simulated by itself and not in a lane
+    remarks       by member: warnings
+    t             (k,) times of the frames [s]; empty where outputs were asked for
+    trajectories  without outputs "q" (n, k, bodies, 7), "v" and "vdot" (n, k, bodies, 6), "lambda"
+                  (n, k, rows), "energy" (n, k) [J]: NaN in members that failed
+    outputs       by label: (n, ...); NaN in members that failed
+    units         of parameters and outputs that are known
+    times         (j,) [s] of outputs that are arrays over time
+    manifest      what was run
+
+    A member has the bits that `simulate(model, ..., deterministic=True)` gives, whatever runs beside it. It
+    has no verdict: `Ensemble.single` simulates one by itself and has one.
+    """
+
+    parameters: Mapping[str, NDArray[Any]]
+    status: NDArray[np.str_]
+    errors: Mapping[int, Mapping[str, Any]]
+    alone: Mapping[int, str]
+    remarks: Mapping[int, str]
+    t: Floats
+    trajectories: Mapping[str, Floats]
+    outputs: Mapping[str, Floats]
+    units: Mapping[str, str]
+    times: Floats | None
+    manifest: Mapping[str, Any]
+    over_time: frozenset[str] = frozenset()  #: outputs that are arrays over `times`
+    results: Mapping[int, Result] = field(default_factory=dict, compare=False)  #: of members, without outputs
+
+    def __len__(self) -> int:
+        return len(self.status)
+
+    def __repr__(self) -> str:
+        counts = Counter(self.status.tolist())
+        parts = [f"{counts[name]} {name}" for name in ("finished", "failed") if counts[name]]
+        lanes = len(self) - len(self.alone) - sum(k not in self.alone for k in self.errors)
+        parts.append(f"{lanes} in lanes")
+        why = Counter(text.split(" (at t = ")[0] for text in self.alone.values()).most_common(LISTED)
+        failed = Counter(str(it["message"]) for it in self.errors.values()).most_common(LISTED)
+        lines = [f"  {count} by itself: {text}" for text, count in why]
+        lines += [f"  {count} x {text}" for text, count in failed]
+        return "\n".join([f"<EnsembleResult: {len(self)} members: {', '.join(parts)}>", *lines])
+
+    @property
+    def q(self) -> Floats:
+        """Positions and Euler parameters (n, k, bodies, 7). OptionError: outputs were asked for instead."""
+        return self._trajectory("q")
+
+    @property
+    def v(self) -> Floats:
+        """Velocities and angular velocities, body-fixed (n, k, bodies, 6) [m/s, rad/s]."""
+        return self._trajectory("v")
+
+    def _trajectory(self, name: str) -> Floats:
+        if not self.trajectories:
+            raise OptionError(f"{name}: outputs were kept instead of motions", code="outputs")
+        return self.trajectories[name]
+
+    def member(self, number: int) -> Result:
+        """The motion of one that finished. OptionError: there is none, or outputs were kept instead."""
+        k = whole_number(number, len(self))
+        if k not in self.results:
+            why = self.errors.get(k, {}).get("message", "outputs were kept instead of motions")
+            raise OptionError(f"member {number}: has no motion: {why}", code="member")
+        return self.results[k]
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A data set of xarray over "member" and "time": parameters, status and why as coordinates, motions
+        or outputs as variables, units as attributes, the manifest as text.
+
+        OptionError: xarray is not installed.
+        """
+        package = optional_package("xarray", "xarray", "to_xarray", instead="the arrays need nothing")
+        n = len(self)
+        coordinates: dict[str, Any] = {"member": np.arange(n), "status": ("member", self.status)}
+        coordinates["alone"] = "member", [self.alone.get(k, "") for k in range(n)]
+        coordinates["error"] = "member", [self.errors.get(k, {}).get("message", "") for k in range(n)]
+        for name, values in self.parameters.items():
+            coordinates[name] = self._variable(name, values)
+        times = self.t if self.trajectories else self.times
+        if times is not None and len(times):
+            coordinates["time"] = "time", times, {"units": "s"}
+        variables = {name: self._variable(name, values) for name, values in self.outputs.items()}
+        for name, values in self.trajectories.items():
+            dims, unit = TRAJECTORIES[name]
+            variables[name] = ("member", "time", *dims), values, {"units": unit}
+        attributes = {"manifest": json.dumps(self.manifest, default=str)}
+        found: xarray.Dataset = package.Dataset(variables, coordinates, attributes)
+        return found
+
+    def _variable(self, name: str, values: NDArray[Any]) -> tuple[Any, Any, dict[str, str]]:
+        dims = [f"{name}_{k}" for k in range(1, values.ndim)]
+        if name in self.over_time:
+            dims[0] = "time"
+        return ("member", *dims), values, {"units": self.units[name]} if self.units.get(name) else {}
+
+
+def whole_number(number: Any, count: int) -> int:
+    """OptionError: there is no such member."""
+    whole = isinstance(number, int | np.integer) and not isinstance(number, bool)
+    if not whole or not -count <= number < count:
+        raise OptionError(f"member {number!r:.40} is none of the {count} of this ensemble", code="member")
+    return int(number) % count

@@ -1,0 +1,307 @@
+"""Pictures of a study with matplotlib: scatter matrix, histograms, bands over time, surfaces, tornado."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from linkwork.arrays import Floats
+from linkwork.errors import OptionError, nearest
+from linkwork.plots.figures import COLORS, check_format, new_figure, style, written
+
+if TYPE_CHECKING:
+    from linkwork.studies.study import Study
+
+__all__ = ["KINDS", "Column", "Swing", "numbers_of", "plot", "swings"]
+
+#: Columns of a scatter matrix, panels of the other pictures; the title tells what is left out.
+COLUMNS, PANELS = 6, 6
+
+#: The part of a sample [%] that the tornado moves a parameter over, and that the bands hold.
+LOW, HIGH = 5.0, 95.0
+
+FAILED = "#d55e00"
+
+
+@dataclass(frozen=True)
+class Column:
+    """A number of each case."""
+
+    name: str
+    unit: str
+    values: Floats  # (n,)
+
+    @property
+    def label(self) -> str:
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+
+@dataclass(frozen=True)
+class Swing:
+    """What a parameter does to an output by the linear fit to all cases.
+
+    change       of the output, while the parameter goes from the 5th to the 95th percentile of its values
+    explained    share of the output's variance that the fit with all parameters explains, 0 to 1
+    """
+
+    parameter: str
+    change: float
+    explained: float
+
+
+def plot(
+    study: Study,
+    kind: str,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    outputs: str | Sequence[str] | None = None,
+    parameters: str | Sequence[str] | None = None,
+) -> Figure:
+    """See Study.plot."""
+    if kind not in KINDS:
+        raise OptionError(f"plot '{kind}' does not exist{nearest(kind, KINDS)}", code="unknown_option")
+    if path is not None:
+        check_format(path)
+    if not (study.status == "finished").any():
+        raise OptionError("study: no case has finished, so that there is nothing to draw", code="outputs")
+    chosen = _chosen("output", study.outputs, outputs), _chosen("parameter", study.parameters, parameters)
+    return written(KINDS[kind](study, *chosen), path)
+
+
+def _chosen(what: str, known: Mapping[str, object], names: str | Sequence[str] | None) -> list[str]:
+    """OptionError: a name that the study does not have."""
+    if names is None:
+        return list(known)
+    wanted = [names] if isinstance(names, str) else list(names)
+    for name in wanted:
+        if name not in known:
+            raise OptionError(f"{what} '{name}' is none of this study{nearest(name, known)}", code="outputs")
+    return wanted
+
+
+def _columns(study: Study, values: Mapping[str, NDArray[np.float64]], names: Sequence[str]) -> list[Column]:
+    """Numbers, one a case; of arrays each component. What is no number, or goes over time, has none."""
+    found = []
+    for name in names:
+        array = np.asarray(values[name])
+        if name in study.over_time or array.dtype.kind not in "biuf":
+            continue
+        for place in np.ndindex(array.shape[1:]):
+            label = name + "".join(f"[{k}]" for k in place)
+            column = array[(slice(None), *place)].astype(float)
+            found.append(Column(label, study.units.get(name, ""), column))
+    return found
+
+
+def numbers_of(study: Study) -> list[Column]:
+    """Parameters, then outputs, of which there is a number a case that is not the same in all."""
+    both = (study.parameters, list(study.parameters)), (study.outputs, list(study.outputs))
+    return [column for values, names in both for column in _moving(_columns(study, values, names))]
+
+
+def _moving(columns: Sequence[Column]) -> list[Column]:
+    """Those that are not the same in every case."""
+    finite = [(it, it.values[np.isfinite(it.values)]) for it in columns]
+    return [it for it, values in finite if len(values) and np.ptp(values) > 0]
+
+
+def _needed(columns: list[Column], what: str, count: int = 1) -> list[Column]:
+    """OptionError: fewer than the picture is made of."""
+    if len(columns) < count:
+        raise OptionError(
+            f"plot: needs {count} {what} that are numbers and not the same in all cases, "
+            f"there are {len(columns)}",
+            code="outputs",
+        )
+    return columns
+
+
+def _title(study: Study, what: str, shown: int, total: int) -> str:
+    failed = int((study.status == "failed").sum())
+    parts = [what, f"{int((study.status == 'finished').sum())} cases"]
+    parts += [f"{failed} failed"] if failed else []
+    parts += [f"the first {shown} of {total} shown"] if shown < total else []
+    return ", ".join(parts)
+
+
+def _panels(count: int) -> tuple[Figure, list[Axes]]:
+    across = min(count, 3)
+    down = -(-count // across)
+    figure = new_figure(4.2 * across + 0.6, 3.3 * down + 0.6)
+    axes = list(np.atleast_1d(figure.subplots(down, across)).flat)
+    for spare in axes[count:]:
+        spare.remove()
+    return figure, axes[:count]
+
+
+# --- the kinds ---
+
+
+def _scatter(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
+    """Each column over each other, its own distribution on the diagonal; crosses are cases that failed."""
+    all_columns = _moving(_columns(study, study.parameters, parameters))
+    all_columns += _moving(_columns(study, study.outputs, outputs))
+    columns = _needed(all_columns, "columns", 2)[:COLUMNS]
+    count = len(columns)
+    figure = new_figure(1.9 * count + 1.0, 1.7 * count + 0.8)
+    axes = figure.subplots(count, count, squeeze=False)
+    failed = study.status == "failed"
+    for row, upright in enumerate(columns):
+        for place, flat in enumerate(columns):
+            ax = axes[row, place]
+            if row == place:
+                ax.hist(flat.values[np.isfinite(flat.values)], bins="auto", color=COLORS[0])
+            else:
+                ax.plot(flat.values[~failed], upright.values[~failed], ".", ms=3, color=COLORS[0])
+                ax.plot(flat.values[failed], upright.values[failed], "x", ms=4, color=FAILED)
+            ax.tick_params(labelsize=6)
+            ax.spines[["top", "right"]].set_visible(False)
+            if row == count - 1:
+                ax.set_xlabel(flat.label, fontsize=7)
+            if place == 0:
+                ax.set_ylabel(upright.label, fontsize=7)
+    figure.suptitle(_title(study, "scatter matrix", count, len(all_columns)), fontsize=10)
+    return figure
+
+
+def _histogram(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
+    """Each output's distribution, with its median and the band that holds nine of ten cases."""
+    found = _needed(_moving(_columns(study, study.outputs, outputs)), "outputs")
+    figure, axes = _panels(min(len(found), PANELS))
+    for ax, column in zip(axes, found, strict=False):
+        values = column.values[np.isfinite(column.values)]
+        low, middle, high = np.percentile(values, [LOW, 50, HIGH])
+        style(ax, "cases")
+        ax.hist(values, bins="auto", color=COLORS[0], alpha=0.8)
+        for at, dash in ((low, "--"), (middle, "-"), (high, "--")):
+            ax.axvline(at, color="black", ls=dash, lw=1)
+        ax.set_xlabel(column.label, fontsize=9)
+        ax.set_title(
+            f"median {middle:.4g}; {LOW:g} % below {low:.4g}, {LOW:g} % above {high:.4g}", fontsize=8
+        )
+    figure.suptitle(_title(study, "distribution", len(axes), len(found)), fontsize=10)
+    return figure
+
+
+def _bands(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
+    """Outputs over time: median, the middle half and nine tenths of the cases, and the extremes."""
+    names, times = [name for name in outputs if name in study.over_time], study.times
+    if not names or times is None:
+        raise OptionError(
+            "plot 'bands': no output is an array over time: give one without .max, and times=", code="outputs"
+        )
+    pieces = [(name, place) for name in names for place in np.ndindex(study.outputs[name].shape[2:])]
+    figure, axes = _panels(min(len(pieces), PANELS))
+    for ax, (name, place) in zip(axes, pieces, strict=False):
+        values = study.outputs[name][(slice(None), slice(None), *place)]
+        values = values[np.isfinite(values).all(axis=1)]
+        least, low, quarter, middle, most, high, largest = np.percentile(
+            values, [0, LOW, 25, 50, 75, HIGH, 100], axis=0
+        )
+        unit = study.units.get(name, "")
+        style(ax, name + "".join(f"[{k}]" for k in place) + (f" [{unit}]" if unit else ""))
+        ax.fill_between(times, low, high, color=COLORS[0], alpha=0.2, lw=0, label="9 of 10")
+        ax.fill_between(times, quarter, most, color=COLORS[0], alpha=0.35, lw=0, label="half")
+        ax.plot(times, middle, color=COLORS[0], label="median")
+        for edge in (least, largest):
+            ax.plot(times, edge, color="0.4", lw=0.7, ls=":", label="extremes" if edge is least else None)
+        ax.set_xlabel("time [s]", fontsize=9)
+    axes[0].legend(fontsize=7, frameon=False)
+    figure.suptitle(_title(study, "bands over time", len(axes), len(pieces)), fontsize=10)
+    return figure
+
+
+def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
+    """Outputs over two parameters, between the cases by triangles."""
+    from matplotlib.tri import Triangulation
+
+    over = _needed(_moving(_columns(study, study.parameters, parameters)), "parameters", 2)
+    x, y = over[:2]
+    found = _needed(_moving(_columns(study, study.outputs, outputs)), "outputs")
+    figure, axes = _panels(min(len(found), PANELS))
+    for ax, column in zip(axes, found, strict=False):
+        known = np.isfinite(column.values)
+        try:
+            net = Triangulation(x.values[known], y.values[known])
+            filled = ax.tricontourf(net, column.values[known], levels=14, cmap="viridis")
+        except (ValueError, RuntimeError) as error:
+            raise OptionError(
+                f"plot 'surface': the {int(known.sum())} cases do not span '{x.name}' and '{y.name}'",
+                code="outputs",
+            ) from error
+        figure.colorbar(filled, ax=ax).ax.tick_params(labelsize=7)
+        ax.plot(x.values[known], y.values[known], ".", ms=2, color="black", alpha=0.5)
+        ax.plot(x.values[~known], y.values[~known], "x", ms=4, color=FAILED)
+        ax.set_title(column.label, fontsize=9)
+        ax.set_xlabel(x.label, fontsize=8)
+        ax.set_ylabel(y.label, fontsize=8)
+        ax.tick_params(labelsize=7)
+    others = f", over {len(over) - 2} others" if len(over) > 2 else ""
+    figure.suptitle(_title(study, f"response surface{others}", len(axes), len(found)), fontsize=10)
+    return figure
+
+
+def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
+    """What each parameter does to each output, the strongest on top."""
+    found = _needed(_moving(_columns(study, study.outputs, outputs)), "outputs")
+    moved = _needed(_moving(_columns(study, study.parameters, parameters)), "parameters")
+    figure, axes = _panels(min(len(found), PANELS))
+    for ax, column in zip(axes, found, strict=False):
+        bars = sorted(_swings(moved, column), key=lambda it: abs(it.change))[-12:]
+        for place, bar in enumerate(bars):
+            ax.barh(place, bar.change, color=COLORS[0] if bar.change >= 0 else COLORS[1])
+        ax.axvline(0.0, color="black", lw=0.8)
+        ax.set_yticks(range(len(bars)), [bar.parameter for bar in bars], fontsize=7)
+        ax.set_xlabel(f"change of {column.label}", fontsize=8)
+        ax.set_title(f"a linear fit explains {100 * bars[0].explained:.3g} % of the variance", fontsize=8)
+        ax.tick_params(labelsize=7)
+        ax.spines[["top", "right"]].set_visible(False)
+    what = f"parameters from their {LOW:g}th to their {HIGH:g}th percentile"
+    figure.suptitle(_title(study, what, len(axes), len(found)), fontsize=10)
+    return figure
+
+
+def swings(study: Study, output: str) -> list[Swing]:
+    """See Study.swings."""
+    (name,) = _chosen("output", study.outputs, output)
+    found = _needed(_moving(_columns(study, study.outputs, [name])), "outputs")
+    moved = _needed(_moving(_columns(study, study.parameters, list(study.parameters))), "parameters")
+    if len(found) > 1:
+        raise OptionError(f"output '{output}' is {len(found)} numbers a case, not one", code="outputs")
+    return sorted(_swings(moved, found[0]), key=lambda it: -abs(it.change))
+
+
+def _swings(parameters: Sequence[Column], output: Column) -> list[Swing]:
+    """By least squares on all finished cases. OptionError: fewer cases than the fit has numbers."""
+    known = np.isfinite(output.values) & np.all([np.isfinite(it.values) for it in parameters], axis=0)
+    X = np.column_stack([it.values[known] for it in parameters])
+    y = output.values[known]
+    center, spread = X.mean(axis=0), X.std(axis=0)
+    if len(y) <= len(parameters) + 1 or not spread.all():
+        raise OptionError(
+            f"tornado: {len(y)} finished cases are too few for {len(parameters)} parameters", code="outputs"
+        )
+    slopes, _, rank, _ = np.linalg.lstsq((X - center) / spread, y - y.mean(), rcond=1e-10)
+    if rank < len(parameters):
+        raise OptionError(
+            "tornado: parameters move together in these cases, so that their effects cannot be told apart",
+            code="outputs",
+        )
+    left = y - y.mean() - (X - center) / spread @ slopes
+    explained = 1.0 - float(left @ left) / float((y - y.mean()) @ (y - y.mean()))
+    low, high = np.percentile(X, [LOW, HIGH], axis=0)
+    changes = slopes * (high - low) / spread
+    return [Swing(it.name, float(change), explained)
+            for it, change in zip(parameters, changes, strict=True)]  # fmt: skip
+
+
+KINDS: Mapping[str, Callable[[Study, list[str], list[str]], Figure]] = {
+    "scatter": _scatter, "histogram": _histogram, "bands": _bands, "surface": _surface, "tornado": _tornado,
+}  # fmt: skip

@@ -1,0 +1,84 @@
+#include "linkwork/ensemble/ensemble.hpp"
+
+#include "integrators.hpp"
+
+using namespace support;
+
+namespace {
+
+Options deterministic() {
+  Options options;
+  options.deterministic = true;
+  return options;
+}
+
+/// The last q of each mechanism, by registers of one width.
+std::vector<VectorXd> last_states(const std::vector<Model>& models, const InstructionSet& widest, int threads) {
+  std::vector<std::unique_ptr<Dynamics>> dynamics;
+  std::vector<Dynamics*> all;
+  for (const Model& model : models) {
+    dynamics.push_back(std::make_unique<Dynamics>(model, deterministic()));
+    all.push_back(dynamics.back().get());
+  }
+  Ensemble ensemble(all, rk4(), FixedSteps(0.05, 1e-3, 10), widest);
+  ensemble.run(threads);
+  std::vector<VectorXd> out;
+  for (const Ensemble::Member& member : ensemble.take()) {
+    CHECK(member.reason == "");
+    const std::vector<double>& q = member.frames.q;
+    out.emplace_back(Eigen::Map<const VectorXd>(q.data() + q.size() / 6 * 5, q.size() / 6));
+  }
+  return out;
+}
+
+std::vector<Model> trees_and_loops() {
+  Random random(3);
+  std::vector<Model> models;
+  for (int k = 0; k < 5; ++k) models.push_back(random_tree(random, 6));
+  for (int k = 0; k < 11; ++k) models.push_back(four_bar());
+  return models;
+}
+
+}  // namespace
+
+TEST_CASE("lanes have the same bits at every width of registers, and those of the run by itself") {
+  const std::vector<Model> models = trees_and_loops();
+  std::vector<VectorXd> single;
+  for (const Model& model : models) {
+    Dynamics dynamics(model, deterministic());
+    Simulation simulation(dynamics, make_runge_kutta(rk4()), {0.05, 1e-3, 10});
+    const Frames frames = simulation.advance(1000, INFINITY);
+    single.emplace_back(last(frames.q, static_cast<int>(frames.q.size() / 6)));
+  }
+  for (int level = 0; level < instruction_set_count(); ++level)
+    for (const int threads : {1, 3}) {
+      CAPTURE(level);
+      const std::vector<VectorXd> q = last_states(models, instruction_set(level), threads);
+      for (std::size_t k = 0; k < models.size(); ++k) CHECK(q[k] == single[k]);
+    }
+}
+
+TEST_CASE("steps are counted as in a run by itself") {
+  CHECK(FixedSteps(0.3, 0.1, 1).count() == 3);
+  const FixedSteps shortened(1.05, 0.1, 4);
+  CHECK(shortened.count() == 11);
+  CHECK(shortened.time(10) == 10 * 0.1);
+  CHECK(shortened.time(11) == 1.05);
+  CHECK(shortened.records(8));
+  CHECK(!shortened.records(9));
+  CHECK(shortened.records(11));
+  CHECK_THROWS_AS(FixedSteps(1.0, 0.0, 1), OptionError);
+  CHECK_THROWS_AS(FixedSteps(-1.0, 0.1, 1), OptionError);
+  CHECK_THROWS_AS(FixedSteps(1.0, 0.1, 0), OptionError);
+}
+
+TEST_CASE("what lanes cannot hold says why") {
+  Options projected = deterministic();
+  projected.stabilization = "projection";
+  Dynamics dynamics(four_bar(), projected);
+  Ensemble ensemble({&dynamics}, rk4(), FixedSteps(0.1, 0.01, 1), best_instruction_set());
+  ensemble.run(1);
+  const auto members = ensemble.take();
+  CHECK(members.front().reason.find("projection") != std::string::npos);
+  CHECK(members.front().frames.t.empty());
+}

@@ -1,0 +1,316 @@
+"""Ensembles: a member has the bits of its run by itself, whatever runs beside it; or says why it is alone."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+import random_mechanisms
+from hypothesis import given
+from linkwork import mechanisms
+from linkwork.modeling.files import record_of
+from linkwork.studies.variants import Changed
+
+pytestmark = pytest.mark.filterwarnings("ignore")
+
+#: Trees, loops, redundant equations, drivers, gears, springs; step [s].
+KNOWN: dict[str, tuple[Callable[[], lw.Model], float]] = {
+    "chain": (mechanisms.chain, 1e-3),
+    "binary_tree": (mechanisms.binary_tree, 1e-3),
+    "hub": (mechanisms.hub, 1e-3),
+    "heavy_top": (mechanisms.heavy_top, 1e-3),
+    "gyroscope": (mechanisms.gyroscope, 1e-3),
+    "rolling_disc": (mechanisms.rolling_disc, 1e-3),
+    "four_bar": (lambda: mechanisms.four_bar(2), 1e-3),
+    "spatial_slider_crank": (mechanisms.spatial_slider_crank, 1e-3),
+    "bricard": (mechanisms.bricard, 1e-3),
+    "bennett": (mechanisms.bennett, 1e-3),
+    "watt_six_bar": (mechanisms.watt_six_bar, 1e-3),
+    "stewart_platform": (mechanisms.stewart_platform, 1e-3),
+    "double_wishbone": (mechanisms.double_wishbone, 1e-3),
+}
+
+FIELDS = ("t", "q", "v", "vdot", "lambda", "kinetic", "potential", "work", "violation", "history")
+
+
+def variants(model: lw.Model, count: int, seed: int) -> list[lw.Model]:
+    """Other masses, inertias and gravity; nothing that the joints notice."""
+    rng = np.random.default_rng(seed)
+    bodies = record_of(model, {})["bodies"]
+    names = [f"{it['name']}.{field}" for it in bodies for field in ("mass", "inertia")]
+    source = Changed.of(model, [*names, "gravity"])
+    record = {name: source.value(name) for name in (*names, "gravity")}
+
+    def scaled() -> dict[str, Any]:
+        factor = {name.rpartition(".")[0]: rng.uniform(0.5, 2.0) for name in record}
+        return {name: (np.asarray(value) * factor[name.rpartition(".")[0]]).tolist()
+                for name, value in record.items()}  # fmt: skip
+
+    return [source.model(scaled()) for _ in range(count)]
+
+
+def alone(model: lw.Model, t_end: float, step: float, **options: Any) -> lw.Result:
+    return lw.simulate(model, t_end, step, deterministic=True, on_inaccurate="pass", progress=False, **options)
+
+
+def bits(result: lw.Result) -> dict[str, bytes]:
+    return {name: result.recorded(name).tobytes() for name in FIELDS}
+
+
+def many(models: Sequence[lw.Model], t_end: float, step: float, **options: Any) -> lw.EnsembleResult:
+    return lw.simulate_many(models, None, t_end, step, progress=False, **options)
+
+
+@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "baumgarte", "none"])
+@pytest.mark.parametrize("name", KNOWN)
+def test_a_lane_has_the_bits_of_its_run_by_itself(name: str, stabilization: str) -> None:
+    make, step = KNOWN[name]
+    models = variants(make(), 5, seed=len(name))
+    options = {"record_every": 7, "stabilization": stabilization}
+    found = many(models, 40 * step, step, threads=1, **options)
+    assert found.alone == {}
+    for k in (0, 2, 4):
+        assert bits(found.member(k)) == bits(alone(models[k], 40 * step, step, **options))
+
+
+@pytest.mark.parametrize("method", ["euler", "heun", "rk3", "dopri5", "dop853"])
+def test_it_has_them_by_every_explicit_runge_kutta_method(method: str) -> None:
+    models = variants(mechanisms.spatial_slider_crank(), 3, seed=1)
+    found = many(models, 0.0305, 1e-3, integrator=method, record_every=10)
+    assert found.alone == {}
+    single = alone(models[1], 0.0305, 1e-3, integrator=method, record_every=10)
+    assert bits(found.member(1)) == bits(single)
+
+
+@random_mechanisms.examples(12)
+@given(mechanism=random_mechanisms.mechanisms())
+def test_random_mechanisms_with_all_joints_and_forces_have_them(mechanism: Any) -> None:
+    models = [mechanism.model, mechanism.model]
+    options: dict[str, Any] = {"record_every": 2, "assemble": False}
+    try:
+        single = alone(models[0], 1.2e-3, 2e-4, **options)
+    except lw.LinkworkError as error:  # too stiff for the step, or it locks
+        found = lw.simulate_many([mechanisms.chain(2), *models], None, 1.2e-3, 2e-4, progress=False, **options)
+        assert found.status.tolist() == ["finished", "failed", "failed"]
+        assert found.errors[1]["type"] == type(error).__name__
+        return
+    found = many(models, 1.2e-3, 2e-4, threads=1, **options)
+    assert bits(found.member(0)) == bits(found.member(1)) == bits(single)
+
+
+def with_functions(amplitude: float, stiffness: float) -> lw.Model:
+    """A crank that is driven, on springs with history, beside a contact; lanes differ in functions of time."""
+    model = lw.Model(name="functions")
+    crank = model.body("crank", mass=1.0, inertia=(0.01, 0.02, 0.02), position=(0.5, 0, 0))
+    rod = model.body("rod", mass=2.0, inertia=(0.02, 0.3, 0.3), position=(1.5, 0, 0))
+    model.revolute(model.ground, crank, at=(0, 0, 0), axis=(0, 1, 0), name="motor pin")
+    model.revolute(crank, rod, at=(1, 0, 0), axis=(0, 1, 0), name="elbow")
+    motion = lw.functions.harmonic(amplitude=amplitude, frequency=2.0, phase=np.pi / 2, offset=-amplitude)
+    model.angle_driver(model.ground, crank, angle=motion, at=(0, 0, 0), axis=(0, 1, 0), name="motor")
+    model.rotational_spring_damper(crank, rod, at=(1, 0, 0), axis=(0, 1, 0), stiffness=stiffness, damping=0.1,
+                                   free_angle=0.2, torque=0.0, name="spring")  # fmt: skip
+    return model
+
+
+def test_functions_of_time_and_forces_with_history_are_those_of_each_lane() -> None:
+    models = [with_functions(0.1 * (k + 1), 5.0 + k) for k in range(6)]
+    found = many(models, 0.2, 1e-3, record_every=20)
+    assert found.alone == {}
+    for k in (0, 5):
+        assert bits(found.member(k)) == bits(alone(models[k], 0.2, 1e-3, record_every=20))
+
+
+def test_bits_do_not_depend_on_place_neighbors_and_threads() -> None:
+    models = variants(mechanisms.bricard(), 21, seed=3)
+    order = np.random.default_rng(4).permutation(len(models))
+    q = many(models, 0.05, 1e-3, threads=1).q
+    for threads in (1, 2, 3, 4):
+        shuffled = many([models[k] for k in order], 0.05, 1e-3, threads=threads)
+        assert np.array_equal(shuffled.q, q[order])
+
+
+def digest() -> str:
+    """What a process of other instructions must find, too."""
+    models = [*variants(mechanisms.bricard(), 3, seed=5), *variants(mechanisms.chain(), 3, seed=6)]
+    found = many(models, 0.02, 1e-3)
+    return " ".join(found.member(k).q[-1].tobytes().hex() for k in range(6))
+
+
+@pytest.mark.parametrize("instructions", ["x86-64-v2", "x86-64-v3"])
+def test_bits_do_not_depend_on_the_width_of_registers(instructions: str) -> None:
+    environment = {**os.environ, "LINKWORK_INSTRUCTION_SET": instructions}
+    program = "import test_ensemble; print(test_ensemble.digest())"
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", program], env=environment, cwd=os.path.dirname(__file__),
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.stdout.strip() == digest(), done.stderr
+
+
+# --- lanes that leave ---
+
+
+def failing(t: float) -> lw.Model:
+    """A force that is no number from t [s] on."""
+    model = with_functions(0.1, 5.0)
+    burst = lambda now: float("nan") if now > t else 0.0  # noqa: E731
+    model.force(model.find("rod"), force=(burst, 0.0, 0.0), name="burst")
+    return model
+
+
+def test_what_goes_wrong_in_one_lane_disturbs_no_other() -> None:
+    """Forces that are no numbers, and singular poses, in random places among 40."""
+    good = [with_functions(0.05 + 0.01 * k, 5.0) for k in range(40)]
+    before = many(good, 0.1, 1e-3, threads=2)
+    places = np.random.default_rng(7).choice(40, 6, replace=False)
+    models = list(good)
+    for place in places[:4]:
+        models[place] = failing(0.03)
+    for place in places[4:]:
+        models[place] = mechanisms.planetary_gear()
+    after = many(models, 0.1, 1e-3, threads=2)
+    others = np.setdiff1d(np.arange(40), places)
+    for k in others:
+        assert bits(after.member(k)) == bits(before.member(k))
+        assert k not in after.alone
+    for place in places[:4]:
+        assert after.status[place] == "failed"
+        assert after.errors[place]["type"] == "NotFiniteError"
+        assert after.errors[place]["reached"] == pytest.approx(0.03, abs=2e-3)
+    for place in places[4:]:
+        assert "singular pose" in after.alone[place]
+        assert bits(after.member(place)) == bits(alone(mechanisms.planetary_gear(), 0.1, 1e-3))
+
+
+def test_a_variation_without_a_model_fails_and_the_others_run() -> None:
+    model = mechanisms.spatial_slider_crank()
+    found = lw.simulate_many(model, {"crank.mass": [0.1, -1.0, 0.2]}, 0.02, 1e-3, progress=False)
+    assert found.status.tolist() == ["finished", "failed", "finished"]
+    assert "crank" in found.errors[1]["message"]
+    assert np.isnan(found.q[1]).all() and np.isfinite(found.q[[0, 2]]).all()
+
+
+@pytest.mark.parametrize(
+    ("options", "reason"),
+    [
+        ({"integrator": "ab2"}, "Runge-Kutta"),
+        ({"stabilization": "projection"}, "projection"),
+        ({"formulation": "augmented_lagrangian"}, "standard"),
+        ({"linear_solver": "dense"}, "block"),
+        ({"violation_limit": 1e-2}, "violation_limit"),
+    ],
+)
+def test_what_lanes_do_not_have_is_simulated_alone_and_says_so(options: dict[str, Any], reason: str) -> None:
+    model = mechanisms.spatial_slider_crank()
+    found = many([model, model], 0.02, 1e-3, **options)
+    assert set(found.alone) == {0, 1} and reason in found.alone[0]
+    assert bits(found.member(1)) == bits(alone(model, 0.02, 1e-3, **options))
+
+
+def test_steps_that_follow_tolerances_are_simulated_alone() -> None:
+    model = mechanisms.spatial_slider_crank()
+    found = lw.simulate_many([model], None, 0.05, rtol=1e-6, progress=False)
+    assert "fixed steps" in found.alone[0] and found.status[0] == "finished"
+
+
+@pytest.mark.parametrize("name", ["flyball_governor", "torque_free_top", "delta_robot"])
+def test_mechanisms_that_lanes_cannot_hold_are_simulated_alone(name: str) -> None:
+    model = getattr(mechanisms, name)()
+    found = many([model], 5e-3, 1e-4)
+    assert set(found.alone) == {0}
+    assert bits(found.member(0)) == bits(alone(model, 5e-3, 1e-4))
+
+
+# --- what is asked for ---
+
+
+def test_outputs_are_those_of_a_sweep() -> None:
+    variations = {"gravity[2]": [-9.81, -5.0, -1.0]}
+    asked = {"force": "reaction('crank pin').force.max", "end": "final", "e": "energy_error.abs_max"}
+    model = mechanisms.spatial_slider_crank()
+    found = lw.simulate_many(model, variations, 0.05, 1e-3, outputs=asked, progress=False)
+    study = lw.sweep(model, variations, asked, t_end=0.05, step=1e-3, deterministic=True, processes=1,
+                     progress=False)  # fmt: skip
+    assert found.trajectories == {} and found.alone == {}
+    assert set(found.outputs) == set(study.outputs)
+    for label, values in study.outputs.items():
+        assert np.array_equal(found.outputs[label], values), label
+        assert found.units[label] == study.units[label]
+
+
+def test_outputs_over_time_stand_at_the_times() -> None:
+    found = lw.simulate_many(
+        mechanisms.spatial_slider_crank(), {"gravity[2]": [-9.81, -5.0]}, 0.05, 1e-3,
+        outputs={"energy": "energy"}, times=[0.01, 0.03], progress=False,
+    )  # fmt: skip
+    assert found.outputs["energy"].shape == (2, 2)
+    dataset = pytest.importorskip("xarray") and found.to_xarray()
+    assert dataset["energy"].dims == ("member", "time") and dataset["time"].values.tolist() == [0.01, 0.03]
+
+
+def test_parameters_are_coordinates_of_the_data_set() -> None:
+    pytest.importorskip("xarray")
+    found = lw.simulate_many(mechanisms.spatial_slider_crank(), {"crank.mass": [0.1, 0.2]}, 0.01, 1e-3,
+                             progress=False)  # fmt: skip
+    dataset = found.to_xarray()
+    assert dataset["crank.mass"].values.tolist() == [0.1, 0.2]
+    assert dataset["crank.mass"].attrs["units"] == "kg"
+    assert dataset["q"].dims == ("member", "time", "body", "q")
+
+
+def test_members_may_differ_in_the_number_of_bodies() -> None:
+    models = [mechanisms.chain(2), mechanisms.chain(5), mechanisms.chain(2)]
+    found = many(models, 0.02, 1e-3)
+    assert found.alone == {} and found.status.tolist() == ["finished"] * 3
+    assert bits(found.member(1)) == bits(alone(models[1], 0.02, 1e-3))
+    assert np.array_equal(found.q[0], found.member(0).recorded("q"))
+    assert np.isnan(found.q[1]).all()  # of another shape: member(1) has it
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        ({"variations": {"krank.mass": [1.0]}}, "krank"),
+        ({"variations": {"crank.mass": []}}, "no values"),
+        ({"variations": {"crank.inertia": [1.0]}}, "shape"),
+        ({"variations": {"crank.mass": (0.1, 0.2)}, "sampler": "sobol", "cases": 4}, "seed"),
+        ({"variations": None}, "variations"),
+        ({"t_end": None}, "t_end"),
+        ({"t_end": -1.0}, "t_end"),
+        ({"step": None}, "step"),
+        ({"threads": 0}, "threads"),
+        ({"formulation": "standart"}, "standart"),
+        ({"integrator": "rk5"}, "rk5"),
+        ({"outputs": ["reaction('krank pin').force.max"]}, "krank pin"),
+        ({"outputs": ["energy"]}, "energy"),
+        ({"times": [0.01]}, "times"),
+        ({"output": "run.h5"}, "output"),
+        ({"start": None}, "start"),
+        ({"deterministic": False}, "deterministic"),
+        ({"on_inaccurate": "stop"}, "verdict"),
+        ({"setp": 1e-3}, "setp"),
+    ],
+)
+def test_wrong_input_is_refused_by_name(wrong: dict[str, Any], said: str) -> None:
+    given = {"variations": {"crank.mass": [0.1, 0.2]}, "t_end": 0.05, "step": 1e-3, "progress": False, **wrong}
+    with pytest.raises(lw.LinkworkError, match=said.replace("(", r"\(")):
+        lw.simulate_many(mechanisms.spatial_slider_crank(), **given)
+
+
+def test_an_empty_list_of_models_is_refused() -> None:
+    with pytest.raises(lw.OptionError, match="empty"):
+        lw.Ensemble([])
+
+
+def test_one_member_by_itself_has_the_same_bits_and_a_verdict() -> None:
+    ensemble = lw.Ensemble(mechanisms.spatial_slider_crank(), {"crank.mass": [0.1, 0.2]})
+    found = ensemble.simulate(0.05, 1e-3, progress=False)
+    single = ensemble.single(1, 0.05, 1e-3, progress=False)
+    assert bits(single) == bits(found.member(1))
+    assert single.verdict is not None and found.member(1).verdict is None

@@ -1,0 +1,124 @@
+"""Pictures of studies show what the cases are; swings are those of the linear fit."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.studies.pictures import KINDS
+
+RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "processes": 1, "progress": False}
+
+
+def rod(mass: float = 1.0, length: float = 1.0, kind: str = "rod") -> lw.Model:
+    model = lw.Model(name=kind)
+    J = mass * length**2 / 12
+    body = model.body("rod", mass=mass, inertia=(1e-3, J, J), position=(length / 2, 0, 0))
+    model.revolute(model.ground, body, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    return model
+
+
+def weight(result: lw.Result) -> float:
+    """Linear in the mass, nothing to do with the length."""
+    return 9.81 * float(result.header.mass[0])
+
+
+def mixed(result: lw.Result) -> list[float]:
+    mass, length = float(result.header.mass[0]), 2.0 * float(result.q[0, 0, 0])
+    return [3.0 * mass - 0.5 * length, mass * mass]
+
+
+@pytest.fixture(scope="module")
+def study() -> lw.Study:
+    parameters = {"mass": (1.0, 2.0), "length": (0.5, 1.5)}
+    outputs = {"weight": (weight, "N"), "mixed": mixed, "height": "body('rod').position.z"}
+    return lw.sweep(
+        rod, parameters, outputs, sampler="sobol", cases=32, seed=3, times=[0.01, 0.03, 0.05], **RUN
+    )
+
+
+def test_swings_of_what_is_linear_are_exact(study: lw.Study) -> None:
+    first, second = study.swings("weight")
+    low, high = np.percentile(study.parameters["mass"], [5, 95])
+    assert (first.parameter, second.parameter) == ("mass", "length")
+    assert first.change == pytest.approx(9.81 * (high - low), rel=1e-9)
+    assert abs(second.change) < 1e-9 and first.explained == pytest.approx(1.0, abs=1e-12)
+
+
+def test_the_fit_says_how_much_of_what_is_not_linear_it_explains() -> None:
+    rows = [{"mass": m, "length": x} for m in np.linspace(-1, 1, 9) + 2 for x in (0.5, 1.0, 1.5)]
+
+    def square(result: lw.Result) -> float:
+        return (float(result.header.mass[0]) - 2.0) ** 2
+
+    (first, second) = lw.sweep(rod, rows, {"square": square}, **RUN).swings("square")
+    assert max(abs(first.change), abs(second.change)) < 1e-12 and abs(first.explained) < 1e-12
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_is_drawn_and_written(kind: str, study: lw.Study, tmp_path: Path) -> None:
+    figure = study.plot(kind, tmp_path / f"{kind}.png")
+    assert (tmp_path / f"{kind}.png").stat().st_size > 5000
+    assert "32 cases" in figure._suptitle.get_text()
+
+
+def test_what_is_drawn_is_what_was_found(study: lw.Study) -> None:
+    axes = study.plot("scatter", outputs="weight").axes
+    assert [ax.get_xlabel() for ax in axes[-3:]] == ["mass", "length", "weight [N]"]
+    points = axes[6].lines[0]  # weight over mass
+    np.testing.assert_array_equal(points.get_xdata(), study.parameters["mass"])
+    np.testing.assert_array_equal(points.get_ydata(), study.outputs["weight"])
+    (bands,) = study.plot("bands").axes
+    middle = next(line for line in bands.lines if line.get_label() == "median")
+    np.testing.assert_allclose(middle.get_ydata(), np.median(study.outputs["height"], axis=0), rtol=1e-15)
+    tornado = study.plot("tornado", outputs="mixed").axes
+    assert [label.get_text() for label in tornado[0].get_yticklabels()] == ["length", "mass"]
+    widths = [bar.get_width() for bar in tornado[0].patches]
+    assert widths[1] > 0 > widths[0]  # 3 mass - length / 2
+
+
+def test_failed_cases_are_marked() -> None:
+    study = lw.sweep(rod, [{"mass": m, "length": 1 + m / 5} for m in (1, 2, -1, 4)], {"w": weight}, **RUN)
+    figure = study.plot("scatter")
+    assert "1 failed" in figure._suptitle.get_text()
+    crosses = [line for line in figure.axes[1].lines if line.get_marker() == "x"]
+    assert crosses[0].get_ydata().tolist() == [-1.0]
+
+
+@pytest.mark.parametrize(("kind", "options", "said"), [
+    ("pie", {}, "does not exist"),
+    ("scatter", {"outputs": "wieght"}, "output 'wieght' is none of this study; the nearest is 'weight'"),
+    ("tornado", {"parameters": ["mess"]}, "parameter 'mess' is none"),
+    ("surface", {"parameters": "mass"}, "needs 2 parameters"),
+    ("bands", {"outputs": "weight"}, "no output is an array over time"),
+    ("histogram", {"outputs": "height"}, "needs 1 outputs"),
+])  # fmt: skip
+def test_what_cannot_be_drawn_is_refused(
+    kind: str, options: dict[str, Any], said: str, study: lw.Study
+) -> None:
+    with pytest.raises(lw.OptionError, match=said):
+        study.plot(kind, **options)
+
+
+def test_too_few_cases_and_parameters_that_move_together_are_refused() -> None:
+    few = lw.sweep(rod, [{"mass": 1.0, "length": 1.0}, {"mass": 2.0, "length": 2.0}], {"w": weight}, **RUN)
+    with pytest.raises(lw.OptionError, match="2 finished cases are too few for 2 parameters"):
+        few.swings("w")
+    rows = [{"mass": m, "length": m} for m in (1.0, 2.0, 3.0, 4.0, 5.0)]
+    with pytest.raises(lw.OptionError, match="move together"):
+        lw.sweep(rod, rows, {"w": weight}, **RUN).swings("w")
+
+    def nothing(result: lw.Result) -> float:
+        raise ValueError("of mine")
+
+    failed = lw.sweep(rod, {"mass": [1.0, 2.0]}, {"w": nothing}, **RUN)
+    with pytest.raises(lw.OptionError, match="no case has finished"):
+        failed.plot()
+
+
+def test_a_picture_of_no_known_format_is_refused_before_it_is_drawn(study: lw.Study, tmp_path: Path) -> None:
+    with pytest.raises(lw.FileError, match="no format 'xyz'"):
+        study.plot("scatter", tmp_path / "study.xyz")
