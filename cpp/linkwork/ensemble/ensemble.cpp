@@ -58,8 +58,9 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
     alive.push_back(lanes.back().get());
   }
   if (alive.empty()) return;
-  const InstructionSet fitting = instruction_set_for(static_cast<int>(alive.size()), widest_);
-  LanePack pack(task.group->structure, lane_kernels(fitting), fitting.level, alive, tableau_, steps_);
+  const bool any = alive.front()->dynamics().options().deterministic;  // of them all has the same bits
+  const InstructionSet fitting = any ? instruction_set_for(static_cast<int>(alive.size()), widest_) : widest_;
+  LanePack pack(task.group->structure, fitting, alive, tableau_, steps_);
   pack.run(look);
   for (std::size_t k = 0; k < members.size(); ++k)
     members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
@@ -81,7 +82,7 @@ struct Ensemble::Work {
 };
 
 void Ensemble::run_tasks(Work& work, const std::function<void()>& look) {
-  const OnePath path(true);  // whatever is computed lane by lane
+  const OnePath path(dynamics_.front()->options().deterministic);  // whatever is computed lane by lane
   try {
     for (std::size_t task = work.next++; task < tasks_.size(); task = work.next++) run_task(tasks_[task], look);
   } catch (const Stopped&) {

@@ -10,7 +10,8 @@ namespace linkwork {
 
 /// Many mechanisms, simulated from their initial states with fixed steps by an explicit Runge-Kutta method, in packs of
 /// those that have their structure in common. Options are the same for all. A mechanism has the bits of its run by
-/// itself, see LaneKernels; one that leaves its pack has no motion here, and says why.
+/// itself where that is deterministic, else bits of its own, see LaneElimination; one that leaves its pack has no motion
+/// here, and says why.
 class Ensemble {
  public:
   /// Refers to `dynamics`, of which none may be there twice. `widest`: of the registers that are used.

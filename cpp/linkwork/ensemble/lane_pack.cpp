@@ -16,12 +16,13 @@ constexpr double restless = 1.0;  // way or angle of a step in which a lane is l
 
 }  // namespace
 
-LanePack::LanePack(const LaneStructure& structure, const LaneKernels& kernels, int level, std::vector<Lane*> lanes,
+LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instructions, std::vector<Lane*> lanes,
                    const ButcherTableau& tableau, const FixedSteps& steps)
     : structure_(structure),
-      kernels_(kernels),
-      level_(level),
-      width_(kernels.width),
+      kernels_(lane_kernels(instructions)),
+      elimination_(lane_elimination(instructions, !lanes.front()->dynamics().options().deterministic)),
+      level_(instructions.level),
+      width_(kernels_.width),
       lanes_(std::move(lanes)),
       tableau_(tableau),
       steps_(steps) {
@@ -346,9 +347,9 @@ void LanePack::solve(double t, bool first) {
   }
   for (const int row : structure_.dropped) std::fill_n(b_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
   const LaneData at = data();
-  kernels_.factor(at, g_.data(), b_.data(), smallest_.data());
+  elimination_.factor(at, g_.data(), b_.data(), smallest_.data());
   for (const int row : structure_.dropped) std::fill_n(lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
-  kernels_.backward(at, g_.data(), v_dot_.data(), lambda_.data());
+  elimination_.backward(at, g_.data(), v_dot_.data(), lambda_.data());
   bool looked = false;
   each_lane([&](int l, Lane& lane) {
     lane.note(t, *this->lane(smallest_, 0, l), first);
@@ -360,10 +361,10 @@ void LanePack::solve(double t, bool first) {
 /// Lanes that were looked at ahead have factors already there, where a single run substitutes in another order.
 void LanePack::solve_as_looked() {
   const LaneData at = data();
-  kernels_.forward(at, g_.data(), b_.data());
+  elimination_.forward(at, g_.data(), b_.data());
   for (const int row : structure_.dropped)
     std::fill_n(looked_lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
-  kernels_.backward(at, g_.data(), looked_v_dot_.data(), looked_lambda_.data());
+  elimination_.backward(at, g_.data(), looked_v_dot_.data(), looked_lambda_.data());
   each_lane([&](int l, Lane& lane) {
     if (!lane.looked()) return;
     for (std::size_t k = l; k < v_dot_.size(); k += width_) v_dot_[k] = looked_v_dot_[k];

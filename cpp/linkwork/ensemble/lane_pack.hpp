@@ -16,8 +16,8 @@ namespace linkwork {
 /// couplers, watches, frames.
 class LanePack {
  public:
-  /// At most `kernels.width` lanes, which it refers to.
-  LanePack(const LaneStructure& structure, const LaneKernels& kernels, int level, std::vector<Lane*> lanes,
+  /// At most as many lanes as registers have, which it refers to.
+  LanePack(const LaneStructure& structure, const InstructionSet& instructions, std::vector<Lane*> lanes,
            const ButcherTableau& tableau, const FixedSteps& steps);
 
   /// Until all lanes have ended or left. `look` is called between steps; what it throws ends the pack.
@@ -54,6 +54,7 @@ class LanePack {
 
   const LaneStructure& structure_;
   const LaneKernels& kernels_;
+  const LaneElimination& elimination_;
   int level_, width_;
   std::vector<Lane*> lanes_;
   const ButcherTableau& tableau_;

@@ -88,7 +88,6 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
 std::string LaneStructure::refusal(const Dynamics& dynamics) {
   const Options& options = dynamics.options();
   const System& system = dynamics.system();
-  if (!options.deterministic) return "lanes have the bits of deterministic runs only";
   if (options.formulation != "standard" || options.linear_solver != "block")
     return "lanes have formulation 'standard' by linear solver 'block' only";
   const StabilizationKind kind = dynamics.stabilization();

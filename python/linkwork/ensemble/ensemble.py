@@ -115,8 +115,8 @@ class Ensemble:
         return self._members.model(whole_number(number, len(self)))
 
     def single(self, number: int, t_end: float, step: float | None = None, **arguments: Any) -> Result:
-        """One member by itself, `simulate(model, ..., deterministic=True)`: the same bits, with a verdict."""
-        return simulate(self.model(number), t_end, step, **{"deterministic": True, **arguments})
+        """One member by itself, `simulate(model, ...)`, with a verdict; the same bits if deterministic."""
+        return simulate(self.model(number), t_end, step, **arguments)
 
     def simulate(
         self,
@@ -141,14 +141,16 @@ class Ensemble:
         record_every  steps between frames; None: about 1000 frames, with outputs every step
         threads       of this process; None: one a processor
         progress      None: a line on a terminal or in a notebook; False: nothing
-        options       of `simulate`. `deterministic` is always on
+        options       of `simulate`
 
         Lanes have formulation "standard" by linear solver "block", explicit Runge-Kutta methods with a fixed
         step, stabilization "sampled_baumgarte", "baumgarte" or "none". What they do not have, and members
         that leave their lane (a singular pose ahead, redundant equations that change), are simulated by
-        themselves from the start: `EnsembleResult.alone` says which and why. Either way a member has the bits
-        of its run by itself with deterministic=True, whatever its place, its neighbors and `threads` are; one
-        that fails is kept as failed, and disturbs no other.
+        themselves from the start: `EnsembleResult.alone` says which and why.
+
+        A member has bits of its own, whatever its place, its neighbors and `threads` are. They differ from
+        those of `simulate` by roundoff, and with deterministic=True not at all. One that fails is kept as
+        failed, and disturbs no other.
 
         OptionError: an option or output that does not exist or cannot be, before the first member. Ctrl-C
         ends it.
@@ -160,7 +162,7 @@ class Ensemble:
         example = self._members.example()
         asked = None if outputs is None else wanted.outputs_of(outputs)
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
-                     "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
+                     "on_inaccurate": "pass"}  # fmt: skip
         wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
         method = _method(example, float(t_end), arguments, count)
         _check_run(self._members, method)
@@ -246,10 +248,6 @@ def _check_options(options: Mapping[str, Any]) -> None:
         if name in OTHERS:
             raise OptionError(f"option '{name}' is none of an ensemble: {OTHERS[name]}", code="option")
         check_option(name, known)
-    if options.get("deterministic") is False:
-        raise OptionError(
-            "deterministic: members have the bits of deterministic runs; leave it out", code="deterministic"
-        )
     policy = options.get("on_inaccurate", "pass")
     check_name("on_inaccurate", policy, option_names()["on_inaccurate"])
     if policy != "pass":

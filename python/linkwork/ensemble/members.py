@@ -93,7 +93,7 @@ def run_members(models: Sequence[Model | Exception], method: Method) -> list[Mem
 def _prepared(place: int, model: Model, method: Method) -> _Ready | Member:
     with _remarked() as remarks:
         try:
-            with _core.OnePath(True):
+            with _core.OnePath(method.options.get("deterministic") is True):
                 checks.check_bodies(model)
                 stepped = what_steps(model, method.plan, method.given, method.options)
         except Exception as error:

@@ -48,8 +48,8 @@ class EnsembleResult:
     times         (j,) [s] of outputs that are arrays over time
     manifest      what was run
 
-    A member has the bits that `simulate(model, ..., deterministic=True)` gives, whatever runs beside it. It
-    has no verdict: `Ensemble.single` simulates one by itself and has one.
+    A member has the motion that `simulate` gives but for roundoff, with deterministic=True to the last bit,
+    whatever runs beside it. It has no verdict: `Ensemble.single` simulates one by itself and has one.
     """
 
     parameters: Mapping[str, NDArray[Any]]
