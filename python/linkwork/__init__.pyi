@@ -8,6 +8,8 @@ from linkwork.analyses.kinematics import kinematics
 from linkwork.analyses.linearization import Linearization, linearize
 from linkwork.analyses.sensitivity import Sensitivity, sensitivity
 from linkwork.comparison import Comparison, compare
+from linkwork.ensemble.ensemble import Ensemble, simulate_many
+from linkwork.ensemble.outcome import EnsembleResult
 from linkwork.equations.assembly import Assembly, JointResidual, assemble
 from linkwork.equations.system import System
 from linkwork.errors import (
@@ -27,8 +29,6 @@ from linkwork.errors import (
     ViolationError,
 )
 from linkwork.importers import Imported, import_mjcf, import_sdf, import_urdf
-from linkwork.ensemble.ensemble import Ensemble, simulate_many
-from linkwork.ensemble.outcome import EnsembleResult
 from linkwork.modeling.contact import contact_hysteresis
 from linkwork.modeling.handles import Body, Force, Joint
 from linkwork.modeling.model import Model

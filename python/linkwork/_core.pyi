@@ -44,6 +44,7 @@ __all__ = [
     "joint_kinds",
     "linear_solvers",
     "options",
+    "run_ensemble",
     "special_joint_kinds",
     "stabilizations",
     "time_sampling",
@@ -1189,6 +1190,18 @@ def linear_solvers() -> list[SolverInfo]: ...
 def options() -> list[OptionInfo]:
     """
     The table of options, formulation/options.def.
+    """
+
+def run_ensemble(
+    dynamics: collections.abc.Sequence[Dynamics],
+    tableau: Tableau,
+    t_end: typing.SupportsFloat | typing.SupportsIndex,
+    step: typing.SupportsFloat | typing.SupportsIndex,
+    record_every: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+) -> list:
+    """
+    Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the reason is empty, else why it has to be simulated by itself.
     """
 
 def special_joint_kinds() -> list[KindInfo]:

@@ -75,7 +75,8 @@ TEST_CASE("lanes with fused operations differ from the usual run by roundoff") {
     const std::vector<double>& q = members[k].frames.q;
     const Frames frames = simulation.advance(1000, INFINITY);
     const auto size = static_cast<Eigen::Index>(q.size());
-    CHECK((Eigen::Map<const VectorXd>(q.data(), size) - Eigen::Map<const VectorXd>(frames.q.data(), size)).norm() < 1e-12);
+    CHECK((Eigen::Map<const VectorXd>(q.data(), size) - Eigen::Map<const VectorXd>(frames.q.data(), size)).norm() <
+          1e-12);
   }
 }
 
