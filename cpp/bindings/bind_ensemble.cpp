@@ -4,16 +4,11 @@
 namespace linkwork::python {
 namespace {
 
-/// Each Dynamics busy. They end in reverse order: each leaves the path of instructions that it found.
+/// Each Dynamics busy, in the order of the list.
 struct AllBusy {
   explicit AllBusy(const std::vector<Dynamics*>& dynamics) {
     for (const Dynamics* it : dynamics) each.push_back(std::make_unique<Busy>(*it));
   }
-  ~AllBusy() {
-    while (!each.empty()) each.pop_back();
-  }
-  AllBusy(const AllBusy&) = delete;
-  AllBusy& operator=(const AllBusy&) = delete;
   std::vector<std::unique_ptr<Busy>> each;
 };
 

@@ -184,6 +184,21 @@ void bind_checkpoints(py::class_<Run>& run) {
                              "Of last_state [J].");
 }
 
+/// What a run says of itself on its way.
+void bind_measures(py::class_<Run>& run) {
+  run.def("relative_violation", exclusive(+[](const Run& run) {
+            RelativeViolation measure(run.dynamics().system());
+            return relative_violation(run, measure);
+          }),
+          "Largest violation of a position constraint now, relative to the size of the mechanism.")
+      .def_property_readonly(
+          "energies", exclusive(+[](const Run& run) {
+            const EnergyRange& it = run.sampling().energies();
+            return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
+          }),
+          "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].");
+}
+
 void bind_runs(py::module_& module) {
   module.def("time_sampling", exclusive(&time_sampling), py::arg("dynamics"), py::arg("steps"),
              "Time that a run of so many steps spends on following them for its verdict [s].");
@@ -191,7 +206,8 @@ void bind_runs(py::module_& module) {
   run.def("advance", exclusive(&advance), py::arg("max_frames"), py::arg("max_seconds"),
           "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
           "history.")
-      .def("take_frames", exclusive(+[](Run& run) { return frames_to_dict(run.take_frames(), run.dynamics().system()); }))
+      .def("take_frames",
+           exclusive(+[](Run& run) { return frames_to_dict(run.take_frames(), run.dynamics().system()); }))
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
       .def_property_readonly("last_state", exclusive(+[](const Run& run) {
@@ -202,17 +218,6 @@ void bind_runs(py::module_& module) {
                              "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
-      .def("relative_violation", exclusive(+[](const Run& run) {
-             RelativeViolation measure(run.dynamics().system());
-             return relative_violation(run, measure);
-           }),
-           "Largest violation of a position constraint now, relative to the size of the mechanism.")
-      .def_property_readonly(
-          "energies", exclusive(+[](const Run& run) {
-            const EnergyRange& it = run.sampling().energies();
-            return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
-          }),
-          "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
       .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
@@ -222,6 +227,7 @@ void bind_runs(py::module_& module) {
            "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
            "`method`: that of the run, or one that is much more accurate, and `other`.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics
+  bind_measures(run);
   bind_checkpoints(run);
 }
 

@@ -18,8 +18,14 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 #: Folders of the examples.
-ORDER = ["examples/linkages", "examples/machines", "examples/robots", "examples/methods", "examples/studies",
-         "examples/large"]
+ORDER = [
+    "examples/linkages",
+    "examples/machines",
+    "examples/robots",
+    "examples/methods",
+    "examples/studies",
+    "examples/large",
+]
 
 _results: weakref.WeakKeyDictionary[Any, Result] = weakref.WeakKeyDictionary()
 _view = Result.view

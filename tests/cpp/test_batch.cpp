@@ -1,4 +1,5 @@
 #include <cstring>
+#include <memory>
 
 #include "support.hpp"
 
@@ -70,4 +71,15 @@ TEST_CASE("Phi_dot is D v + Phi_t, whatever the number of joints of a kind") {
     const VectorXd expected = dense_D(system, at) * system.model().initial_v() + at.Phi_t;
     CHECK((at.Phi_dot - expected).cwiseAbs().maxCoeff() <= 1e-13 * (1.0 + expected.cwiseAbs().maxCoeff()));
   }
+}
+
+TEST_CASE("What every processor has is left when the last that asked for it is gone, in whatever order") {
+  const int widest = best_instruction_set().level;
+  auto first = std::make_unique<OnePath>(), second = std::make_unique<OnePath>();
+  const OnePath none(false);
+  CHECK(best_instruction_set().level == 0);
+  first.reset();
+  CHECK(best_instruction_set().level == 0);
+  second.reset();
+  CHECK(best_instruction_set().level == widest);
 }

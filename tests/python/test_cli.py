@@ -6,6 +6,7 @@ import json
 import os
 import resource
 import signal
+import socket
 import stat
 import subprocess
 import sys
@@ -362,12 +363,15 @@ def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(
     assert len(result) > 1 and not result.finished
 
 
-@pytest.mark.parametrize("kind", ["device", "pipe"])
+@pytest.mark.parametrize("kind", ["device", "pipe", "socket"])
 def test_what_is_no_file_is_neither_written_nor_read(kind: str, tmp_path: Path) -> None:
     """Not even by a link to it: as root a device would be replaced, and a pipe waits for ever."""
     place = tmp_path / "run.h5"
     if kind == "pipe":
         os.mkfifo(place)
+    elif kind == "socket":
+        with socket.socket(socket.AF_UNIX) as server:
+            server.bind(str(place))
     else:
         place.symlink_to(os.devnull)
     for words in (

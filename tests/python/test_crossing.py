@@ -113,7 +113,7 @@ def test_a_run_may_end_beside_a_pose(load: bool, options: dict[str, float], afte
     expected = -1.2 * 9.81 * np.cos(theta)
     tolerance = 1e-6
     if load:  # a leap that ends with the run: few nodes, or none, between the pose and the end
-        tolerance = 5e-3 if abs(after) < 1e-4 else 1e-5
+        tolerance = 5e-5 if abs(after) < 1e-4 else 1e-5
     assert abs(result.angular_acceleration[-1, 0, 2] - expected) <= tolerance * 9.81
 
 

@@ -339,3 +339,11 @@ def test_one_member_by_itself_has_the_same_bits_and_a_verdict() -> None:
     single = ensemble.single(1, 0.05, 1e-3, progress=False, deterministic=True)
     assert bits(single) == bits(found.member(1))
     assert single.verdict is not None and found.member(1).verdict is None
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_what_follows_a_deterministic_ensemble_has_the_bits_that_it_had(threads: int) -> None:
+    model = mechanisms.four_bar()
+    before = lw.simulate(model, 0.1, 1e-3, progress=False)
+    lw.simulate_many([model] * 9, None, 0.02, 1e-3, deterministic=True, threads=threads, progress=False)
+    assert lw.simulate(model, 0.1, 1e-3, progress=False).q.tobytes() == before.q.tobytes()

@@ -4,7 +4,10 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-LAYERS = ["math", "model", "assembly", "linear", "constraints", "formulation", "integration", "ensemble", "bindings"]
+LAYERS = [
+    "math", "model", "assembly", "linear", "constraints", "formulation", "integration", "ensemble",
+    "bindings",
+]  # fmt: skip
 CPP = Path(__file__).resolve().parents[2] / "cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
 

@@ -22,11 +22,12 @@ REGISTERED = {
 PARTS = {
     **{f"formulation/{name}": "formulation" for name in FORMULATIONS},
     "math/instruction_set": "batch",
+    "math/usable_cores": "thread_pool",
     "assembly/system_algebra": "system",
-    "linear/blas_buffer": "linear_solver",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",
+    **{f"ensemble/{path.stem}": "ensemble" for path in (LIBRARY / "ensemble").glob("lane*.cpp")},
     "linear/block/dispatch": "block_solver",
     "linear/block/core_elimination": "block_solver",
     "linear/block/tree_elimination": "block_solver",
@@ -35,7 +36,7 @@ PARTS = {
 #: Nothing but clocks, whose numbers no test can know.
 WITHOUT_LOGIC = {"formulation/right_hand_side_times"}
 #: Tests of the whole library.
-OF_ALL = {"allocation", "threads"}
+OF_ALL = {"allocation", "shared_evaluation", "threads"}
 
 
 def modules() -> dict[str, str]:

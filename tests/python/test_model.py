@@ -480,22 +480,59 @@ SPECIAL = {"coupler", "point_on_curve", "spring_damper", "rotational_spring_damp
 ELEMENTS = [name for name in dir(lw.Model) if name in {*KINDS["joint"], *KINDS["force"]}]
 
 
+def example_of(name: str) -> list[str]:
+    """The lines of code in a docstring, which an editor shows over the name."""
+    lines = [line[4:] for line in (inspect.getdoc(getattr(lw.Model, name)) or "").splitlines()
+             if line.startswith("    ")]  # fmt: skip
+    return [line for line in lines if line.split(" = ")[-1].startswith("model.")]
+
+
 @pytest.mark.parametrize("name", ELEMENTS)
 def test_each_joint_and_force_element_has_an_example_that_runs(name: str) -> None:
-    """In the text that an editor shows over its name, which is whole in the stubs."""
-    text = inspect.getdoc(getattr(lw.Model, name))
+    """Whole in the stubs, too."""
     stub = (Path(lw.__file__).parent / "modeling/methods.pyi").read_text()
-    assert text is not None
-    lines = [line[4:] for line in text.splitlines() if line.startswith("    ")]
-    example = [line for line in lines if line.split(" = ")[-1].startswith("model.")]
-    if name in KINDS["joint"]:
-        assert any(line.startswith(f"model.{name}(") for line in example)
+    example = example_of(name)
+    assert any(line.startswith(f"model.{name}(") for line in example)
     model = lw.Model()
     for pin in ("motor pin", "wheel pin"):
         wheel = model.body(mass=1, inertia=(1, 1, 1))
         model.revolute("ground", wheel, at=(0, 0, 0), axis=(0, 1, 0), name=pin)
-    before = model.joint_count + model.force_count
+    before = model.joint_count, model.force_count
     exec("\n".join(example), {"model": model})
-    if example:
-        assert model.joint_count + model.force_count == before + 1
-        assert name in SPECIAL or all(line in stub for line in example)
+    added = model.joint_count - before[0], model.force_count - before[1]
+    assert added[name in KINDS["force"]] == 1
+    assert name in SPECIAL or all(line in stub for line in example)
+
+
+#: What methods in a form of their own add: bodies, joints, force elements, functions of the user's, shapes.
+OWN_FORM = {
+    "body": (1, 0, 0, 0, 0), "drive": (1, 2, 0, 0, 0), "force": (1, 0, 1, 0, 0), "shape": (1, 0, 0, 0, 2),
+    "joint_force": (1, 1, 0, 1, 0), "user_force": (1, 0, 0, 1, 0), "spring_damper": (1, 0, 1, 0, 0),
+    "rotational_spring_damper": (1, 1, 1, 0, 0), "bushing": (1, 0, 1, 0, 0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OWN_FORM)
+def test_each_method_in_a_form_of_its_own_has_an_example_that_moves(name: str) -> None:
+    example = example_of(name)
+    assert any(line.split(" = ")[-1].startswith(f"model.{name}(") for line in example)
+    model = lw.Model()
+    exec("\n".join(example), {"model": model, "lw": lw})
+    shapes = sum(map(len, model.shapes.by_body().values()))
+    counts = model.body_count, model.joint_count, model.force_count, model.user_force_count, shapes
+    assert counts == OWN_FORM[name]
+    assert lw.simulate(model, 0.05, 1e-3, progress=False).finished
+
+
+def test_examples_of_what_is_read_and_changed_run() -> None:
+    model = lw.mechanisms.rod_pendulum()
+    place = {"at": ((0, 0, 1), (0.5, 0, 0)), "stiffness": 1.0, "name": "spring"}
+    model.spring_damper("ground", model.table()[0]["name"], **place)
+    pin = model.table("joints")[0]["name"]
+    result = lw.simulate(model, 0.1, 1e-3, progress=False)
+    found: dict[str, Any] = {"model": model, "result": result}
+    for name in ("values", "without", "with_initial_state"):
+        exec("\n".join(example_of(name)).replace("pin", pin), found)
+    assert found["length"] == model.values("spring")["free_length"]
+    assert found["free"].joint_count == 0
+    np.testing.assert_array_equal(found["onward"].compiled().q0, result.q[-1].ravel())

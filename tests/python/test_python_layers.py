@@ -16,8 +16,8 @@ import linkwork as lw
 ROOMS = [
     "_core", "former", "arrays", "memory", "errors", "arguments", "rotation", "functions", "integrators",
     "options", "modeling", "equations", "motion", "accuracy", "plots", "view", "results", "running",
-    "analyses", "importers", "mechanisms", "comparison", "studies", "ensemble", "validation", "benchmark", "linkwork",
-    "cli",
+    "analyses", "importers", "mechanisms", "comparison", "studies", "ensemble", "validation", "benchmark",
+    "linkwork", "cli",
 ]  # fmt: skip
 
 #: What everything speaks of: an earlier room may import these for type checkers.

@@ -55,8 +55,11 @@ def test_a_number_of_threads_that_cannot_be_is_refused(threads: Any) -> None:
 
 def test_a_run_goes_on_to_the_last_bit_with_another_number_of_threads() -> None:
     model = chain()
-    half, whole = run(model, threads=2), lw.simulate(
-        model, t_end=4e-3, step=1e-3, integrator="rk4", progress=False, on_inaccurate="pass", threads=1
+    half, whole = (
+        run(model, threads=2),
+        lw.simulate(
+            model, t_end=4e-3, step=1e-3, integrator="rk4", progress=False, on_inaccurate="pass", threads=1
+        ),
     )
     rest = lw.simulate(
         model, t_end=4e-3, step=1e-3, integrator="rk4", progress=False, on_inaccurate="pass", threads=3,

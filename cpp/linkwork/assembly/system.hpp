@@ -47,12 +47,12 @@ struct Evaluation {
   VectorXd history_rate;  ///< of those that are angles
   VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
-  VectorXd user;           ///< scratch of the user's own forces
+  VectorXd user;                   ///< scratch of the user's own forces
   std::vector<double> wrenches;    ///< scratch of force elements, where there are many, see ForceArrays
   std::vector<double> potentials;  ///< of gravity, of many bodies: in each chunk
-  VectorXd g;              ///< 6 per body (the ground's entries follow and are not used)
-  double potential = 0.0;  ///< of gravity and springs [J]
-  double power = 0.0;      ///< of the forces without a potential [W]
+  VectorXd g;                      ///< 6 per body (the ground's entries follow and are not used)
+  double potential = 0.0;          ///< of gravity and springs [J]
+  double power = 0.0;              ///< of the forces without a potential [W]
 };
 
 /// A Model compiled to flat arrays with a fixed sparsity: everything in
@@ -205,12 +205,12 @@ class System {
   BodyForces body_forces_;
   std::vector<MassBlock> mass_, inverse_mass_;
   std::vector<int> massless_;
-  std::vector<CompiledJoints> joints_;    ///< one per kind in use
-  std::vector<JointChunk> joint_chunks_;  ///< of all of them
-  std::vector<Batch> force_batches_;      ///< one per registered kind
+  std::vector<CompiledJoints> joints_;                     ///< one per kind in use
+  std::vector<JointChunk> joint_chunks_;                   ///< of all of them
+  std::vector<Batch> force_batches_;                       ///< one per registered kind
   std::vector<int> body_wrench_list_, body_wrench_begin_;  ///< of many elements: 2 x element + which body
   std::vector<char> called_alone_;                         ///< per kind: some call functions of the user's
-  std::vector<int> joint_force_history_;  ///< places, -1 where there is none
+  std::vector<int> joint_force_history_;                   ///< places, -1 where there is none
   std::vector<CompiledSpecialJoint> special_joints_;
   std::size_t most_bodies_ = 0;  ///< of a special joint
   std::vector<ConstraintBlock> blocks_;

@@ -246,9 +246,9 @@ VectorXd InitialConditions::velocity_residuals(const VectorXd& q, const VectorXd
   return at_.Phi_dot.cwiseQuotient(row_lengths_);
 }
 
-// What mu leaves of a weak direction of S = D M^-1 D^T, of which sigma < mu, shrinks by mu / (sigma + mu) only: a chain of
-// n driven joints has sigma of 1 / n^4. So the steps above are made conjugate, D x orthogonal to those before, and as
-// long as leaves the least residual (Orthomin: P. K. W. Vinsome, An iterative method for solving sparse sets of
+// What mu leaves of a weak direction of S = D M^-1 D^T, of which sigma < mu, shrinks by mu / (sigma + mu) only: a chain
+// of n driven joints has sigma of 1 / n^4. So the steps above are made conjugate, D x orthogonal to those before, and
+// as long as leaves the least residual (Orthomin: P. K. W. Vinsome, An iterative method for solving sparse sets of
 // simultaneous linear equations, SPE 5729, 1976). Where joints contradict each other the residual stays what it is, and
 // so do the velocities: nothing of it is in the range of D.
 bool InitialConditions::conjugate_velocities(const VectorXd& q, VectorXd& v, double least) {

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <optional>
 #include <thread>
 
 #include "linkwork/integration/runge_kutta.hpp"
@@ -47,7 +46,6 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   std::vector<Lane*> alive;
   std::vector<int> members;
   for (const int member : task.members) {
-    std::optional<Busy> busy;
     try {
       lanes.push_back(std::make_unique<Lane>(*dynamics_[member]));
     } catch (const Error& error) {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <string>
 
+#include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/history_watch.hpp"
 #include "linkwork/integration/recorder.hpp"
-#include "linkwork/constraints/redundancy_watch.hpp"
 
 namespace linkwork {
 

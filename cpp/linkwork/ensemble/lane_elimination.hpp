@@ -21,9 +21,9 @@ LINKWORK_INLINE bool any(NativeIndex mask) {
   return found != 0;
 }
 
-constexpr double breakdown = 1e-15;                  // as in BlockSolver: there is no hub
-constexpr double not_a_number = -__builtin_inf();    // as a ratio of pivots: the smallest of all
-constexpr int articulated = 48;                      // numbers of an articulated inertia: columns of 8
+constexpr double breakdown = 1e-15;                // as in BlockSolver: there is no hub
+constexpr double not_a_number = -__builtin_inf();  // as a ratio of pivots: the smallest of all
+constexpr int articulated = 48;                    // numbers of an articulated inertia: columns of 8
 constexpr int right_hand_side = block::right_hand_side;
 
 /// The smallest pivot relative to its diagonal entry in each lane.

@@ -101,7 +101,7 @@ void largest(int count, const double* x, double* out) {
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_kernels_, ISA)
 
 extern const LaneKernels LINKWORK_NAME(LINKWORK_ISA);
-const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {width, &states, &body_forces, &rates, &normalize, &combine, &weigh,
-                                                 &largest};
+const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {width,      &states,  &body_forces, &rates,
+                                                 &normalize, &combine, &weigh,       &largest};
 
 }  // namespace linkwork

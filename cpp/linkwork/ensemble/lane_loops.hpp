@@ -217,8 +217,7 @@ void eliminate(const FrontPlace& at, const LaneData& data, const double* b, doub
     update.apply_from<false>(column, block_end, front.width);
     update.apply_from<false>(column, front.top, at.last());
     if (c == k0)
-      for (int k = k0; k < block_end; ++k)
-        put(right, k, get(right, k) + given(data.unknowns[front.unknown + k], b));
+      for (int k = k0; k < block_end; ++k) put(right, k, get(right, k) + given(data.unknowns[front.unknown + k], b));
     const Native pivot = get(column, c), inverse = 1.0 / pivot;
     const Native z = get(right, c) * inverse;
     put(pivots, c, pivot);

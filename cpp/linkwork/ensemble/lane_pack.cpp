@@ -324,11 +324,11 @@ void LanePack::evaluate_joints() {
   for (std::size_t kind = 0; kind < structure_.joints.size(); ++kind) {
     const LaneStructure::Joints& joints = structure_.joints[kind];
     const JointKind& it = joint_kinds()[joints.kind];
-    it.evaluate_lanes[level_]({static_cast<int>(joints.joint.size()), joints.body_i.data(), joints.body_j.data(),
-                               attachments_[kind].data(), parameters_[kind].data(),
-                               static_cast<int>(it.info.parameters.size()), joints.row.data(), joints.D.data(),
-                               states_.data()},
-                              out);
+    it.evaluate_lanes[level_](
+        {static_cast<int>(joints.joint.size()), joints.body_i.data(), joints.body_j.data(), attachments_[kind].data(),
+         parameters_[kind].data(), static_cast<int>(it.info.parameters.size()), joints.row.data(), joints.D.data(),
+         states_.data()},
+        out);
   }
 }
 

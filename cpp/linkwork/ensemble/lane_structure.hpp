@@ -33,9 +33,9 @@ class LaneStructure {
   block::SymbolicFactorization symbolic;
   std::vector<int> row_positions;  ///< of symbolic.rows in their fronts
   std::vector<Joints> joints;
-  std::vector<int> special;             ///< special joints
-  std::vector<double> compliance;       ///< of each row
-  std::vector<int> dropped;             ///< redundant rows, ascending
+  std::vector<int> special;               ///< special joints
+  std::vector<double> compliance;         ///< of each row
+  std::vector<int> dropped;               ///< redundant rows, ascending
   std::vector<std::ptrdiff_t> dropped_D;  ///< where the D of dropped rows is, 6 numbers each
 
   int y_size() const { return 13 * bodies + 1; }

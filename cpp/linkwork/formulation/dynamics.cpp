@@ -9,6 +9,7 @@
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
 #include "linkwork/math/names.hpp"
+#include "linkwork/math/pieces.hpp"
 #include "linkwork/math/stopwatch.hpp"
 #include "linkwork/math/thread_pool.hpp"
 
@@ -194,7 +195,9 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   observe_now();
   now_.t = t;
   now_.stage = stage;
-  now_.y = y;
+  now_.y.resize(y.size());
+  in_pieces(system_.threads(), y.size(),
+            [&](Eigen::Index first, Eigen::Index count) { now_.y.segment(first, count) = y.segment(first, count); });
   clocked_ = evaluations_on_the_clock();
   {
     const Stopwatch watch(statistics_.evaluate_time, clocked_);
@@ -345,13 +348,15 @@ void Dynamics::add_correction(double h, MutableVector y) {
 }
 
 void Dynamics::rates(MutableVector y_dot) {
-  b_ = at_.gamma;
-  if (kind_ == StabilizationKind::baumgarte) {
-    const Gains gains = gains_or(textbook_gains);
-    b_ -= 2.0 * gains.alpha * at_.Phi_dot + gains.beta * gains.beta * at_.Phi;  // (12.8)
-  } else if (held_) {
-    b_ += held_u_;
-  }
+  const bool continuous = kind_ == StabilizationKind::baumgarte;
+  const Gains gains = continuous ? gains_or(textbook_gains) : Gains{};
+  in_pieces(system_.threads(), b_.size(), [&](Eigen::Index first, Eigen::Index count) {
+    const auto of = [&](const VectorXd& rows) { return rows.segment(first, count); };
+    auto b = b_.segment(first, count);
+    b = of(at_.gamma);
+    if (continuous) b -= 2.0 * gains.alpha * of(at_.Phi_dot) + gains.beta * gains.beta * of(at_.Phi);  // (12.8)
+    else if (held_) b += of(held_u_);
+  });
   solve(at_.g.head(system_.v_size()), b_, v_dot_, lambda_);
   if (traces_) look_for_nan(true);
   rates(v_dot_, lambda_, y_dot);
@@ -361,7 +366,9 @@ void Dynamics::rates(MutableVector y_dot) {
 void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const {
   const int nq = system_.q_size(), nv = system_.v_size();
   system_.position_rates(now_.y.head(nq), now_.y.segment(nq, nv), y_dot.head(nq));
-  y_dot.segment(nq, nv) = v_dot;
+  in_pieces(system_.threads(), nv, [&](Eigen::Index first, Eigen::Index count) {
+    y_dot.segment(nq + first, count) = v_dot.segment(first, count);
+  });
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
 }
 

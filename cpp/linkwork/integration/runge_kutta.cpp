@@ -2,6 +2,7 @@
 
 #include "linkwork/integration/runge_kutta.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/pieces.hpp"
 
 namespace linkwork {
 
@@ -35,9 +36,13 @@ void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, con
   const double h = step.h;
   dynamics.rates(k.col(0));
   for (Eigen::Index i = 1; i < tableau.b.size(); ++i) {
-    stage = y;
-    for (Eigen::Index j = 0; j < i; ++j)
-      if (tableau.A(i, j) != 0.0) stage += (h * tableau.A(i, j)) * k.col(j);
+    stage.resize(y.size());
+    in_pieces(dynamics.system().threads(), y.size(), [&](Eigen::Index first, Eigen::Index count) {
+      auto piece = stage.segment(first, count);
+      piece = y.segment(first, count);
+      for (Eigen::Index j = 0; j < i; ++j)
+        if (tableau.A(i, j) != 0.0) piece += (h * tableau.A(i, j)) * k.col(j).segment(first, count);
+    });
     dynamics.evaluate(step.at(tableau.c[i]), stage, static_cast<int>(i) + 1);
     dynamics.rates(k.col(i));
   }
@@ -59,7 +64,11 @@ class RungeKutta final : public Integrator {
 
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     evaluate_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
-    add_combination(h, tableau_.b, k_, y);
+    in_pieces(dynamics.system().threads(), y.size(), [&](Eigen::Index first, Eigen::Index count) {
+      auto piece = y.segment(first, count);
+      for (Eigen::Index i = 0; i < tableau_.b.size(); ++i)
+        if (tableau_.b[i] != 0.0) piece += (h * tableau_.b[i]) * k_.col(i).segment(first, count);
+    });
     dynamics.end_zero_order_hold();
   }
 

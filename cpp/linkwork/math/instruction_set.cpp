@@ -10,7 +10,7 @@
 namespace linkwork {
 namespace {
 
-thread_local bool one_path = false;
+thread_local int one_paths = 0;
 
 /// Those that this program is compiled for, whatever the processor has.
 #if LINKWORK_X86
@@ -41,8 +41,8 @@ int allowed_level() {
 
 }  // namespace
 
-OnePath::OnePath(bool wanted) : before_(one_path) { one_path = one_path || wanted; }
-OnePath::~OnePath() { one_path = before_; }
+OnePath::OnePath(bool wanted) : count_(wanted ? 1 : 0) { one_paths += count_; }
+OnePath::~OnePath() { one_paths -= count_; }
 
 int instruction_set_count() {
 #if LINKWORK_X86
@@ -69,7 +69,7 @@ InstructionSet instruction_set(int level) {
 #endif
 }
 
-InstructionSet best_instruction_set() { return instruction_set(one_path ? 0 : allowed_level()); }
+InstructionSet best_instruction_set() { return instruction_set(one_paths > 0 ? 0 : allowed_level()); }
 
 InstructionSet instruction_set_for(int count, const InstructionSet& widest) {
   for (int level = 0; level < widest.level; ++level)

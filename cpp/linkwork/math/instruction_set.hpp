@@ -20,7 +20,7 @@ InstructionSet instruction_set(int level);
 InstructionSet best_instruction_set();
 
 /// While it is there, this thread computes by the instructions that every processor has, and so with the same bits on
-/// all of them: `wanted`, else nothing changes.
+/// all of them: `wanted`, else nothing changes. Several may be there at a time, and go in any order.
 class OnePath {
  public:
   explicit OnePath(bool wanted = true);
@@ -29,7 +29,7 @@ class OnePath {
   OnePath& operator=(const OnePath&) = delete;
 
  private:
-  bool before_;
+  int count_;
 };
 /// The narrowest whose registers hold `count` doubles, or `widest`: half-empty registers cost as much as full ones.
 InstructionSet instruction_set_for(int count, const InstructionSet& widest);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <cstdlib>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -54,8 +54,9 @@ class WithoutSignals {
 
 }  // namespace
 
-/// The work at hand is open while parts of it are left; who is inside may take one. Before it is closed and all have
-/// left, its caller does not go on.
+/// How many parts of the work at hand are left to be taken stands in one number with the number of that work: who takes
+/// a part knows that the work is still the one he saw, and its caller goes on as soon as all parts that were taken are
+/// done, whoever else has not even looked yet.
 struct ThreadPool::Crew {
   explicit Crew(int threads) : looks(threads <= usable_cores() ? looks_before_sleep : 0) {
     const WithoutSignals scope;
@@ -69,74 +70,90 @@ struct ThreadPool::Crew {
     {
       const std::lock_guard lock(mutex);
       ended = true;
-      number.fetch_add(1, std::memory_order_release);
     }
     wake.notify_all();
     for (std::thread& thread : crew) thread.join();
   }
 
+  bool parts_left() const { return (ticket.load(std::memory_order_acquire) & parts_mask) != 0; }
+
   void serve(int worker) {
-    for (unsigned seen = 0;;) {
-      for (int k = 0; k < looks && number.load(std::memory_order_acquire) == seen; ++k) pause();
-      {
+    while (true) {
+      for (int k = 0; k < looks && !parts_left(); ++k) pause();
+      if (!parts_left()) {
         std::unique_lock lock(mutex);
-        wake.wait(lock, [&] { return number.load(std::memory_order_relaxed) != seen; });
-        seen = number.load(std::memory_order_relaxed);
+        wake.wait(lock, [&] { return ended || parts_left(); });
         if (ended) return;
-        if (!open) continue;
-        inside += 1;
       }
       take_parts(worker);
-      const std::lock_guard lock(mutex);
-      inside -= 1;
-      if (inside == 0 && !open) left.notify_one();
     }
   }
 
   void take_parts(int worker) {
-    for (int k; (k = next.fetch_add(1, std::memory_order_relaxed)) < work.count;) try {
+    std::uint64_t seen = ticket.load(std::memory_order_acquire);
+    while ((seen & parts_mask) != 0) {
+      if (!ticket.compare_exchange_weak(seen, seen - 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+      const int k = work.count - static_cast<int>(seen & parts_mask);
+      try {
         work.call(work.context, k, worker);
       } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!error || k < place_of_error) {
-          error = std::current_exception();
-          place_of_error = k;
-        }
-        next.store(work.count, std::memory_order_relaxed);
+        keep_error(k);
+        finish(leave_out_rest());
       }
+      finish(1);
+      seen = ticket.load(std::memory_order_acquire);
+    }
+  }
+
+  void keep_error(int k) {
+    const std::lock_guard lock(mutex);
+    if (error && k > place_of_error) return;
+    error = std::current_exception();
+    place_of_error = k;
+  }
+
+  /// How many parts nobody has taken, nor will.
+  int leave_out_rest() {
+    std::uint64_t seen = ticket.load(std::memory_order_acquire);
+    while (!ticket.compare_exchange_weak(seen, seen & ~parts_mask, std::memory_order_acq_rel)) continue;
+    return static_cast<int>(seen & parts_mask);
+  }
+
+  /// The caller may go on with the last of them: nothing of the work is read after this.
+  void finish(int parts) {
+    if (parts == 0 || unfinished.fetch_sub(parts, std::memory_order_acq_rel) != parts) return;
+    const std::lock_guard lock(mutex);
+    done.notify_one();
   }
 
   void run(const Work& given) {
+    work = given;
+    unfinished.store(given.count, std::memory_order_relaxed);
     {
       const std::lock_guard lock(mutex);
-      work = given;
-      next.store(0, std::memory_order_relaxed);
-      open = true;
-      number.fetch_add(1, std::memory_order_release);
+      number += 1;
+      ticket.store((number << 32) | static_cast<std::uint64_t>(given.count), std::memory_order_release);
     }
     wake.notify_all();
     take_parts(0);
+    for (int k = 0; k < looks && unfinished.load(std::memory_order_acquire) > 0; ++k) pause();
     std::unique_lock lock(mutex);
-    open = false;
-    if (inside > 0) {
-      lock.unlock();
-      for (int k = 0; k < looks && inside.load(std::memory_order_acquire) > 0; ++k) pause();
-      lock.lock();
-      left.wait(lock, [&] { return inside == 0; });
-    }
-    if (std::exception_ptr thrown = std::exchange(error, nullptr)) std::rethrow_exception(thrown);
+    done.wait(lock, [&] { return unfinished.load(std::memory_order_acquire) == 0; });
+    if (const std::exception_ptr thrown = std::exchange(error, nullptr)) std::rethrow_exception(thrown);
   }
+
+  static constexpr std::uint64_t parts_mask = 0xffffffff;
 
   const long owner = process();
   const int looks;
   std::atomic<bool> busy{false};
   std::mutex mutex;
-  std::condition_variable wake, left;
-  std::atomic<unsigned> number{0};  ///< of works so far
-  bool open = false, ended = false;
-  std::atomic<int> inside{0};  ///< changed under the mutex
+  std::condition_variable wake, done;
+  bool ended = false;
   Work work{};
-  std::atomic<int> next{0};  ///< part that nobody has taken
+  std::uint64_t number = 0;  ///< of the work at hand
+  std::atomic<std::uint64_t> ticket{0};
+  std::atomic<int> unfinished{0};
   std::exception_ptr error;
   int place_of_error = 0;
   std::vector<std::thread> crew;  ///< last: it uses all of the above

@@ -35,7 +35,8 @@ class ThreadPool {
   /// the same as if they were done one after the other.
   template <class Part>
   void run(int count, const Part& part) {
-    run({[](const void* context, int k, int worker) { (*static_cast<const Part*>(context))(k, worker); }, &part, count});
+    run({[](const void* context, int k, int worker) { (*static_cast<const Part*>(context))(k, worker); }, &part,
+         count});
   }
 
   /// Calls part(first, last) for 0 .. count in chunks; with one thread for all of them at once.

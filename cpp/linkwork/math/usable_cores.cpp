@@ -50,7 +50,8 @@ double least_share(const std::string& mount, std::string path) {
   double least = 0.0;
   while (true) {
     if (path == "/") path.clear();
-    if (const double found = share_of_group(mount + path); found > 0.0 && (least == 0.0 || found < least)) least = found;
+    if (const double found = share_of_group(mount + path); found > 0.0 && (least == 0.0 || found < least))
+      least = found;
     if (path.empty()) return least;
     path.erase(path.rfind('/'));
   }

@@ -88,13 +88,13 @@ int joint_kind_index(const std::string& name);
   }                                                                          \
   }
 #elif LINKWORK_X86
-#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                                       \
-  LINKWORK_DECLARE_JOINT(v2, NAME)                                                                                \
-  LINKWORK_DECLARE_JOINT(v3, NAME)                                                                                \
-  LINKWORK_DECLARE_JOINT(v4, NAME)                                                                                \
-  JointKind NAME##_joint() {                                                                                      \
+#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                                  \
+  LINKWORK_DECLARE_JOINT(v2, NAME)                                                                           \
+  LINKWORK_DECLARE_JOINT(v3, NAME)                                                                           \
+  LINKWORK_DECLARE_JOINT(v4, NAME)                                                                           \
+  JointKind NAME##_joint() {                                                                                 \
     return make_joint_kind<STRUCT>(LINKWORK_JOINT_EVALUATION(v2, NAME), LINKWORK_JOINT_EVALUATION(v3, NAME), \
-                                   LINKWORK_JOINT_EVALUATION(v4, NAME));                                          \
+                                   LINKWORK_JOINT_EVALUATION(v4, NAME));                                     \
   }
 #else
 #define LINKWORK_DEFINE_JOINT(NAME, STRUCT) \

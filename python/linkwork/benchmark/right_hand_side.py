@@ -83,7 +83,7 @@ def compare_solvers(
     limit: float = LIMIT_SECONDS,
     threads: int = 1,
     progress: ShowOption = None,
-) -> Comparison:
+) -> Comparison:  # Long: 21 lines are its arguments and what they are.
     """Time the right-hand side with several linear solvers in alternation, after one step of the mechanism.
 
     solvers  names; None: all that there are

@@ -104,11 +104,13 @@ def _prepared(place: int, model: Model, method: Method) -> _Ready | Member:
 
 def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
     plan = method.plan
+    tableau = ready[0].method.compiled()
     assert isinstance(plan, schedule.Fixed)
+    assert isinstance(tableau, _core.Tableau)  # others run alone
     with Interrupts() as interrupts, interrupts.computing():
         answers = _core.run_ensemble(
-            [it.system.compiled() for it in ready], ready[0].method.compiled(), plan.t_end, plan.step,
-            plan.record_every, method.threads,
+            [it.system.compiled() for it in ready], tableau, plan.t_end, plan.step, plan.record_every,
+            method.threads,
         )  # fmt: skip
     found = {}
     for it, answer in zip(ready, answers, strict=True):

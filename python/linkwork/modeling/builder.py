@@ -82,6 +82,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
     ) -> Body:
         """Add a rigid body as it is at t = 0.
 
+            arm = model.body("arm", mass=2.0, inertia=(0.01, 0.2, 0.2), position=(0.5, 0, 0))
+
         mass         [kg], zero for a massless body
         inertia      about the center of mass, body axes [kg m2]: (3,) principal moments or (3, 3)
         position     of the center of mass (3,), inertial [m]
@@ -148,6 +150,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
     def shape(self, bodies: BodiesLike, *shapes: Shape) -> None:
         """Draw one or many bodies, or the ground, by these shapes; they have no influence on the motion.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.shape(body, lw.Box((0.4, 0.1, 0.1), color="#3366cc"), lw.Sphere(0.08))
+
         ModelError: no such body, or what is no Shape.
         """
         self._shapes.set(self.indices(bodies), self._shapes.checked(shapes))
@@ -201,6 +206,10 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         name: str | None = None,
     ) -> Joint:
         """Prescribe a free coordinate of a joint over time, by its position, velocity or acceleration.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+            model.drive("pin", velocity=lw.functions.polynomial(0.0, 4.0))   # begins at rest, 4 rad/s2
 
         position      the coordinate as `Result.coordinate` gives it [rad or m]
         velocity      its rate; the position is its integral from the initial pose on
@@ -273,6 +282,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
     ) -> Force:
         """Apply a force [N] and a torque [N m] to a body; components are numbers or functions of time.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.force(body, force=(0, lw.functions.harmonic(5.0, 2.0), 0), at=(0.1, 0, 0))
+
         at     the point of application (3,) in body coordinates [m]; without it the center of mass
         frame  axes of the components: "inertial", or "body" that turn with the body
         breaks times [s] at which Python functions are not smooth, see functions.with_breaks
@@ -304,6 +316,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         name: str | None = None,
     ) -> Force:
         """Join two points by spring, damper and actuator: they pull with k (l - l_0) + c l_dot + f.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.spring_damper("ground", body, at=((0, 0, 0), (1, 0, 0)), stiffness=1e3, damping=10.0)
 
         at           a point of a and a point of b [m], in space at the initial pose; body coordinates with
                      frames="body"
@@ -337,6 +352,10 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         """Join bodies by rotational spring, damper, motor: -k (theta - theta_0) - c theta_dot + n acts on b.
 
         theta is the angle of b against a about the axis [rad], zero at the initial pose, over full turns.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+            model.rotational_spring_damper("ground", body, axis=(0, 0, 1), stiffness=50.0, damping=0.5)
 
         axis        direction in space at the initial pose, usually that of a revolute joint; with
                     frames="body" a pair
@@ -388,6 +407,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         """Join frames of a and b elastically: -k u - c u_dot along a's axes, -K phi - C phi_dot about them.
 
         u is the shift of b's point in a's frame, phi the rotation vector of b's frame against a's.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.bushing("ground", body, at=(1, 0, 0), stiffness=(1e5, 1e5, 2e4), damping=(50.0, 50.0, 9.0))
 
         at                    the common point [m], in space at the initial pose; a pair with frames="body"
         orientation           the frame's Euler parameters, scalar first; without it the inertial axes

@@ -80,7 +80,9 @@ class Model(ModelBuilder):
         files.write(self, arguments.path(path, "model file"), {} if simulation is None else simulation)
 
     def with_initial_state(self, q: ArrayLike, v: ArrayLike, history: ArrayLike = ()) -> Model:
-        """The same mechanism from another state, such as a frame of a result: `result.q[-1], result.v[-1]`.
+        """The same mechanism from another state, such as a frame of a result.
+
+            onward = model.with_initial_state(result.q[-1], result.v[-1])
 
         q  position and Euler parameters of each body (n, 7)
         v  velocity (inertial) and angular velocity (body axes) of each body (n, 6)
@@ -118,6 +120,8 @@ class Model(ModelBuilder):
     def values(self, name: str | Body | Joint | Force) -> dict[str, Any]:
         """Everything that a body, joint or force element was made of, as in a file of the model.
 
+            length = model.values("spring")["free_length"]
+
         ModelError: no object of this name; a Python function in the model.
         """
         from linkwork.modeling import editing
@@ -126,6 +130,8 @@ class Model(ModelBuilder):
 
     def without(self, *names: str | Body | Joint | Force, attached: bool = False) -> Model:
         """A model without these bodies, joints or force elements; this one stays as it is.
+
+            free = model.without("pin")
 
         attached  what hangs on them goes, too: joints and forces of a body, couplers and drivers of a joint
 

@@ -35,6 +35,9 @@ class UserForceMethods:
     ) -> None:
         """Let a Python function apply forces: one call an evaluation, for all its bodies at once.
 
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.user_force(lambda t, q, v: [0, 0, -0.3 * abs(v[2]) * v[2], 0, 0, 0], body)   # drag
+
         bodies    without them all n of the model
         function  of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
                   and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
@@ -69,6 +72,10 @@ class UserForceMethods:
         name: str | None = None,
     ) -> None:
         """Let a law of your own act along a free coordinate of a joint: a controller, a clutch, friction.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+            model.joint_force("pin", lambda t, angle, rate: 3.0 * (0.5 - angle) - 0.2 * rate)
 
         function    a Python function of t [s], the coordinate x and its rate, which returns the force [N] or
                     torque [N m] Q that does the work Q dx: it acts on b, and back on a. Or Q as a number or a

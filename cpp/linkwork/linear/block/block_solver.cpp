@@ -57,6 +57,12 @@ class BlockSolver final : public SaddleSolver {
     if (refined_) refine(a, b, x, lambda);
   }
 
+  /// The order of elimination, which a small pivot has changed for good.
+  void keep(Archive& archive) override {
+    archive(delayed_, delays_);
+    if (archive.reading() && !delayed_.empty()) factorize_symbolically();
+  }
+
   bool shares_work() const override { return symbolic_->step_plan.shared || symbolic_->front_plan.shared; }
   std::int64_t factor_nonzeros() const override { return symbolic_->nonzeros; }
   std::optional<double> flops() const override { return symbolic_->flops; }
@@ -112,7 +118,8 @@ class BlockSolver final : public SaddleSolver {
     SmallestPivot smallest;
     for (const Stage& stage : plan.stages) {
       found_.assign(stage.size(), {});
-      run_stage(stage, plan.shared, [&](const Data& data, std::size_t task) { found_[task] = sweep(data, stage[task]); });
+      run_stage(stage, plan.shared,
+                [&](const Data& data, std::size_t task) { found_[task] = sweep(data, stage[task]); });
       for (const SmallestPivot& found : found_)
         if (found.ratio < smallest.ratio && !(smallest.ratio < data_.breakdown)) smallest = found;
     }

@@ -179,26 +179,24 @@ void share(const Front& front, const Data& data, int count, const Part& part) {
       &context);
 }
 
-/// Eight columns after the other; rows at a time, each with what has been eliminated.
+/// Eight columns after the other; with helpers some rows at a time, each with what has been eliminated.
 void factor_wide(const Front& front, const Data& data, const double* b, SmallestPivot& smallest) {
   constexpr int rows_at_a_time = 16 * lanes;
+  const bool shared = is_shared(front, data);
   double* B = data.scratch;
   for (int k0 = 0; k0 < front.width; k0 += lanes) {
-    const int columns = depth_at(front, k0), below = k0 + lanes, rows = front.stride() - below;
+    const int columns = depth_at(front, k0), below = k0 + lanes, end = front.stride();
     if (k0 > 0) {
       scale_rows(front, data, k0, k0, B);
-      update_rows(front, data, k0, k0, columns, B, k0, below);
+      update_rows(front, data, k0, k0, columns, B, k0, shared ? below : end);
     }
     with_count<lanes>(columns, [&](auto depth) {
       eliminate<depth>(front, data, k0, b, smallest);
-      const auto finish = [&](int first, int last) {
-        if (k0 > 0) update_rows(front, data, k0, k0, columns, B, first, last);
-        eliminate_below<depth, false>(front, data, k0, first, last);
-      };
-      if (!is_shared(front, data) || rows <= rows_at_a_time) return finish(below, front.stride());
-      share(front, data, (rows + rows_at_a_time - 1) / rows_at_a_time, [&](int k, double*) {
+      if (!shared) return eliminate_below<depth, false>(front, data, k0, below, end);
+      share(front, data, (end - below + rows_at_a_time - 1) / rows_at_a_time, [&](int k, double*) {
         const int first = below + k * rows_at_a_time, last = first + rows_at_a_time;
-        finish(first, last < front.stride() ? last : front.stride());
+        if (k0 > 0) update_rows(front, data, k0, k0, columns, B, first, last < end ? last : end);
+        eliminate_below<depth, false>(front, data, k0, first, last < end ? last : end);
       });
     });
   }

@@ -106,8 +106,6 @@ class Rerooting {
 
 }  // namespace
 
-std::vector<int> order_from_both_ends(const Elimination& elimination) {
-  return Rerooting(elimination).order();
-}
+std::vector<int> order_from_both_ends(const Elimination& elimination) { return Rerooting(elimination).order(); }
 
 }  // namespace linkwork::block

@@ -11,6 +11,6 @@ namespace linkwork::block {
 
 extern const Kernels LINKWORK_NAME(LINKWORK_ISA);
 const Kernels LINKWORK_NAME(LINKWORK_ISA) = {&factor_branches, &factor_core, &forward_core, &backward_core,
-                                              &backward_branches};
+                                             &backward_branches};
 
 }  // namespace linkwork::block

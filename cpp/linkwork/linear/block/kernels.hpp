@@ -131,8 +131,8 @@ constexpr int divisible_front = 256;
 /// Helpers for such a front: calls part(context, k, worker) for k = 0 .. count - 1, at the same time.
 struct Helpers {
   void* pool = nullptr;  ///< none: there are no helpers
-  void (*run)(void* pool, int count, void (*part)(const void* context, int k, int worker), const void* context) =
-      nullptr;
+  void (*run)(void* pool, int count, void (*part)(const void* context, int k, int worker),
+              const void* context) = nullptr;
   double* const* scratch = nullptr;  ///< of each worker
 };
 

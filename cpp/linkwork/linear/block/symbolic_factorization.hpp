@@ -6,6 +6,7 @@
 #include "linkwork/assembly/system.hpp"
 #include "linkwork/linear/block/kernels.hpp"
 #include "linkwork/linear/block/work_plan.hpp"
+#include "linkwork/math/archive.hpp"
 
 namespace linkwork::block {
 
@@ -20,6 +21,7 @@ struct SymbolicFactorization {
   /// A joint that must not be eliminated before a hub, because it depends on the others while the hub is held.
   struct DelayedPivot {
     int joint, hub;  ///< the hub is a body
+    void keep(Archive& archive) { archive(joint, hub); }
   };
   /// Without the `dropped` rows of joints in loops.
   explicit SymbolicFactorization(const System& system, const std::vector<int>& dropped = {},

@@ -111,6 +111,8 @@ class Planner {
       if (!tasks_[task].ranges.empty()) out[stage_[task]].push_back(std::move(tasks_[task]));
     for (Stage& stage : out)
       std::stable_sort(stage.begin(), stage.end(), [](const Task& x, const Task& y) { return x.work > y.work; });
+    const auto before = [](const Task& x, const Task& y) { return x.ranges[0].first < y.ranges[0].first; };
+    std::sort(out[0].begin(), out[0].end(), before);  // many alike: what is neighboring in memory comes next
     std::erase_if(out, [](const Stage& stage) { return stage.empty(); });
     return out;
   }

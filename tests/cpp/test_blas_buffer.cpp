@@ -1,0 +1,52 @@
+#include "linkwork/linear/blas_buffer.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+
+#include <new>
+
+using namespace linkwork;
+
+namespace {
+
+/// While it is there the process gets no more memory that is worth a buffer.
+class NoMemory {
+ public:
+  NoMemory() {
+    getrlimit(RLIMIT_AS, &before_);
+    rlimit none = before_;
+    none.rlim_cur = 1 << 20;
+    setrlimit(RLIMIT_AS, &none);
+  }
+  ~NoMemory() { setrlimit(RLIMIT_AS, &before_); }
+
+ private:
+  rlimit before_;
+};
+
+/// Whether the buffer is not to be had.
+bool refused() {
+  const NoMemory none;
+  try {
+    reserve_blas_buffer();
+  } catch (const std::bad_alloc&) {
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;  // by what ends where there is no memory
+#else
+constexpr bool sanitized = false;
+#endif
+
+TEST_CASE("where there is no memory for the buffer of BLAS it is refused, and had later; it is taken once" *
+          doctest::skip(sanitized)) {
+  CHECK(refused());
+  CHECK(refused());
+  reserve_blas_buffer();
+  CHECK_FALSE(refused());
+}
