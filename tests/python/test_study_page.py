@@ -90,8 +90,9 @@ def test_the_server_gives_the_page_and_motions(study: lw.Study) -> None:
             with pytest.raises(urllib.error.HTTPError) as refused:
                 urllib.request.urlopen(server.url + path)
             assert refused.value.code == status
-        with pytest.raises(lw.OptionError, match="port"):
-            study.serve(int(server.url.split(":")[-1].strip("/")))
+        for port in (int(server.url.split(":")[-1].strip("/")), -1, "8000"):
+            with pytest.raises(lw.OptionError, match="port"):
+                study.serve(port)  # type: ignore[arg-type]
     with pytest.raises(urllib.error.URLError):
         urllib.request.urlopen(server.url, timeout=2)
 

@@ -91,6 +91,7 @@ def test_failed_cases_are_marked() -> None:
 @pytest.mark.parametrize(("kind", "options", "said"), [
     ("pie", {}, "does not exist"),
     ("scatter", {"outputs": "wieght"}, "output 'wieght' is none of this study; the nearest is 'weight'"),
+    ("scatter", {"outputs": 3}, "output '3' is none of this study"),
     ("tornado", {"parameters": ["mess"]}, "parameter 'mess' is none"),
     ("surface", {"parameters": "mass"}, "needs 2 parameters"),
     ("bands", {"outputs": "weight"}, "no output is an array over time"),

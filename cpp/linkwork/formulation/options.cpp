@@ -12,6 +12,8 @@ namespace {
 // Flores (2015), section 12.4
 constexpr double textbook_damping_ratio = 1.0, textbook_frequency = 10.0;
 
+constexpr int most_threads = 1024;  // each of them has memory of its own
+
 // What the column `values` of the table is made of: names, or bounds of a number.
 using Words = std::vector<std::string>;
 
@@ -61,7 +63,11 @@ void check(const char* what, const Limits& given, const Bounds& bounds) {
 }
 
 void check(const char* what, const std::optional<int>& given, const Bounds& bounds) {
-  if (given) check(what, static_cast<double>(*given), bounds);
+  if (!given) return;
+  check(what, static_cast<double>(*given), bounds);
+  if (*given > most_threads)
+    throw OptionError(what, std::string(what) + " " + std::to_string(*given) + " is more than " +
+                                std::to_string(most_threads) + "; give no more than there are processors");
 }
 
 void check(const char*, bool, OnOrOff) {}

@@ -60,6 +60,7 @@ class WithoutSignals {
 struct ThreadPool::Crew {
   explicit Crew(int threads) : looks(threads <= usable_cores() ? looks_before_sleep : 0) {
     const WithoutSignals scope;
+    crew.reserve(static_cast<std::size_t>(threads));  // or nobody would join those that are there
     try {
       for (int worker = 1; worker < threads; ++worker) crew.emplace_back([this, worker] { serve(worker); });
     } catch (const std::system_error&) {  // no more threads here: fewer do the same

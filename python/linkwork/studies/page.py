@@ -83,7 +83,7 @@ class Server:
         found = page(study)
         try:
             self._server = http.server.ThreadingHTTPServer(("127.0.0.1", port), _handler(study, found))
-        except (OSError, OverflowError) as error:
+        except (OSError, OverflowError, TypeError) as error:
             raise OptionError(f"port {port!r:.40}: {error}; 0 takes a free one", code="port") from error
         self.url = f"http://127.0.0.1:{self._server.server_address[1]}/"
         self._thread = threading.Thread(target=self._server.serve_forever, name="study", daemon=True)

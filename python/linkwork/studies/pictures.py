@@ -79,10 +79,12 @@ def _chosen(what: str, known: Mapping[str, object], names: str | Sequence[str] |
     """OptionError: a name that the study does not have."""
     if names is None:
         return list(known)
-    wanted = [names] if isinstance(names, str) else list(names)
+    wanted = [names] if isinstance(names, str) or not isinstance(names, Sequence) else list(names)
     for name in wanted:
         if name not in known:
-            raise OptionError(f"{what} '{name}' is none of this study{nearest(name, known)}", code="outputs")
+            raise OptionError(
+                f"{what} '{name}' is none of this study{nearest(str(name), known)}", code="outputs"
+            )
     return wanted
 
 
