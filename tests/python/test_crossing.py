@@ -90,6 +90,24 @@ def test_frames_within_leaps_are_as_accurate_as_the_steps(
     assert result.violation[near, 0].max() <= max(10 * away, 1e-12)
 
 
+@pytest.mark.parametrize(
+    ("branch", "method", "size", "speed", "pose_at", "t_end"),
+    [
+        # another singular value is the least one until a third of a step before the pose
+        ("antiparallelogram", "dop853", 1e-8, 3.322064534339467, 0.5179777173089074, 3.612),
+        # a leap beside a pose, which was foreseen too far ahead, ended in it
+        ("unequal", "dopri5", 1e-12, -4.172880152871395, 0.526334175230137, 2.876),
+    ],
+)
+def test_no_step_ends_in_a_pose_that_was_foreseen_badly(
+    branch: str, method: str, size: float, speed: float, pose_at: float, t_end: float
+) -> None:
+    """A pose may be nearer than the least singular values and pivots say from far."""
+    found = singular_poses.run(singular_poses.Case(branch, method, size, speed, pose_at, t_end, 0))
+    assert found.right and not found.unstable, found
+    assert found.energy <= 10 * size
+
+
 @pytest.mark.parametrize("after", [-2e-3, -1e-5, 1e-5, 3e-4, 2e-3])
 @pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 1e-4}, {"rtol": 1e-10}], ids=str)
 @pytest.mark.parametrize("load", [False, True])

@@ -164,6 +164,7 @@ void AdaptiveSimulation::attempt() {
   const BodyMaximum error = trial(h);
   if (error.value <= 1.0 && TurnGuard::too_far(turns_.largest(h))) reject(h, {too_far, -1});
   else if (error.value <= 1.0 && end_at_switch(h)) return;
+  else if (const double shorter = error.value <= 1.0 ? crossing_.shorter_step(t_, h) : h; shorter < h) retry(shorter);
   else if (error.value <= 1.0) accept(h, error.value);
   else if (near_singular_pose()) pass_singular_pose(h, error.value);
   else reject(h, error);
@@ -374,10 +375,14 @@ bool AdaptiveSimulation::apply(const Event& event) {
   return changed.ends;
 }
 
-void AdaptiveSimulation::reject(double h, const BodyMaximum& error) {
+void AdaptiveSimulation::retry(double h) {
   evaluated_ = false;
   statistics_.rejected += 1;
-  step_ = controller_.after_rejected(h, error.value);
+  step_ = h;
+}
+
+void AdaptiveSimulation::reject(double h, const BodyMaximum& error) {
+  retry(controller_.after_rejected(h, error.value));
   if (step_ < least_step * schedule_.t_end) with_time(t_, step_, [&] { throw_step_size(error); });
 }
 

@@ -86,6 +86,7 @@ class AdaptiveSimulation final : public Run {
   bool apply(const Event& event);
   bool near_singular_pose() const;
   void pass_singular_pose(double h, double error);
+  void retry(double h);
   void reject(double h, const BodyMaximum& error);
   [[noreturn]] void throw_step_size(const BodyMaximum& error) const;
   void check_accumulation();

@@ -26,6 +26,7 @@ constexpr double fallen = 0.4;                     // part of either, for anothe
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
 constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
 constexpr double part_of_foreseen = 0.5;           // way to a pose that usual steps go, as it may be nearer
+constexpr double most_of_way = 0.75;               // that they may have gone where it was not foreseen
 constexpr double short_steps = 4.0;                // of which a leap beside the pose is worth so many
 constexpr double least_beside = 0.4;               // of a usual leap
 constexpr double least_margin = 0.012;             // the same, where nothing better is found
@@ -171,7 +172,8 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
 void Crossing::look(double t) {
   if (least_.at == t) return;
   WatchedFormulation& formulation = dynamics_.formulation();
-  SingularValueAt before = std::exchange(least_, {t, formulation.least_singular_value()});
+  SingularValueAt before =
+      std::exchange(least_, ended_.at == t ? ended_ : SingularValueAt{t, formulation.least_singular_value()});
   const double usual = formulation.usual_least_singular_value(), small = near * std::max(usual, least_usual);
   if (rows_turn_bad(small, least_.value, highest_)) {
     least_.value = formulation.least_singular_value();
@@ -255,7 +257,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
   const bool beside = std::abs(foreseen) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
   if (!starting_ && !step_.begin(t, y, !beside)) return false;
-  if (beside_ > 0.0) return leap_beside(most);
+  if (beside_ > 0.0) return leap_beside(most, usual_length(v, VectorXd::Zero(v.size())));
   const VectorXd& v_dot = step_.start_accelerations();
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot.size()), v_dot);
   const double pose = starting_ ? 0.0 : foreseen;
@@ -277,8 +279,20 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
 
 /// Near a pose explicit steps become short, as what their stages violate counts by 1 / sigma: up to where the leap over
 /// it begins well, and away from it, there is one more on each side, in which no pose is.
-bool Crossing::leap_beside(double most) {
-  return beside_ <= most && step_.attempt(beside_).good() && poses_in_leap(0.0).empty();
+bool Crossing::leap_beside(double most, double usual) {
+  while (beside_ > least_beside * usual && beside_ <= most && step_.attempt(beside_).good()) {
+    const std::vector<double> poses = poses_in_leap(1.0);
+    if (poses.empty() || beside_ < poses.front() - 0.5 * before_pose * usual) return true;
+    beside_ = std::min(0.9 * beside_, poses.front() - before_pose * usual);
+  }
+  return false;
+}
+
+double Crossing::shorter_step(double t, double h) {
+  if (!prepared_ || least_.at != t || fastest_ * h <= coarse) return INFINITY;
+  ended_ = {t + h, dynamics_.formulation().least_singular_value()};
+  const double fall = least_.value - ended_.value, way = h * least_.value / fall;
+  return fall > 0.0 && h > most_of_way * way ? part_of_foreseen * way : INFINITY;
 }
 
 void Crossing::forget_looks() {
@@ -292,7 +306,7 @@ void Crossing::forget_looks() {
 void Crossing::keep(Archive& archive, bool leaping) {
   archive(in_loops_, prepared_, starting_, in_pose_, fresh_, least_.at, least_.value, most_step_, fastest_);
   archive(falls_to_, next_look_, turned_, turned_until_, highest_, highest_root_, declined_least_, declined_root_);
-  archive(known_, known_rate_, approached_, leaves_, poses_);
+  archive(known_, known_rate_, approached_, leaves_, ended_.at, ended_.value, poses_);
   if (leaping) archive(leap_);
 }
 

@@ -35,6 +35,9 @@ class Crossing final : public Interpolant {
   bool due(double t, double h, const VectorXd& y, bool adaptive);
   /// For an adaptive step where none is due: to where a leap over the pose ahead begins well.
   double most_step() const { return most_step_; }
+  /// After an adaptive step h from t, where `dynamics` is evaluated at its end: a shorter one, where that is beside a
+  /// pose that was not foreseen, as its stages were off the branch where that counts; else infinite.
+  double shorter_step(double t, double h);
   /// After a change of the state: it may be near a pose without a trend that tells.
   void restart() {
     fresh_ = true;
@@ -103,7 +106,7 @@ class Crossing final : public Interpolant {
   void keep_rows_good();
   double largest_rate(const ConstVector& v) const;
   int parts_to(double t) const;
-  bool leap_beside(double most);
+  bool leap_beside(double most, double usual);
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, CollocationStep::Quality quality);
   static double near_enough(double usual, double h, bool adaptive);
@@ -127,6 +130,7 @@ class Crossing final : public Interpolant {
   bool approached_ = false, leaves_ = false;  ///< a leap beside the pose: there was one before it; is to be, after it
   double beside_ = 0.0;                       ///< length of the one that is due, else 0
   SingularValueAt least_ = {};                ///< singular value, when it was looked at last
+  SingularValueAt ended_ = {};                ///< the same, where the last step that was tried ends
   double falls_to_ = INFINITY;                ///< time of the pose to which it falls
   double next_look_ = 0.0;                    ///< at it, when the fastest body has turned so far since [rad]
   double turned_ = 0.0, turned_until_ = 0.0;
