@@ -69,7 +69,7 @@ TEST_CASE("every node is done once, after its children, which its parent gets in
         CAPTURE(keeps);
         CAPTURE(most_children);
         const EliminationTree tree = random_tree_of(random, 20000, most_children, keeps);
-        const WorkPlan plan = plan_work(tree);
+        const WorkPlan plan = plan_work(tree, true);
         CHECK(plan.shared);
         const Done done = carry_out(tree, plan);
         CHECK(done.once);
@@ -101,7 +101,7 @@ TEST_CASE("the work of a balanced tree is shared by many, and that of a little o
   };
   build(build, leaves);
   tree.work.assign(tree.parent.size(), step);
-  const WorkPlan plan = plan_work(tree);
+  const WorkPlan plan = plan_work(tree, true);
   double most = 0.0, all = 0.0;
   for (const Task& task : plan.stages.front()) {
     most = std::max(most, task.work);
@@ -109,14 +109,16 @@ TEST_CASE("the work of a balanced tree is shared by many, and that of a little o
   }
   CHECK(most <= step * static_cast<double>(tree.parent.size()) / 32.0);
   CHECK(all >= 0.95 * step * static_cast<double>(tree.parent.size()));
+  REQUIRE(plan_work(tree, false).stages.size() == 1);
+  CHECK(plan_work(tree, false).stages.front().size() == 1);
   tree.work.assign(tree.parent.size(), 0.01 * step);
-  CHECK(!plan_work(tree).shared);
-  CHECK(plan_work(tree).stages.size() == 1);
+  CHECK(!plan_work(tree, true).shared);
+  CHECK(plan_work(tree, true).stages.size() == 1);
 }
 
 TEST_CASE("an order that is not depth first is one task") {
   const EliminationTree tree{.parent = {2, 3, 4, 4, -1}, .work = std::vector<double>(5, 1e6), .keeps = true};
-  const WorkPlan plan = plan_work(tree);
+  const WorkPlan plan = plan_work(tree, true);
   REQUIRE(plan.stages.size() == 1);
   REQUIRE(plan.stages[0].size() == 1);
   CHECK(plan.stages[0][0].ranges.size() == 1);

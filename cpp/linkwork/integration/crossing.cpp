@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "linkwork/constraints/closed_loops.hpp"
+#include "linkwork/constraints/displacement.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -15,12 +16,13 @@ constexpr double reach = 0.14;      // of a leap [rad]: what the fastest body of
 constexpr double fastest = 0.8;     // the same for any body
 constexpr double least_part = 0.1;  // of that, for leaps over a motion that varies more
 constexpr double near = 0.3;  // of the usual least singular value, or root of the smallest pivot: else none is due
-constexpr double near_at_start = 0.1;  // that root, before there is a usual one
-constexpr double least_usual = 0.15;   // the usual value of both, for runs that begin near a pose
-constexpr double in_pose = 1e-5;       // at the start: rows that near each other, and only a leap leads out of it
-constexpr double looked_at = 0.2;      // of the usual root: nearer, pivots do not tell when a pose is passed
-constexpr double look_part = 0.1;      // rad to the next look, where the least singular value is the usual one
-constexpr double coarse = 0.02;        // a step in which a body turns so far [rad] may pass a pose that no pivot shows
+constexpr double near_at_start = 0.1;                         // that root, before there is a usual one
+constexpr double way_at_start = 0.03, change_at_start = 0.1;  // [rad], and of the root there, relative, toward a pose
+constexpr double least_usual = 0.15;  // the usual value of both, for runs that begin near a pose
+constexpr double in_pose = 1e-5;      // at the start: rows that near each other, and only a leap leads out of it
+constexpr double looked_at = 0.2;     // of the usual root: nearer, pivots do not tell when a pose is passed
+constexpr double look_part = 0.1;     // rad to the next look, where the least singular value is the usual one
+constexpr double coarse = 0.02;       // a step in which a body turns so far [rad] may pass a pose that no pivot shows
 constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states that are looked at [rad]
 constexpr double fallen = 0.4;                     // part of either, for another look at redundant rows
 constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
@@ -119,7 +121,30 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
   }
   in_pose_ = root < near_at_start && in_singular_pose(t, y);
   if (in_pose_) poses_.list(t, y);
-  return root < near_at_start;
+  return in_pose_ || (root < near_at_start && pivot_changes(t, y, root));
+}
+
+/// Whether the root of the smallest pivot, which falls linearly to a pose, changes as the motion begins: in a large
+/// mechanism it is small wherever it is. Leaves `dynamics` evaluated at y.
+bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
+  const System& system = dynamics_.system();
+  const Unwatched unwatched(dynamics_);
+  VectorXd way = y.segment(system.q_size(), system.v_size()), ahead = y;
+  double changed = 0.0;
+  try {
+    if (!(largest_rate(way) > 0.0)) {
+      VectorXd lambda(system.row_count());
+      dynamics_.accelerations(way, lambda);
+    }
+    if (const double rate = largest_rate(way); rate > 0.0) way *= way_at_start / rate;
+    displace(system, way, ahead);
+    dynamics_.evaluate(t, ahead);
+    dynamics_.factorize();
+    changed = dynamics_.formulation().root_of_pivot();
+  } catch (const SingularSystemError&) {
+  }
+  dynamics_.evaluate(t, y);
+  return std::abs(changed - root) > change_at_start * std::max(changed, root);
 }
 
 /// Of the components of all motions [rad/s].

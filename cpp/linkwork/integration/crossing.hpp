@@ -100,6 +100,7 @@ class Crossing final : public Interpolant {
   double time_to_pose(double t);
   static bool declined_before(double value, double& declined);
   bool starts_near(double t, const VectorXd& y);
+  bool pivot_changes(double t, const VectorXd& y, double root);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
   [[noreturn]] void throw_no_branch(double t) const;

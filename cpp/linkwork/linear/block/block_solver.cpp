@@ -28,6 +28,7 @@ class BlockSolver final : public SaddleSolver {
     e_.resize(0);
     delayed_.clear();
     delays_ = 0;
+    split_ = system.threads().threads() > 1;
     factorize_symbolically();
     no_a_.resize(0);
     refined_ = masses_far_apart(system);
@@ -196,7 +197,7 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize_symbolically() {
-    symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, delayed_);
+    symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, delayed_, split_);
     look_for_interruption();
     factors_.assign(symbolic_->factor_size + slack, 0.0);
     articulated_inertias_.assign(
@@ -230,6 +231,15 @@ class BlockSolver final : public SaddleSolver {
     return true;
   }
 
+  /// Which of several breakdowns comes first depends on the tasks: it is that of several threads for one, too. False:
+  /// it was so.
+  bool split() {
+    if (split_ || !shares_work()) return false;
+    split_ = true;
+    factorize_symbolically();
+    return true;
+  }
+
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
     if (e_.size() != e.size() || e_ != e) {
       e_ = e;
@@ -240,7 +250,7 @@ class BlockSolver final : public SaddleSolver {
     collect_data(at);
     const SmallestPivot smallest = sweep(a, b);
     smallest_pivot_ = {smallest.ratio, smallest.row};
-    if (smallest.ratio < data_.breakdown && std::isfinite(smallest.ratio) && delay_pivot(smallest.row))
+    if (smallest.ratio < data_.breakdown && (split() || (std::isfinite(smallest.ratio) && delay_pivot(smallest.row))))
       return factorize(at, e, a, b);
     if (!(smallest_pivot_.ratio > singular_pivot))
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
@@ -302,7 +312,7 @@ class BlockSolver final : public SaddleSolver {
   std::vector<SmallestPivot> found_;                     ///< by the tasks of a stage
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
-  bool refined_ = false, compliant_ = false;
+  bool refined_ = false, compliant_ = false, split_ = false;
   VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
   InterruptionMeter meter_;

@@ -75,10 +75,16 @@ LINKWORK_INLINE bool any_below(const Vector& a, const Vector& b) {
 
 constexpr double not_a_number = -__builtin_inf();  // as a ratio of pivots: the smallest of all
 
-/// Keeps the smallest pivot relative to its diagonal entry; what follows a breakdown is its consequence.
+/// A little more than the smallest ratio: pivots that are not below this part of their diagonal have no smaller one,
+/// whatever rounding does, and need no division.
+LINKWORK_INLINE double clearly_above(const SmallestPivot& smallest) { return smallest.ratio * (1.0 + 1e-15); }
+
+/// Keeps the smallest pivot relative to its diagonal entry, the same one in whatever order they come; what follows a
+/// breakdown is its consequence.
 LINKWORK_INLINE void note(SmallestPivot& smallest, double pivot, double diagonal, int row, const Data& data) {
-  if (pivot >= smallest.ratio * diagonal || smallest.ratio < data.breakdown) return;
+  if (pivot >= clearly_above(smallest) * diagonal || smallest.ratio < data.breakdown) return;
   const double ratio = pivot / diagonal;
+  if (ratio >= smallest.ratio) return;
   smallest = {ratio == ratio ? ratio : not_a_number, row};
 }
 

@@ -57,7 +57,8 @@ constexpr std::size_t joints_of_a_large_hub = 1000;
 class CoreBuilder {
  public:
   CoreBuilder(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot, const CountedRows& rows,
-              const std::vector<SymbolicFactorization::DelayedPivot>& delayed, SymbolicFactorization& out)
+              const std::vector<SymbolicFactorization::DelayedPivot>& delayed, bool for_threads,
+              SymbolicFactorization& out)
       : system_(system), slot_(slot), rows_(rows), delayed_(delayed), out_(out) {
     for (int joint = 0; joint < system.joint_count(); ++joint)
       if (!pruned.joints[joint]) joints_.push_back(joint);
@@ -66,7 +67,7 @@ class CoreBuilder {
     place_bodies();
     append_fronts();
     connect();
-    out_.front_plan = plan_work({.parent = std::move(parents_), .work = work_, .keeps = true});
+    out_.front_plan = plan_work({.parent = std::move(parents_), .work = work_, .keeps = true}, for_threads);
     place_contributions();
     out_.contribution_size = contributions_.total();
   }
@@ -417,8 +418,8 @@ class CoreBuilder {
 
 void eliminate_core(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot,
                     const CountedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
-                    SymbolicFactorization& out) {
-  CoreBuilder(system, pruned, slot, rows, delayed, out);
+                    bool for_threads, SymbolicFactorization& out) {
+  CoreBuilder(system, pruned, slot, rows, delayed, for_threads, out);
 }
 
 }  // namespace linkwork::block

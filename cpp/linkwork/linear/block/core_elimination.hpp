@@ -16,6 +16,6 @@ struct CountedRows {
 /// Fills the core: fronts of its bodies and of supernodes of joints and hubs. `slot`: see eliminate_trees.
 void eliminate_core(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot,
                     const CountedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
-                    SymbolicFactorization& out);
+                    bool for_threads, SymbolicFactorization& out);
 
 }  // namespace linkwork::block

@@ -20,7 +20,7 @@ LINKWORK_INLINE Vector given(const int* unknown, const double* numbers) {
 /// Pivots of a front from k0 on against their diagonal entries; those of hubs are negative.
 LINKWORK_INLINE void note_pivots(const Front& front, const Data& data, int k0, int depth, Vector pivots,
                                  Vector diagonal, SmallestPivot& smallest) {
-  if (front.mixed < 0 && !any_below(pivots, diagonal * splat(smallest.ratio))) return;
+  if (front.mixed < 0 && !any_below(pivots, diagonal * splat(clearly_above(smallest)))) return;
   double entries[lanes];
   store(entries, diagonal);
   const int* unknown = data.unknowns + front.unknown + k0;

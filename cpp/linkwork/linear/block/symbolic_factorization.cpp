@@ -35,11 +35,12 @@ PrunedLeaves prune_branches(const System& system, const CountedRows& rows) {
 }  // namespace
 
 SymbolicFactorization::SymbolicFactorization(const System& system, const std::vector<int>& dropped,
-                                             const std::vector<DelayedPivot>& delayed) {
+                                             const std::vector<DelayedPivot>& delayed, bool for_threads) {
   look_for_interruption();
   const CountedRows counted = count_rows(system, dropped);
   const PrunedLeaves pruned = prune_branches(system, counted);
-  eliminate_core(system, pruned, eliminate_trees(system, pruned, *this), counted, delayed, *this);
+  const std::vector<int> slots = eliminate_trees(system, pruned, for_threads, *this);
+  eliminate_core(system, pruned, slots, counted, delayed, for_threads, *this);
 }
 
 int SymbolicFactorization::next_hub(int row) const {

@@ -23,9 +23,9 @@ struct SymbolicFactorization {
     int joint, hub;  ///< the hub is a body
     void keep(Archive& archive) { archive(joint, hub); }
   };
-  /// Without the `dropped` rows of joints in loops.
+  /// Without the `dropped` rows of joints in loops; `for_threads`: in tasks for several ones.
   explicit SymbolicFactorization(const System& system, const std::vector<int>& dropped = {},
-                                 const std::vector<DelayedPivot>& delayed = {});
+                                 const std::vector<DelayedPivot>& delayed = {}, bool for_threads = false);
 
   /// The hub to which the joint of a constraint row can be delayed: the next one to be eliminated that it affects, or
   /// -1.

@@ -18,14 +18,14 @@ int other_body(const System& system, const ConstraintBlock& block) {
 
 class TreeBuilder {
  public:
-  TreeBuilder(const System& system, const PrunedLeaves& pruned, SymbolicFactorization& out)
+  TreeBuilder(const System& system, const PrunedLeaves& pruned, bool for_threads, SymbolicFactorization& out)
       : system_(system), pruned_(pruned), out_(out), slot_(system.body_count(), none) {
     group_children();
     std::vector<int> roots;
     for (int body = 0; body < system.body_count(); ++body)
       if (!pruned.bodies[body] || parent(body) == none) roots.push_back(body);
     for (const int root : roots) visit(root);
-    plan();
+    plan(for_threads);
     out_.articulated_inertia_count = slots_;
   }
   std::vector<int> slots() && { return std::move(slot_); }
@@ -90,7 +90,7 @@ class TreeBuilder {
   }
 
   /// Branches end on the core in the order of the steps: as if it were one body more, which takes no work.
-  void plan() {
+  void plan(bool for_threads) {
     std::vector<int> step_of(slot_.size(), static_cast<int>(out_.steps.size()));
     for (std::size_t s = 0; s < out_.steps.size(); ++s) step_of[out_.steps[s].body] = static_cast<int>(s);
     EliminationTree tree{.parent = {}, .work = std::move(work_), .keeps = false};
@@ -103,7 +103,7 @@ class TreeBuilder {
       tree.parent.push_back(none);
       tree.work.push_back(0.0);
     }
-    out_.step_plan = plan_work(tree);
+    out_.step_plan = plan_work(tree, for_threads);
     const int count = static_cast<int>(out_.steps.size());
     for (Stage& stage : out_.step_plan.stages)
       for (Task& task : stage) {
@@ -147,8 +147,9 @@ class TreeBuilder {
 
 }  // namespace
 
-std::vector<int> eliminate_trees(const System& system, const PrunedLeaves& pruned, SymbolicFactorization& out) {
-  return TreeBuilder(system, pruned, out).slots();
+std::vector<int> eliminate_trees(const System& system, const PrunedLeaves& pruned, bool for_threads,
+                                 SymbolicFactorization& out) {
+  return TreeBuilder(system, pruned, for_threads, out).slots();
 }
 
 }  // namespace linkwork::block

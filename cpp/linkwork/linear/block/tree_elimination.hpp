@@ -9,6 +9,7 @@ namespace linkwork::block {
 
 /// Fills the steps of the open branches, leaf to root; returns the slot of the articulated inertia of each body that
 /// has one at their end (bodies of the core), else -1.
-std::vector<int> eliminate_trees(const System& system, const PrunedLeaves& pruned, SymbolicFactorization& out);
+std::vector<int> eliminate_trees(const System& system, const PrunedLeaves& pruned, bool for_threads,
+                                 SymbolicFactorization& out);
 
 }  // namespace linkwork::block

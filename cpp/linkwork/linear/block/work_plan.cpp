@@ -15,10 +15,10 @@ class Planner {
   explicit Planner(const EliminationTree& tree)
       : tree_(tree), n_(static_cast<int>(tree.parent.size())), below_(tree.work), first_(tree.parent.size()) {}
 
-  WorkPlan plan() {
+  WorkPlan plan(bool for_threads) {
     const double total = std::accumulate(tree_.work.begin(), tree_.work.end(), 0.0);
     const bool shared = total >= worth_sharing;
-    if (!shared || !add_up_subtrees())
+    if (!shared || !for_threads || !add_up_subtrees())
       return {.stages = {{{.ranges = {{0, n_, Handing::over}}, .work = total}}}, .shared = shared};
     most_ = total / parts;
     find_branches();
@@ -129,6 +129,6 @@ class Planner {
 
 }  // namespace
 
-WorkPlan plan_work(const EliminationTree& tree) { return Planner(tree).plan(); }
+WorkPlan plan_work(const EliminationTree& tree, bool for_threads) { return Planner(tree).plan(for_threads); }
 
 }  // namespace linkwork::block

@@ -36,7 +36,8 @@ struct EliminationTree {
 
 /// Subtrees for threads. It depends on the tree alone, so that each sum is made in one order whatever the number of
 /// threads: subtrees of at most a 64th of the work first, then the ways from there to the roots, branch by branch.
-/// Where the work is too little to be shared, or the order is another one, all of it is one task.
-WorkPlan plan_work(const EliminationTree& tree);
+/// Where the work is too little to be shared, or the order is another one, all of it is one task, and so for one thread:
+/// nothing is kept then that can be added at once, and the sums are the same.
+WorkPlan plan_work(const EliminationTree& tree, bool for_threads);
 
 }  // namespace linkwork::block
