@@ -7,6 +7,7 @@ import numpy as np
 from linkwork import Model
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.mechanisms.rods import square_rod
+from linkwork.modeling.shapes import Rod, Sphere
 from linkwork.rotation import from_axes, matrix
 
 ROD, SLIDER, BALL = 0.3, 3.0, 5.0  # masses [kg]
@@ -53,6 +54,9 @@ def flyball_governor() -> Model:
             orientation=orientation,
             velocity=np.cross(turn, center),
             omega=matrix(orientation).T @ turn,
+        )
+        arm.shape(
+            Rod((-out, 0, 0), (1 - out, 0, 0), 0.012), Sphere(0.07, position=(1 - out, 0, 0), color="#c9a227")
         )
         model.revolute(shaft, arm, at=hinge, axis=(0, 1, 0), name=f"{name} hinge")
         model.spring_damper(
