@@ -75,6 +75,8 @@ def tracked_chain(shoes: int = 200, speed: float = 1.0) -> Model:
 
     shoes  number of shoes, even, 40 or more
     speed  of the track [m/s]
+
+        model = lw.mechanisms.tracked_chain(shoes=60)
     """
     if shoes < 2 * ROUND or shoes % 2:
         raise ModelError(f"tracked_chain: shoes {shoes} is not an even number from {2 * ROUND}", code="count")
