@@ -70,7 +70,7 @@ class Shown:
         """The viewer; a picture for the overview and for paper comes first."""
         result, script = _results[page], Path(variables["src_file"])
         picture = Path(next(variables["image_path_iterator"]))
-        time = float(result.t[0] + 0.4 * (result.t[-1] - result.t[0]))
+        time = float(result.t[0] + 0.6 * (result.t[-1] - result.t[0]))
         imsave(picture, next(Painter(result, (800, 560)).pictures(np.array([time]))))
         made = Path(config["src_dir"]) / MADE
         made.mkdir(exist_ok=True)

@@ -166,7 +166,7 @@ PAGES = {
     "studies": Page(
         "Studies",
         "One mechanism in many variants.",
-        ("sweep", "Study"),
+        ("sweep", "Study", "linkwork.studies.page.Server", "linkwork.studies.pictures.Swing"),
     ),
     "ensembles": Page(
         "Ensembles",

@@ -21,6 +21,8 @@ ORTHONORMAL = 1e-3
 def matrix(p: ArrayLike) -> Floats:
     """A(p) (..., 3, 3) of unit Euler parameters p (..., 4).
 
+        x_axes = lw.rotation.matrix(result.body("rod").orientation)[..., 0]
+
     A = (2 e0^2 - 1) I + 2 (e e^T + e0 e~)
     """
     p = _vectors(p, 4, "p")
@@ -30,7 +32,11 @@ def matrix(p: ArrayLike) -> Floats:
 
 
 def about(axis: ArrayLike, angle: ArrayLike) -> Floats:
-    """Euler parameters (..., 4) of a turn by `angle` (...) [rad] about `axis` (..., 3), of any length."""
+    """
+    Euler parameters (..., 4) of a turn by `angle` (...) [rad] about `axis` (..., 3), of any length.
+
+        p = lw.rotation.about((0, 0, 1), np.pi / 2)
+    """
     half = array(angle, "rotation.about: angle", ModelError)[..., None] / 2
     if not np.isfinite(half).all():
         raise ModelError(f"rotation.about: angle {angle!r:.80} is not finite", code="not_finite")
@@ -41,6 +47,8 @@ def about(axis: ArrayLike, angle: ArrayLike) -> Floats:
 
 def from_matrix(A: ArrayLike) -> Floats:
     """Euler parameters (..., 4), e0 >= 0, of rotation matrices A (..., 3, 3).
+
+        p = lw.rotation.from_matrix(np.eye(3))
 
     4 p p^T follows from the entries of A; its longest column is the one to divide by (Shepperd 1978).
     """
@@ -63,7 +71,11 @@ def from_matrix(A: ArrayLike) -> Floats:
 
 
 def from_axes(x: ArrayLike, y: ArrayLike) -> Floats:
-    """Euler parameters (..., 4) of a body with its x axis along `x` (..., 3), its y axis nearest to `y`."""
+    """
+    Euler parameters (..., 4) of a body with its x axis along `x` (..., 3), its y axis nearest to `y`.
+
+        p = lw.rotation.from_axes(x=(0, 0, 1), y=(0, 1, 0))
+    """
     x = _unit(_vectors(x, 3, "from_axes: x"), "from_axes: x")
     z = _unit(np.cross(x, _vectors(y, 3, "from_axes: y")), "from_axes: x across y")
     return from_matrix(np.stack([x, np.cross(z, x), z], axis=-1))
@@ -71,6 +83,8 @@ def from_axes(x: ArrayLike, y: ArrayLike) -> Floats:
 
 def perpendicular(z: ArrayLike) -> Floats:
     """A unit vector (..., 3) perpendicular to each z (..., 3), always the same for the same z.
+
+        x = lw.rotation.perpendicular((0, 0, 1.0))
 
     The inertial axis that is farthest from z is projected; at a tie the first one.
     """
@@ -80,7 +94,11 @@ def perpendicular(z: ArrayLike) -> Floats:
 
 
 def between(a: ArrayLike, b: ArrayLike) -> Floats:
-    """The shortest rotation (..., 3, 3) that turns unit vectors a (..., 3) into b, not opposite to a."""
+    """
+    The shortest rotation (..., 3, 3) that turns unit vectors a (..., 3) into b, not opposite to a.
+
+        A = lw.rotation.between((1, 0, 0), (0, 1, 0))
+    """
     a, b = _vectors(a, 3, "between: a"), _vectors(b, 3, "between: b")
     if not np.isfinite(np.sum(a * b)):
         raise ModelError("rotation.between: a or b is not finite", code="not_finite")

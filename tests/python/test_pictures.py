@@ -8,7 +8,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.modeling.shapes import Shape
-from linkwork.view.appearance import body_color, default_shapes, solids
+from linkwork.view.appearance import at_least, body_color, default_shapes, solids
 from linkwork.view.camera import Camera
 from linkwork.view.movie import Painter
 from linkwork.view.raster import Raster
@@ -170,3 +170,24 @@ def test_of_many_bodies_neighbors_have_nearly_the_same_color() -> None:
     assert np.abs(np.diff(colors, axis=0)).max() <= 3
     assert np.abs(colors[0] - colors[-1]).max() > 60
     assert len({body_color(i, 8) for i in range(8)}) == 8
+
+
+def test_a_long_chain_is_more_than_a_hairline() -> None:
+    """Rods of 1/36 of a pixel are a line of some pixels, and none is left out."""
+    result = lw.simulate(lw.mechanisms.chain(1000), t_end=0.01, step=1e-3, progress=False)
+    picture = Painter(result, (640, 400)).picture(0.0).astype(int)
+    colored = np.ptp(picture, axis=-1) > 30
+    rows, columns = np.nonzero(colored)
+    assert np.ptp(columns) + 1 == len(set(columns)) > 400
+    assert np.median(colored.sum(axis=0)[columns.min() : columns.max()]) >= 3
+
+
+@pytest.mark.parametrize(
+    "shape", [lw.Box((1, 0.01, 2)), lw.Sphere(0.01), lw.Cylinder(0.01, 1), lw.Rod((0, 0, 0), (1, 0, 0), 0.01)]
+)
+def test_what_is_seen_from_afar_is_thick_enough_and_as_long_as_before(shape: Shape) -> None:
+    corners, _ = surface(at_least(shape, 0.1))
+    sides = np.ptp(corners.reshape(-1, 3), axis=0)
+    before = np.ptp(surface(shape)[0].reshape(-1, 3), axis=0)
+    assert sides == pytest.approx(np.maximum(before, 0.1), rel=0.02)
+    assert at_least(shape, 1e-3) is shape

@@ -2,8 +2,8 @@
 Newton's cradle
 ===============
 
-Five balls on pairs of threads, as close as they can hang. Contacts are Hertzian, with a little loss. The middle balls hardly move,
-and the last one carries the momentum away.
+Five balls on pairs of threads, half a millimeter apart, so that they meet one after the other. Contacts are Hertzian, with a little
+loss. The middle balls hardly move, and the last one carries the momentum away.
 """
 
 import numpy as np
@@ -12,16 +12,17 @@ from matplotlib.figure import Figure
 
 RADIUS, LENGTH = 0.02, 0.15
 model = lw.Model(name="Newton's cradle")
-places = 2 * RADIUS * np.arange(5)
+places = (2 * RADIUS + 0.5e-3) * np.arange(5)
 first = np.array([-LENGTH * np.sin(0.7), 0, LENGTH * (1 - np.cos(0.7))])  # pulled aside
 for number, x in enumerate(places):
-    name = f"ball {number}"
+    name, center = f"ball {number}", np.array([x, 0, -LENGTH]) + (first if number == 0 else 0)
+    threads = [lw.Rod((0, 0, 0), (x, y, 0) - center, radius=0.0007) for y in (-0.05, 0.05)]
     model.body(
         name,
         mass=0.26,
         inertia=[0.4 * 0.26 * RADIUS**2] * 3,
-        shape=lw.Sphere(RADIUS),
-        position=np.array([x, 0, -LENGTH]) + (first if number == 0 else 0),
+        shape=[lw.Sphere(RADIUS), *threads],
+        position=center,
     )
     model.revolute("ground", name, at=(x, 0, 0), axis=(0, 1, 0), name=f"threads {number}")
 for number in range(4):
@@ -47,4 +48,4 @@ ax = figure.subplots()
 for number in range(5):
     ax.plot(result.t, result.coordinate(f"threads {number}").value, label=f"ball {number}")
 ax.set(xlabel="time [s]", ylabel="angle [rad]")
-ax.legend(ncols=5, loc="upper center")
+figure.legend(ncols=5, loc="outside upper center")

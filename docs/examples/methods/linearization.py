@@ -50,4 +50,5 @@ ax.set(xlabel="time [s]", ylabel=f"{'xyz'[axis]} of the center [mm]")
 ax.legend()
 
 # %%
+# sphinx_gallery_thumbnail_number = 2
 view = released.view()

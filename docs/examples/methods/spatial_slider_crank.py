@@ -38,5 +38,6 @@ work = comparison.plot("work_precision")
 violation = comparison.plot("violation")
 
 # %%
+# sphinx_gallery_thumbnail_number = 3
 print(comparison.recommend(error=1e-3))
 view = lw.simulate(lw.mechanisms.spatial_slider_crank(), t_end=2.0, step=1e-3).view()

@@ -7,7 +7,7 @@ Links become bodies of the same names, joints keep their zero. What of the file 
 
 import linkwork as lw
 
-imported = lw.import_urdf("arm.urdf")
+imported = lw.import_urdf("arm.urdf", coordinates={"shoulder": -0.9, "elbow": 1.2})
 print(imported.model)
 for note in imported.notes:
     print("-", note)

@@ -57,4 +57,5 @@ print(
 coordinates = result.plot(kind="coordinates")
 
 # %%
+# sphinx_gallery_thumbnail_number = 2
 view = result.view()

@@ -17,7 +17,8 @@ ax = figure.subplots()
 for name in needed.drives:
     ax.plot(needed.t, needed.effort(name) / 1e3, label=name)
 ax.set(xlabel="time [s]", ylabel="force in the leg [kN]")
-ax.legend(ncols=3)
+figure.legend(ncols=3, loc="outside upper center")
 
 # %%
+# sphinx_gallery_thumbnail_number = 2
 view = needed.motion.view()

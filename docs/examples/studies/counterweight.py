@@ -62,4 +62,5 @@ axes.set(xlabel="counterweight [kg]", ylabel="largest shaking force [N]")
 axes.grid(color="0.9")
 
 # %%
+# sphinx_gallery_thumbnail_number = 2
 view = lw.simulate(build(best), **{**run, "t_end": 10 * turn}).view()

@@ -47,6 +47,7 @@ tornado = study.plot("tornado")
 # %%
 # Every case is there again, to the last bit: the one whose joint bears the most.
 
+# sphinx_gallery_thumbnail_number = 3
 worst = int(np.argmax(study.outputs["lower ball"]))
 print({name: float(values[worst].round(1)) for name, values in study.parameters.items()})
 view = study.simulate(worst).view()

@@ -99,12 +99,20 @@ class Verdict:
     verified: float | None = None
 
     def numbers(self) -> dict[str, Any]:
-        """As plain data, for files."""
+        """
+        As plain data, for files.
+
+            result.verdict.numbers()
+        """
         return {**vars(self), "steps": list(map(list, self.steps))}
 
     @classmethod
     def of(cls, numbers: Mapping[str, Any]) -> Verdict:
-        """The inverse of `numbers`."""
+        """
+        The inverse of `numbers`.
+
+            assert lw.Verdict.of(result.verdict.numbers()).sentence == result.verdict.sentence
+        """
         return cls(**{**numbers, "steps": tuple(itertools.starmap(StepEstimate, numbers["steps"]))})
 
 

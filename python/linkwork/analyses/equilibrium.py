@@ -74,7 +74,12 @@ class Equilibrium:
     _dynamics: _core.Dynamics = field(repr=False)
 
     def reaction(self, name: str) -> Reaction:
-        """Force and torque (3,) of a joint on its second body, inertial axes. ModelError: no joint."""
+        """Force and torque (3,) of a joint on its second body, inertial axes.
+
+            rest.reaction("pin").force
+
+        ModelError: no joint.
+        """
         core = self.model.compiled()
         joint = core.find_joint(name)
         if joint < 0:
@@ -84,7 +89,11 @@ class Equilibrium:
         return Reaction(force[joint], torque[joint])
 
     def reactions(self) -> Reaction:
-        """Of all joints: force and torque (J, 3)."""
+        """
+        Of all joints: force and torque (J, 3).
+
+            largest = np.linalg.norm(rest.reactions().force, axis=1).max()
+        """
         if not self.model.joint_count:
             return Reaction(np.zeros((0, 3)), np.zeros((0, 3)))
         q = np.array(self.model.compiled().q0)

@@ -49,7 +49,12 @@ class InverseDynamics:
         return self.motion.t
 
     def effort(self, name: str) -> Floats:
-        """Torque [N m] or force [N] (k,) of one driver on its second body. ModelError: no such driver."""
+        """Torque [N m] or force [N] (k,) of one driver on its second body.
+
+            torque = needed.effort("motor")
+
+        ModelError: no such driver.
+        """
         if name not in self.drives:
             raise ModelError(
                 f"no driver named {name!r}{nearest(str(name), self.drives)}", code="unknown_name"

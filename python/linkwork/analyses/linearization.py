@@ -102,13 +102,19 @@ class Linearization:
         return bool((self.eigenvalues.real <= 1e-6 * largest).all())
 
     def describe(self, mode: int) -> str:
-        """The largest part of a mode in words: `body 'rod' turns about (0, 1, 0)`."""
+        """
+        The largest part of a mode in words: `body 'rod' turns about (0, 1, 0)`.
+
+            print(vibration.describe(0))
+        """
         shape = self.shapes[mode].ravel()
         turned = shape * np.exp(-1j * np.angle(shape[np.argmax(np.abs(shape))]))
         return self._equations.motion(turned.real)
 
     def displaced(self, mode: int, amplitude: float, phase: float = 0.0) -> Model:
         """The model in a pose of a mode: q displaced by amplitude Re(shape exp(i phase)), for pictures.
+
+            start = lw.assemble(vibration.displaced(0, 0.01)).model
 
         `lw.assemble(...)` makes it exact where the amplitude is large.
         """

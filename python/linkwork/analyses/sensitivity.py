@@ -34,7 +34,12 @@ class Sensitivity:
     runs: int
 
     def relative(self, output: str, parameter: str) -> Floats:
-        """(dy / y) / (dp / p), without unit; infinite where the output is zero. ModelError: no such names."""
+        """(dy / y) / (dp / p), without unit; infinite where the output is zero.
+
+            found.relative("height", "length")
+
+        ModelError: no such names.
+        """
         for name, known in ((output, self.derivatives), (parameter, self.parameters)):
             if name not in known:
                 raise ModelError(

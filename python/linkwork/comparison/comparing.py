@@ -60,6 +60,9 @@ def compare(
 ) -> Comparison:  # Long: 18 lines are its arguments.
     """Simulate a model by many methods, in parallel processes, and measure the error of each.
 
+        comparison = lw.compare(model, t_end=0.1, steps=[2e-3, 1e-3], integrators=["rk4", "euler"])
+        print(comparison)
+
     model           a Model, or the name of a mechanism in linkwork.mechanisms
     t_end           [s]; None: what the mechanism recommends
     formulations, stabilizations, integrators, linear_solvers

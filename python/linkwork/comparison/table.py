@@ -64,7 +64,11 @@ class Comparison:
         return found
 
     def rows(self) -> list[dict[str, Any]]:
-        """The table: the figures of each cell, and its observed orders."""
+        """
+        The table: the figures of each cell, and its observed orders.
+
+            fewest = min(comparison.rows(), key=lambda row: row["evaluations"])
+        """
         orders, noise = self._orders(), self._noise()
         asymptotic = self.orders()
         return [
@@ -81,6 +85,9 @@ class Comparison:
     def orders(self, error: str = "pose_error") -> dict[str, float | None]:
         """The order of each method as steps go to zero, by label; None where nothing shows it.
 
+            for label, order in comparison.orders("velocity_error").items():
+                print(label, order)
+
         Observed early in the motion and with smaller steps than those of the table, see
         linkwork.comparison.order. OptionError: no such error.
         """
@@ -96,6 +103,8 @@ class Comparison:
     def cost(self, outcome: Outcome) -> float | None:
         """Time that a cell takes [s]: its evaluations by the least time of one in any cell of its method.
 
+            seconds = [comparison.cost(outcome) for outcome in comparison.outcomes]
+
         The wall time of a short run says as much about the moment as about the method; evaluations are
         counted, and the more steps of a method there are, the more of them.
         """
@@ -105,18 +114,28 @@ class Comparison:
         return outcome.evaluations * min(float(it.seconds or 0.0) / (it.evaluations or 1) for it in cells)
 
     def known_error(self, outcome: Outcome, error: str) -> float | None:
-        """No smaller than that of the reference, which cannot tell smaller ones apart."""
+        """
+        No smaller than that of the reference, which cannot tell smaller ones apart.
+
+            error = comparison.known_error(comparison.outcomes[0], "pose_error")
+        """
         value = getattr(outcome, error)
         own = (self.reference.error or {}).get(error, 0.0)
         return None if value is None else max(float(value), 0.0 if math.isnan(own) else own)
 
     def is_noise(self, outcome: Outcome, error: str) -> bool:
-        """Whether the error is within ABOVE_REFERENCE times the reference's own: no order follows from it."""
+        """
+        Whether the error is within ABOVE_REFERENCE times the reference's own: no order follows from it.
+
+            noise = [it.label for it in comparison.outcomes if comparison.is_noise(it, "pose_error")]
+        """
         value = getattr(outcome, error)
         return value is not None and self.reference.error is not None and value <= self._floor(error)
 
     def recommend(self, error: float = 1e-3, of: str = "state_error", by: str = "seconds") -> str:
         """One sentence: the cheapest of these cells whose error is no larger, from the measured table.
+
+            print(comparison.recommend(error=1e-3, by="evaluations"))
 
         of  "state_error", "pose_error", "velocity_error" or "reaction_error"
         by  "seconds" (see `cost`), "evaluations" or "factorizations"
@@ -180,13 +199,22 @@ class Comparison:
         return page.cell(self)
 
     def to_frame(self) -> pandas.DataFrame:
-        """The table as a pandas.DataFrame. OptionError: pandas is not installed; `rows` needs nothing."""
+        """The table as a pandas.DataFrame.
+
+            comparison.to_frame().sort_values("evaluations")
+
+        OptionError: pandas is not installed; `rows` needs nothing.
+        """
         package = optional_package("pandas", "pandas", "to_frame", instead="rows() needs nothing")
         found: pandas.DataFrame = package.DataFrame(self._flat_rows())
         return found
 
     def to_csv(self, path: str | os.PathLike[str] | None = None) -> str:
-        """The table as CSV, also written to `path`. FileError."""
+        """
+        The table as CSV, also written to `path`. FileError.
+
+            comparison.to_csv("methods.csv")
+        """
         out = io.StringIO()
         rows = self._flat_rows()
         writer = csv.DictWriter(out, list(rows[0]) if rows else [], lineterminator="\n")
@@ -195,7 +223,11 @@ class Comparison:
         return _written(out.getvalue(), path)
 
     def to_json(self, path: str | os.PathLike[str] | None = None) -> str:
-        """Everything, the curves over time too, as JSON, also written to `path`. FileError."""
+        """
+        Everything, the curves over time too, as JSON, also written to `path`. FileError.
+
+            comparison.to_json("methods.json")
+        """
         document = {**self.document(), "cells": [
             {**row, "curves": it.curves and asdict(it.curves)}
             for row, it in zip(self.rows(), self.outcomes, strict=True)
@@ -203,13 +235,19 @@ class Comparison:
         return _written(json.dumps(_plain(document), indent=1, allow_nan=False) + "\n", path)
 
     def to_html(self, path: str | os.PathLike[str] | None = None) -> str:
-        """A page that needs nothing but a browser: table, pictures, definitions; also written to `path`."""
+        """
+        A page that needs nothing but a browser: table, pictures, definitions; also written to `path`.
+
+            comparison.to_html("methods.html")
+        """
         from linkwork.comparison import page
 
         return _written(page.page(self), path)
 
     def plot(self, kind: str = "work_precision", path: str | os.PathLike[str] | None = None) -> Figure:
         """A picture, also written to `path`: "work_precision", "order", "violation", "energy" or "error".
+
+            comparison.plot("work_precision", "methods.png")
 
         OptionError: no such kind. FileError.
         """
@@ -218,7 +256,11 @@ class Comparison:
         return plots.plot(self, kind, path)
 
     def document(self) -> dict[str, Any]:
-        """The table and what it rests on, as data."""
+        """
+        The table and what it rests on, as data.
+
+            cells = comparison.document()["cells"]
+        """
         return {
             "model": self.manifest.get("model"),
             "t_end": self.t_end,

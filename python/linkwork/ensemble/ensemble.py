@@ -111,11 +111,20 @@ class Ensemble:
         return {name: np.array(values) for name, values in self._members.columns.items()}
 
     def model(self, number: int) -> Model:
-        """Of one member. OptionError: there is no such member. What its building raises."""
+        """Of one member.
+
+            heaviest = ensemble.model(2)
+
+        OptionError: there is no such member. What its building raises.
+        """
         return self._members.model(whole_number(number, len(self)))
 
     def single(self, number: int, t_end: float, step: float | None = None, **arguments: Any) -> Result:
-        """One member by itself, `simulate(model, ..., deterministic=True)`: the same bits, with a verdict."""
+        """
+        One member by itself, `simulate(model, ..., deterministic=True)`: the same bits, with a verdict.
+
+            print(ensemble.single(0, 0.1, step=1e-3).verdict)
+        """
         return simulate(self.model(number), t_end, step, **{"deterministic": True, **arguments})
 
     def simulate(
@@ -132,6 +141,8 @@ class Ensemble:
         **options: Any,
     ) -> EnsembleResult:
         """Simulate all members from t = 0 to `t_end` [s].
+
+            many = ensemble.simulate(0.1, step=1e-3, outputs=["body('rod').position.z.min"])
 
         step          [s] fixed
         integrator    as of `simulate`; None: "rk4"

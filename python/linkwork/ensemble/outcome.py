@@ -96,7 +96,12 @@ class EnsembleResult:
         return self.trajectories[name]
 
     def member(self, number: int) -> Result:
-        """The motion of one that finished. OptionError: there is none, or outputs were kept instead."""
+        """The motion of one that finished.
+
+            many.member(1).plot()
+
+        OptionError: there is none, or outputs were kept instead.
+        """
         k = whole_number(number, len(self))
         if k not in self.results:
             why = self.errors.get(k, {}).get("message", "outputs were kept instead of motions")
@@ -106,6 +111,8 @@ class EnsembleResult:
     def to_xarray(self) -> xarray.Dataset:
         """A data set of xarray over "member" and "time": parameters, status and why as coordinates, motions
         or outputs as variables, units as attributes, the manifest as text.
+
+            many.to_xarray().q.mean("member")
 
         OptionError: xarray is not installed.
         """

@@ -71,7 +71,11 @@ class System:
         self._dynamics = _core.Dynamics(model.compiled(), compile_options(options))
 
     def compiled(self) -> _core.Dynamics:
-        """The same system in the compiled module."""
+        """
+        The same system in the compiled module.
+
+            rows = lw.System(model).compiled()
+        """
         return self._dynamics
 
     @property
@@ -84,7 +88,11 @@ class System:
         }
 
     def initial_state(self) -> Floats:
-        """y (13n,) at t = 0, as described in the model."""
+        """
+        y (13n,) at t = 0, as described in the model.
+
+            y = lw.System(model).initial_state()
+        """
         state: Floats = self._dynamics.initial_state()
         return state
 
@@ -97,6 +105,9 @@ class System:
     def advance_history(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:
         """What the history (h,) becomes where the state y (13n,) at t [s] is accepted as the end of a step.
 
+            system = lw.System(model)
+            history = system.advance_history(0.0, system.initial_state())
+
         OptionError: another number of variables.
         """
         state = np.asarray(y, dtype=float)
@@ -106,6 +117,11 @@ class System:
 
     def derivative(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:
         """y_dot (13n,) at t [s], continuous stabilization included; the Euler parameters need not be unit.
+
+            system = lw.System(model)
+            y = system.initial_state()
+            for k in range(100):
+                y = y + 1e-4 * system.derivative(1e-4 * k, y)  # explicit Euler
 
         history  (h,) at the last accepted state; None: of the initial state, or, in an integrator of your own
                  that `simulate` runs, at the beginning of the step
@@ -122,13 +138,20 @@ class System:
     ) -> tuple[Floats, Floats]:
         """(v_dot (6n,), multipliers (m,)) of the mechanism itself, without stabilization.
 
+            system = lw.System(model, formulation="augmented_lagrangian")
+            v_dot, multipliers = system.accelerations(0.0, result.q[-1], result.v[-1])
+
         t [s], q (n, 7) or (7n,), v (n, 6) or (6n,). OptionError: another shape, no numbers, no finite time.
         """
         v_dot, multipliers = self._dynamics.accelerations(*self._moment(t, q, v), _given(history))
         return v_dot, multipliers
 
     def evaluate(self, t: float, q: ArrayLike, v: ArrayLike, history: ArrayLike | None = None) -> Evaluation:
-        """The terms of the equations of motion at one state, which is given as in `accelerations`."""
+        """
+        The terms of the equations of motion at one state, which is given as in `accelerations`.
+
+            found = lw.System(model).evaluate(0.0, result.q[-1], result.v[-1])
+        """
         found = self._dynamics.evaluate(*self._moment(t, q, v), _given(history))
         D = found.pop("D")
         return Evaluation(D=(D["data"], D["indices"], D["indptr"]), **found)

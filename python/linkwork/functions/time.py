@@ -227,6 +227,9 @@ def with_breaks(function: TimeFunctionLike, breaks: ArrayLike) -> TimeFunction:
     such a step may miss a pulse altogether. `polynomial`, `cycloidal`, `table` and the like know their own.
     In an `expression` it is what is under sqrt or a broken power that becomes zero, as in sqrt((t - 1)**2).
     ModelError: no function of time, times that are not finite.
+
+        pulse = lw.functions.with_breaks(lambda t: 5.0 if 1.0 <= t < 1.001 else 0.0, breaks=(1.0, 1.001))
+        model.force("rod", force=(0, 0, pulse))
     """
     given = as_time_function(function, "with_breaks: function")
     whole = given if isinstance(given, TimeFunction) else Polynomial((given,))
@@ -266,7 +269,11 @@ def _is_function(x: Any) -> bool:
 
 
 def constant(value: float) -> TimeFunction:
-    """f(t) = value. A plain number does the same."""
+    """
+    f(t) = value. A plain number does the same.
+
+        model.drive("motor pin", velocity=lw.functions.constant(2.0))
+    """
     return Polynomial((_finite(value, "constant: value"),))
 
 
@@ -274,6 +281,8 @@ def polynomial(*coefficients: float) -> TimeFunction:
     """f(t) = c_0 + c_1 t + c_2 t^2 + ..., t in s.
 
     ModelError: no coefficient, or one that is not finite.
+
+        model.drive("motor pin", position=lw.functions.polynomial(0, 2.0, 0.5))
     """
     if not coefficients:
         raise ModelError("polynomial: needs at least one coefficient", code="time_function")
@@ -284,6 +293,8 @@ def harmonic(amplitude: float, frequency: float, phase: float = 0.0, offset: flo
     """f(t) = offset + amplitude sin(frequency t + phase); frequency in rad/s, phase in rad.
 
     ModelError: a value that is not finite.
+
+        model.drive("motor pin", position=lw.functions.harmonic(amplitude=0.1, frequency=2.0))
     """
     values = {"amplitude": amplitude, "frequency": frequency, "phase": phase, "offset": offset}
     return Harmonic(**{name: _finite(value, f"harmonic: {name}") for name, value in values.items()})
@@ -293,6 +304,8 @@ def cycloidal(rise: float, duration: float, start: float = 0.0) -> TimeFunction:
     """The cycloidal motion of cams: up by `rise` from `start` [s] on within `duration` [s], else at rest.
 
     f = rise (s - sin(2 pi s) / 2 pi), s = (t - start) / duration. ModelError: a duration not positive.
+
+        model.drive("motor pin", position=lw.functions.cycloidal(rise=0.5, duration=2.0))
     """
     values = {"rise": rise, "start": start, "duration": duration}
     checked = {name: _finite(value, f"cycloidal: {name}") for name, value in values.items()}
@@ -309,6 +322,8 @@ def expression(text: str) -> TimeFunction:
     sqrt((t - 1)**2) at 1 s, say so by `with_breaks`: it is not known in advance. It runs in Python: what
     `polynomial`, `harmonic`, `cycloidal` and `table` can say is much faster by them.
     ModelError: anything else, or no finite value at t = 0.
+
+        model.drive("motor pin", position=lw.functions.expression("0.3 * sin(2*pi*t)**2"))
     """
     from linkwork.functions.expressions import Formula
 
@@ -338,6 +353,8 @@ def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
     Twice continuously differentiable, with not-a-knot ends: two samples make a line, three a parabola. It is
     defined between the first and the last time only: a run that goes beyond is refused.
     ModelError: fewer than two samples, unequal lengths, times not increasing, values not finite.
+
+        model.drive("motor pin", position=lw.functions.table([0, 1, 2, 3], [0, 0.1, 0.4, 0.5]))
     """
     breaks, samples = (
         array(x, f"table: {what}", ModelError).copy() for x, what in ((t, "t"), (values, "values"))
@@ -354,6 +371,8 @@ def piecewise_polynomial(breaks: ArrayLike, coefficients: ArrayLike) -> TimeFunc
     coefficients (k, any number): a row c_i for each interval, ascending powers. It is defined between the
     first and the last time only. ModelError: breaks that do not increase, no row for each interval, not
     finite.
+
+        rise = lw.functions.piecewise_polynomial([0, 1, 2], [[0, 0, 1], [1, 2, 0]])
     """
     times = array(breaks, "piecewise_polynomial: breaks", ModelError).copy()
     rows = array(coefficients, "piecewise_polynomial: coefficients", ModelError).copy()
@@ -372,6 +391,8 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
     """What may be given for a quantity of time: a number stays a number, the rest becomes a TimeFunction.
 
     `what` names the quantity in messages. ModelError: anything else, or no finite value at t = 0.
+
+        angle = lw.functions.as_time_function(lambda t: 0.1 * t**2, "angle")
     """
     if isinstance(x, TimeFunction):
         return x

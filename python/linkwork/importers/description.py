@@ -41,7 +41,12 @@ class Imported:
     notes: Sequence[Note]
 
     def warn(self) -> None:
-        """One LinkworkWarning that counts the notes by their topics, where there are any."""
+        """
+        One LinkworkWarning that counts the notes by their topics, where there are any.
+
+            imported = lw.import_urdf("arm.urdf")
+            imported.warn()
+        """
         if not self.notes:
             return
         topics = Counter(note.topic for note in self.notes)

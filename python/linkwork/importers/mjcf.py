@@ -43,6 +43,8 @@ SAME_POINT, PARALLEL = 1e-12, 1e-9
 def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imported:
     """The model in an MJCF file: bodies, joints, springs, damping, armature; equalities connect, weld, joint.
 
+        model = lw.import_mjcf("arm.xml", coordinates={"elbow": -0.8}).model
+
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
     keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. Coordinates
     are those of MuJoCo, zero or `ref` in the file's pose; flags that disable gravity, equalities, springs,

@@ -65,6 +65,8 @@ def import_sdf(
 ) -> Imported:
     """The mechanism in an SDF file, with its closed loops, at the poses of its links or at `coordinates`.
 
+        model = lw.import_sdf("arm.sdf", search_path="models").model
+
     search_path  a folder or several where models of other files are looked for, and meshes: model://arm is
                  the folder or file arm in one of them or beside the file; a path is relative to the file, or
                  to one of them. What an <include> means must be in these folders; nothing is downloaded

@@ -57,6 +57,8 @@ def import_urdf(
 ) -> Imported:
     """The robot in a URDF file, at joint coordinates zero or at `coordinates`.
 
+        model = lw.import_urdf("arm.urdf", coordinates={"elbow": -0.8}, limits="stops").model
+
     search_path  a folder or several where meshes are looked for: package://name/... is in a folder of that
                  name in one of them or of ROS_PACKAGE_PATH, or around the file
 

@@ -43,7 +43,12 @@ METHODS: dict[str, Integrator] = {
 
 
 def named(name: str) -> Integrator:
-    """The method with this name. OptionError: there is none."""
+    """The method with this name.
+
+        assert lw.integrators.named("rk4").order == 4
+
+    OptionError: there is none.
+    """
     if name not in METHODS:
         raise OptionError(
             f"integrator '{name}' does not exist{nearest(name, METHODS)}", code="unknown_option"

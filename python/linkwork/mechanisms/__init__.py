@@ -53,7 +53,12 @@ MECHANISMS: dict[str, Mechanism] = {
 
 
 def named(name: str) -> Mechanism:
-    """The mechanism of this name, or in the file of this name. OptionError: no such mechanism. FileError."""
+    """The mechanism of this name, or in the file of this name.
+
+        model = lw.mechanisms.named("chain").function(10)
+
+    OptionError: no such mechanism. FileError.
+    """
     if name in MECHANISMS:
         return MECHANISMS[name]
     if is_file(name):

@@ -43,6 +43,8 @@ def andrews() -> Model:
     Bodies of some grams and millimeters, accelerated by 10 000 rad/s2: "rk4" with a step of 10 us keeps
     angles to 1e-9, velocities to 1e-7 and reactions to 1e-5 at t = 0.03 s, relative. More digits, in less
     time: "dop853" with rtol = atol = 1e-12.
+
+        model = lw.mechanisms.andrews()
     """
     model = Model(gravity=(0, 0, 0), name="andrews")
     F = ORIGIN + 0.007 * _along(BETA)

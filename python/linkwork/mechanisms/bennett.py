@@ -55,6 +55,8 @@ def bennett(speed: float = 6.0) -> Model:
     Dimensions our own.
 
     speed  of the crank at the start [rad/s]
+
+        model = lw.mechanisms.bennett()
     """
     model = Model(gravity=(0, 0, -9.81), name="bennett")
     points, axes = hinges(START)

@@ -30,6 +30,8 @@ def binary_tree(bodies: int = 15, joint: str = "revolute") -> Model:
 
     bodies  number of rods
     joint   between the rods: revolute (about the horizontal across the rod) or spherical
+
+        model = lw.mechanisms.binary_tree(7)
     """
     at_least(1, bodies, "binary_tree: bodies")
     if joint not in JOINTS:

@@ -22,6 +22,8 @@ def bricard() -> Model:
     Five rods of 1 m and 1 kg with square section of 0.1 m and the ground are joined by six revolutes. 30
     equations on 30 coordinates leave one degree of freedom, because one of them is redundant. Gravity along
     -y. With "rk4" and a step of 1 ms the end of the second rod keeps its place to 1e-8 m for 10 s.
+
+        model = lw.mechanisms.bricard()
     """
     model = Model(gravity=(0, -9.81, 0), name="bricard")
     inertia = square_rod(mass=1.0, length=1.0, side=0.1)

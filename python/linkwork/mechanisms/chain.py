@@ -28,6 +28,8 @@ def chain(bodies: int = 10, joint: str = "revolute") -> Model:
 
     bodies  number of links
     joint   between the links: revolute (about y), spherical or universal
+
+        model = lw.mechanisms.chain(10)
     """
     at_least(1, bodies, "chain: bodies")
     if not is_one_of(joint, AXES):

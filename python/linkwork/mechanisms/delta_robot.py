@@ -57,6 +57,8 @@ def delta_robot(driven: bool = True, amplitude: float = 0.4, rate: float = 6.0) 
     driven     motors turn the arms; otherwise they are free, and the platform falls
     amplitude  of the arms [rad], up to 0.6
     rate       of the arms [rad/s]
+
+        model = lw.mechanisms.delta_robot()
     """
     model = Model(gravity=(0, 0, -9.81), name="delta_robot")
     center = tool_position(np.full(3, START))

@@ -47,6 +47,8 @@ def double_wishbone(amplitude: float = 0.02, rate: float = 8.0) -> Model:
 
     amplitude  of the post [m], up to 0.05
     rate       of the post [rad/s]
+
+        model = lw.mechanisms.double_wishbone()
     """
     model = Model(gravity=(0, 0, -G), name="double_wishbone")
     chassis = model.body("chassis", mass=CHASSIS, inertia=(100.0, 100.0, 150.0), position=(-0.04, 0, 0.4))

@@ -20,6 +20,8 @@ def four_bar(n: int = 1) -> Model:
     "rk4" and a step of 1 ms the tops keep their place through these poses to 1e-8 m for 10 s.
 
     n  number of loops
+
+        model = lw.mechanisms.four_bar(3)
     """
     at_least(1, n, "four_bar: n")
     model = Model(gravity=(0, -9.81, 0), name="four_bar")

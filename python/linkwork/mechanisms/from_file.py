@@ -16,12 +16,20 @@ __all__ = ["is_file", "is_model_file", "mechanism_of_file"]
 
 
 def is_file(name: str) -> bool:
-    """Whether a word means a file: it has an extension or a folder. Names of mechanisms have neither."""
+    """
+    Whether a word means a file: it has an extension or a folder. Names of mechanisms have neither.
+
+        assert lw.mechanisms.is_file("crank.yaml")
+    """
     return bool(PurePath(name).suffix) or os.sep in name
 
 
 def is_model_file(name: str) -> bool:
-    """Whether the extension is that of a file with a model, such as .yaml or .urdf; results have another."""
+    """
+    Whether the extension is that of a file with a model, such as .yaml or .urdf; results have another.
+
+        assert lw.mechanisms.is_model_file("crank.yaml")
+    """
     from linkwork import importers
     from linkwork.modeling import files
 

@@ -48,6 +48,8 @@ def gyroscope(spin: float = 100.0, tilt: float = 1.0) -> Model:
 
     spin  angular velocity of the rotor about its axis [rad/s]
     tilt  of the axis from the vertical [rad], from 0.3 to 2.8
+
+        model = lw.mechanisms.gyroscope()
     """
     if not 0.3 <= tilt <= 2.8:
         raise ModelError(f"gyroscope: tilt {tilt} rad is not from 0.3 to 2.8", code="tilt")

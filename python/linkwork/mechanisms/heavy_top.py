@@ -13,6 +13,8 @@ def heavy_top() -> Model:
 
     Benchmark of Bruels, Cardona and Arnold (2012), Mech. Mach. Theory 48, 121-137: 15 kg, the center of
     mass 1 m from the point, at (0, 1, 0) at the start; gravity along -z.
+
+        model = lw.mechanisms.heavy_top()
     """
     model = Model(gravity=(0, 0, -9.81), name="heavy_top")
     center, omega = np.array([0.0, 1.0, 0.0]), np.array([0.0, 150.0, -4.61538])

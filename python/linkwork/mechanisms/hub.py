@@ -27,6 +27,8 @@ def hub(arms: int = 8, loops: bool = False) -> Model:
 
     arms   number of arms; with loops three or more
     loops  join neighboring tips
+
+        model = lw.mechanisms.hub(6)
     """
     at_least(3 if loops else 1, arms, "hub with loops: arms" if loops else "hub: arms")
     model = Model(gravity=(0, 0, -9.81), name="hub")

@@ -25,6 +25,8 @@ def net(n: int = 10) -> Model:
     equation is redundant. Gravity along -z.
 
     n  nodes on a side, three or more
+
+        model = lw.mechanisms.net(4)
     """
     at_least(3, n, "net: n")
     model = Model(gravity=(0, 0, -9.81), name="net")

@@ -11,6 +11,8 @@ def pendulum() -> Model:
 
     1 kg at a distance of 1 m from the origin, released at rest from x = -1 m; gravity along -y. With "rk4"
     and a step of 1 ms it keeps its place to 1e-8 m for 10 s.
+
+        model = lw.mechanisms.pendulum()
     """
     model = Model(gravity=(0, -9.81, 0), name="pendulum")
     start = (-1, 0, 0)

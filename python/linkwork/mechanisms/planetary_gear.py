@@ -36,6 +36,8 @@ def planetary_gear(
     engine     torque on the carrier [N m]
     generator  torque on the sun [N m]
     road       torque that holds the ring back [N m]
+
+        model = lw.mechanisms.planetary_gear()
     """
     at_least(1, planets, "planetary_gear: planets")
     if planets not in (1, 2, 3, 4, 6):

@@ -12,6 +12,8 @@ def rod_pendulum() -> Model:
 
     1 kg, 1 m, along +x from the pin at the origin; gravity along -y. With theta the angle from the downward
     vertical, the pin pulls with 5/2 m g cos(theta) along the rod and m g sin(theta) / 4 across it.
+
+        model = lw.mechanisms.rod_pendulum()
     """
     model = Model(gravity=(0, -9.81, 0), name="rod_pendulum")
     rod = model.body("rod", mass=1.0, inertia=thin_rod(mass=1.0, length=1.0), position=(0.5, 0, 0))

@@ -8,7 +8,11 @@ __all__ = ["square_rod", "thin_rod"]
 
 
 def square_rod(mass: Number, length: Number, side: Number) -> tuple[float, float, float]:
-    """Principal moments [kg m2] of a rod of square section: m s^2 / 6, m (l^2 + s^2) / 12 twice."""
+    """
+    Principal moments [kg m2] of a rod of square section: m s^2 / 6, m (l^2 + s^2) / 12 twice.
+
+        model.body("bar", mass=0.3, inertia=lw.mechanisms.square_rod(0.3, length=1.0, side=0.01))
+    """
     across = float(mass * (length**2 + side**2) / 12)
     return float(mass * side**2 / 6), across, across
 
@@ -17,6 +21,8 @@ def thin_rod(mass: Number, length: Number) -> tuple[float, float, float]:
     """Principal moments [kg m2] of a rod in plane motion: m l^2 / 12 twice.
 
     The moment about its own axis, which the motion never feels, is not zero: the mass matrix stays regular.
+
+        model.body("bar", mass=0.3, inertia=lw.mechanisms.thin_rod(0.3, length=1.0))
     """
     across = float(mass * length**2 / 12)
     return across / 100, across, across

@@ -23,6 +23,8 @@ def rolling_disc(tilt: float = 0.5, spin: float = 18.0, yaw: float = 6.0) -> Mod
     tilt  of the disc's plane from the vertical at the start [rad], below 1.3
     spin  about the disc's axis at the start, against the frame that yaws [rad/s]
     yaw   about the vertical at the start [rad/s]
+
+        model = lw.mechanisms.rolling_disc()
     """
     if not abs(tilt) <= 1.3:
         raise ModelError(f"rolling_disc: tilt {tilt} rad is not between -1.3 and 1.3", code="tilt")

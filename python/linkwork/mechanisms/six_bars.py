@@ -57,6 +57,8 @@ def watt_six_bar(mode: int = 1, speed: float = 12.0) -> Model:
 
     mode   of assembly, 1 to 4: first loop left or right, second loop left or right
     speed  of the crank at the start [rad/s]
+
+        model = lw.mechanisms.watt_six_bar()
     """
     links = {"coupler": "BC", "rocker": "DCE", "rod": "EF", "output": "GF"}
     joints = ("B crank coupler", "C coupler rocker", "D ground rocker", "E rocker rod")
@@ -72,6 +74,8 @@ def stephenson_six_bar(mode: int = 1, speed: float = 12.0) -> Model:
 
     mode   of assembly, 1 to 4: first loop left or right, second loop left or right
     speed  of the crank at the start [rad/s]
+
+        model = lw.mechanisms.stephenson_six_bar()
     """
     links = {"coupler": "BCE", "rocker": "DC", "rod": "EF", "output": "GF"}
     joints = ("B crank coupler", "C coupler rocker", "D ground rocker", "E coupler rod")

@@ -26,6 +26,8 @@ def spatial_slider_crank(speed: float = 6.0) -> Model:
     the bearing of the crank. 17 equations, one degree of freedom; gravity along -z.
 
     speed  of the crank at the start [rad/s]
+
+        model = lw.mechanisms.spatial_slider_crank()
     """
     model = Model(gravity=(0, 0, -9.81), name="spatial_slider_crank")
     pin_velocity = np.cross(speed * X, PIN - BEARING)

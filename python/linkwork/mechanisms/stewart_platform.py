@@ -49,6 +49,8 @@ def stewart_platform(driven: bool = True, amplitude: float = 0.15, rate: float =
     driven     legs follow their strokes; otherwise they are free, and the platform sinks
     amplitude  of the strokes [m], up to 0.5
     rate       of the strokes [rad/s]
+
+        model = lw.mechanisms.stewart_platform()
     """
     model = Model(gravity=(0, 0, -9.81), name="stewart_platform")
     lower, upper = base_points(), platform_points() + np.array([0.0, 0.0, HEIGHT])

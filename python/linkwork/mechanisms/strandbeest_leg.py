@@ -44,6 +44,8 @@ def strandbeest_leg(speed: float = -6.0) -> Model:
     42 coordinates. Gravity along -y.
 
     speed  of the crank [rad/s]; negative ones walk along +x
+
+        model = lw.mechanisms.strandbeest_leg()
     """
     model = Model(gravity=(0, -9.81, 0), name="strandbeest_leg")
     p = leg_points(0.0)

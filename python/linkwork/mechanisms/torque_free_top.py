@@ -11,6 +11,8 @@ def torque_free_top() -> Model:
 
     Moments (2, 2, 1) kg m2, at first turning with (0.3, 0, 1) rad/s in body axes, where the angular velocity
     goes round the axis of symmetry with (1/2 - 1) 1 rad/s.
+
+        model = lw.mechanisms.torque_free_top()
     """
     model = Model(gravity=(0, 0, 0), name="torque_free_top")
     model.body("top", mass=1.0, inertia=(2.0, 2.0, 1.0), omega=(0.3, 0.0, 1.0))

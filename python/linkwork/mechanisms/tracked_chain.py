@@ -13,12 +13,14 @@ from linkwork.functions import polynomial
 from linkwork.mechanisms.mechanism import Mechanism
 from linkwork.modeling.contact import contact_hysteresis
 from linkwork.modeling.handles import Body, Range
+from linkwork.modeling.shapes import Box, Cylinder
 
 AXIS = np.array([0.0, 0.0, 1.0])  # of all pins, wheels and rollers
 
 PITCH, SHOE = 0.154, 18.02  # of a shoe [m], [kg]
 SHOE_INERTIA = (0.22, 0.25, 0.04)  # along the track, across it, along the pins (z) [kg m2]
 PIN = 0.015  # radius of what presses on the wheels [m]
+WIDTH = 0.38  # of the shoes, as they are drawn [m]
 
 ROUND = 20  # shoes on a full turn of a wheel
 PITCH_RADIUS = PITCH / 2 / np.sin(np.pi / ROUND)
@@ -73,6 +75,8 @@ def tracked_chain(shoes: int = 200, speed: float = 1.0) -> Model:
 
     shoes  number of shoes, even, 40 or more
     speed  of the track [m/s]
+
+        model = lw.mechanisms.tracked_chain(shoes=60)
     """
     if shoes < 2 * ROUND or shoes % 2:
         raise ModelError(f"tracked_chain: shoes {shoes} is not an even number from {2 * ROUND}", code="count")
@@ -81,7 +85,18 @@ def tracked_chain(shoes: int = 200, speed: float = 1.0) -> Model:
     track = _shoes(model, points, idler_center, speed / PITCH_RADIUS)
     _wheels(model, track, points, idler_center, speed / PITCH_RADIUS)
     _rollers(model, track, points, idler_center[0], speed)
+    _show(model, track)
     return model
+
+
+def _show(model: Model, track: Range[Body]) -> None:
+    """What the bodies look like: plates in front of and behind the pins, discs between them."""
+    plate = Box((0.92 * PITCH, 0.05, WIDTH), position=(0, -0.02, 0))
+    model.shape(track, plate, Box((0.2 * PITCH, 0.05, 0.6 * WIDTH), position=(0, -0.07, 0)))
+    for name, mark in (("wheel", "#d9b36c"), ("idler", "#b9c4d0")):
+        spoke = Box((1.6 * WHEEL_RADIUS, 0.12, 0.5 * WIDTH + 0.02), color="#5b6570")
+        model.find(name).shape(Cylinder(WHEEL_RADIUS, 0.5 * WIDTH, axis=AXIS, color=mark), spoke)
+    model.find("slide").shape(Box((0.5, 0.12, 0.6 * WIDTH), position=(0.1, 0, 0), color="#7a828c"))
 
 
 def _shoes(model: Model, points: Floats, idler_center: Floats, turn: float) -> Range[Body]:
@@ -140,6 +155,7 @@ def _rollers(model: Model, track: Range[Body], points: Floats, length: float, sp
             name, center = f"{run} roller {k}", np.array([x, height - PIN - ROLLER_RADIUS, 0.0])
             spin = sense * speed / ROLLER_RADIUS * AXIS
             roller = model.body(name, mass=ROLLER, inertia=ROLLER_INERTIA, position=center, omega=spin)
+            roller.shape(Cylinder(ROLLER_RADIUS, 0.5 * WIDTH, axis=AXIS, color="#8a8fa3"))
             model.revolute(model.ground, roller, at=center, axis=AXIS, name=f"{name} bearing")
             _press_on(model, roller, center, ROLLER_RADIUS, track, points)
 

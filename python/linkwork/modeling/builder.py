@@ -123,6 +123,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
     ) -> Range[Body]:
         """Add k bodies at once, named name[0], name[1], ..., or by k names; linear in time and memory.
 
+            places = [(x, 0, 1) for x in range(100)]
+            row = model.bodies("link", mass=1.0, inertia=(0.01, 0.1, 0.1), position=places)
+
         All are added, or none. As `body`, with `position` (k, 3), and each other quantity the same for all or
         with a leading k; `shape` is the same for all.
         `inertia`: (3,) or (k, 3) principal moments, or (k, 3, 3); one tensor for all is (1, 3, 3).
@@ -170,6 +173,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         **arguments: Any,
     ) -> Range[Joint]:
         """Add k joints of one kind at once, named name[0], name[1], ..., or by k names.
+
+            row = model.bodies("link", mass=1.0, inertia=(0.01, 0.1, 0.1), position=np.diag((0.0, 1.0, 2.0)))
+            model.joints("spherical", row[:-1], row[1:], at=[(0, 0.5, 0), (0, 1, 1)], name="ball")
 
         Linear in time and memory; all are added, or none.
 
@@ -442,7 +448,11 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         frames: Frames = "space",
         **arguments: Any,
     ) -> Range[Force]:
-        """Add k force elements of one kind at once, as `joints`."""
+        """
+        Add k force elements of one kind at once, as `joints`.
+
+            model.forces("drag", "ground", ["crank", "rod"], at=np.zeros((2, 3)), coefficient=0.2)
+        """
         first = self.force_count
         self._place("force", kind, a, b, frames, name, True, arguments)
         return Range(range(first, self.force_count), lambda index: self._force(index, kind))
@@ -495,11 +505,21 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         return self._shapes
 
     def find(self, name: str) -> Body:
-        """The body with this name. ModelError: there is none; the message has the nearest."""
+        """The body with this name.
+
+            rod = model.find("rod")
+
+        ModelError: there is none; the message has the nearest.
+        """
         return self._bodies.handle(self._bodies.index(name, Subject("model", self.name, False, 1)))
 
     def indices(self, bodies: BodiesLike) -> NDArray[np.int32]:
-        """Indices (k,) of one or many bodies, -1 the ground. ModelError: there is no such body."""
+        """Indices (k,) of one or many bodies, -1 the ground.
+
+            crank, rod = model.indices(["crank", "rod"])
+
+        ModelError: there is no such body.
+        """
         return self._bodies.indices(bodies, Subject("model", self.name, False, 1))
 
     @property
@@ -508,7 +528,11 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         return {joint: it.line() for joint, it in self._special.items() if isinstance(it, CurveData)}
 
     def compiled(self) -> _core.Model:
-        """The same model in the compiled module."""
+        """
+        The same model in the compiled module.
+
+            q0 = model.compiled().q0.reshape(-1, 7)
+        """
         return self._core
 
     # --- how elements are added -----------------------------------------------------------------------------

@@ -20,6 +20,8 @@ LAWS: Mapping[str, Callable[[float], float]] = {
 def contact_hysteresis(law: str, restitution: float) -> float:
     """The parameter `hysteresis` of a contact with this coefficient of restitution, 0 < e <= 1.
 
+        loss = lw.contact_hysteresis("flores", restitution=0.8)
+
     law  "hunt_crossley" (1975): 3 (1 - e) / 2; "lankarani_nikravesh" (1990): 3 (1 - e^2) / 4, both for hard
          contacts with e near 1; "flores" (Flores, Machado, Silva, Martins 2011): 8 (1 - e) / (5 e), for all e
 

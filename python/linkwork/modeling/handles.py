@@ -25,7 +25,12 @@ class Body:
     model: Model = field(repr=False, compare=False)
 
     def shape(self, *shapes: Shape) -> Body:
-        """Draw it by these shapes; they have no influence on the motion. ModelError: what is no shape."""
+        """Draw it by these shapes; they have no influence on the motion.
+
+            model.find("rod").shape(lw.Rod((-0.4, 0, 0), (0.4, 0, 0), color="orange"))
+
+        ModelError: what is no shape.
+        """
         self.model.shape(self, *shapes)
         return self
 

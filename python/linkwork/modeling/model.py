@@ -58,6 +58,8 @@ class Model(ModelBuilder):
     def load(cls, path: str | os.PathLike[str]) -> Model:
         """The model in a file: YAML (.yaml, .yml) or JSON (.json); `linkwork schema` says what they may have.
 
+            model = lw.Model.load("crank.yaml")
+
         ModelFileError: what is wrong in it, all at once. FileError: it cannot be read.
         """
         from linkwork.modeling import files
@@ -66,6 +68,8 @@ class Model(ModelBuilder):
 
     def save(self, path: str | os.PathLike[str], *, simulation: Mapping[str, Any] | None = None) -> None:
         """Write the model to a file (.yaml, .yml, .json), exactly: what is loaded has the same bits.
+
+            model.save("crank.yaml", simulation={"t_end": 2.0, "step": 1e-3})
 
         simulation  arguments of `simulate` that the file recommends, such as {"t_end": 2.0, "step": 1e-3}
 
@@ -112,6 +116,8 @@ class Model(ModelBuilder):
 
     def table(self, what: Literal["bodies", "joints", "forces"] = "bodies") -> Table:
         """The bodies, joints or force elements, one a row: printed, or as a table in a notebook.
+
+            print(model.table("joints"))
 
         `len(model.table("joints"))` counts them; `model.table("joints")[3]` is a mapping of columns to texts.
         """
@@ -165,6 +171,8 @@ class Model(ModelBuilder):
     def view(self, path: str | os.PathLike[str] | None = None) -> Page:
         """The initial pose as a page for any browser, without a network; written to `path` when given.
 
+            model.view("model.html")
+
         Bodies, joints, names, frames. Joints that the pose violates are red, with the gap: nothing needs to
         be consistent. In a notebook the page shows itself; `model.view().open()` shows it in the browser.
 
@@ -176,6 +184,8 @@ class Model(ModelBuilder):
 
     def plot(self, path: str | os.PathLike[str] | None = None) -> Figure:
         """The initial pose as a picture, written to `path` when given; joints that it violates are red.
+
+            model.plot("model.png")
 
         ModelError: no bodies. FileError: `path` cannot be written. OptionError: too much to paint.
         """
@@ -190,7 +200,11 @@ class Model(ModelBuilder):
         return model_of, (files.record_of(self, {}),)
 
     def hash(self) -> str:
-        """Equal for models of equal motion, whatever the names; a Python function counts by its name."""
+        """
+        Equal for models of equal motion, whatever the names; a Python function counts by its name.
+
+            assert lw.mechanisms.chain(2).hash() == lw.mechanisms.chain(2).hash()
+        """
         core = self._core
         elements = [*core.joint_arrays().values(), *core.force_arrays().values()]
         digest = hashlib.blake2b(digest_size=16)
@@ -205,7 +219,11 @@ class Model(ModelBuilder):
         return digest.hexdigest()
 
     def describe(self) -> str:
-        """One line: what the model consists of."""
+        """
+        One line: what the model consists of.
+
+            print(model.describe())
+        """
         kinds = "".join(f", {count} {kind}" for kind, count in sorted(self._counts.items()))
         gravity = ", ".join(f"{g:g}" for g in self._core.gravity)
         bodies, equations = (

@@ -51,12 +51,18 @@ class Shape:
             object.__setattr__(self, name, value)
 
     def dimensions(self) -> dict[str, Any]:
-        """The arguments that only this kind has; plain numbers and lists, or the arrays of a mesh."""
+        """
+        The arguments that only this kind has; plain numbers and lists, or the arrays of a mesh.
+
+            assert lw.Box((1, 2, 3)).dimensions() == {"size": [1.0, 2.0, 3.0]}
+        """
         raise NotImplementedError
 
     def moved(self, origin: Floats, axes: Floats) -> Self:
         """The same shape, outside of a frame with that origin (3,) and axes (3, 3), in columns, which it is
         in.
+
+            ball = lw.Sphere(0.1).moved(np.array([0, 0, 1.0]), np.eye(3))
         """
         out = copy.copy(self)  # a mesh shares its arrays
         p = rotation.from_matrix(axes @ rotation.matrix(self.orientation))
@@ -64,7 +70,11 @@ class Shape:
         return out
 
     def description(self) -> dict[str, Any]:
-        """All of it as `Shape.of` takes it; JSON but for the arrays of a mesh."""
+        """
+        All of it as `Shape.of` takes it; JSON but for the arrays of a mesh.
+
+            assert lw.Sphere(0.1, color="red").description()["color"] == "#ff0000"
+        """
         found: dict[str, Any] = {"kind": self.kind, **self.dimensions()}
         if self.kind != "rod":
             found |= {"position": self.position.tolist(), "orientation": self.orientation.tolist()}
@@ -72,7 +82,12 @@ class Shape:
 
     @staticmethod
     def of(description: Mapping[str, Any]) -> Shape:
-        """The shape that was described. ModelError: no such kind, or what that kind cannot be."""
+        """The shape that was described.
+
+            box = lw.Shape.of({"kind": "box", "size": [1, 2, 3]})
+
+        ModelError: no such kind, or what that kind cannot be.
+        """
         arguments = dict(description)
         kind = arguments.pop("kind", None)
         if kind not in KINDS:
@@ -191,7 +206,12 @@ class Mesh(Shape):
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, scale: Number = 1.0, position: VectorLike = (0, 0, 0),
              orientation: VectorLike = (1, 0, 0, 0), color: str | None = None) -> Mesh:  # fmt: skip
-        """An STL or OBJ file; `scale` 1e-3 for one in mm. FileError: missing, or not such a file."""
+        """An STL or OBJ file; `scale` 1e-3 for one in mm.
+
+            model.find("rod").shape(lw.Mesh.load("link.stl", scale=1e-3))
+
+        FileError: missing, or not such a file.
+        """
         if Path(path).suffix.lower() not in (".stl", ".obj"):
             raise FileError(
                 f"mesh '{path}': is neither .stl nor .obj: convert it to one of them", code="format"

@@ -110,6 +110,13 @@ class UserForceMethods:
     ) -> None:
         """Let a compiled function apply forces; it runs without Python.
 
+            from ctypes import CFUNCTYPE, POINTER, c_double, c_int64, c_void_p
+            numbers = POINTER(c_double)
+            @CFUNCTYPE(None, c_double, c_int64, numbers, numbers, numbers, c_void_p)
+            def wind(t, n, q, v, g, data):
+                g[0] += 2.0  # force along x on the first body [N]
+            model.compiled_force(wind)
+
         function  void f(double t, int64_t n, const double *q, const double *v, double *g, void *data), which
                   adds to g (n, 6) what it applies to all n bodies, q (n, 7), v (n, 6), as for `user_force`:
                   an address, a function of ctypes, or a numba.cfunc of float64, int64, three pointers to

@@ -106,7 +106,11 @@ class Snapshot(NamedTuple):
 
     @classmethod
     def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:
-        """From y = (q, v) (13n,)."""
+        """
+        From y = (q, v) (13n,).
+
+            start = lw.Snapshot.of(0.0, lw.System(model).initial_state())
+        """
         split = 7 * (len(y) // 13)
         return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), history)
 
@@ -116,7 +120,11 @@ class Snapshot(NamedTuple):
         raise AttributeError("'memory' is called 'history' now: ask for that")
 
     def resumable(self, checkpoint: Checkpoint | None, work: float) -> Snapshot:
-        """The same with what the run needs to go on to the last bit; `work` [J] up to here."""
+        """
+        The same with what the run needs to go on to the last bit; `work` [J] up to here.
+
+            start = lw.Snapshot.of(0.0, lw.System(model).initial_state()).resumable(None, work=0.0)
+        """
         if checkpoint is None or checkpoint.t > self.t:
             return self
         return self._replace(resume=Resume(checkpoint, work, self.digest))
@@ -170,7 +178,12 @@ class Occurrence:
 
     @classmethod
     def of(cls, name: str, t: float, before: Floats, after: Floats) -> Occurrence:
-        """From y = (q, v) (13n,) before and after."""
+        """
+        From y = (q, v) (13n,) before and after.
+
+            y = lw.System(model).initial_state()
+            event = lw.Occurrence.of("impact", 0.5, before=y, after=y)
+        """
         split = 7 * (len(before) // 13)
         parts = [part.reshape(-1, width) for y in (before, after)
                  for part, width in ((y[:split], 7), (y[split:], 6))]  # fmt: skip

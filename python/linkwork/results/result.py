@@ -187,7 +187,12 @@ class Result:
         return self._field("vdot", np.s_[:, :, 3:])
 
     def body(self, name: Named) -> BodyResult:
-        """The motion of one body, by name, index or handle. ModelError: no such body."""
+        """The motion of one body, by name, index or handle.
+
+            height = result.body("rod").position[:, 2]
+
+        ModelError: no such body.
+        """
         i = self._place("body", name)
         q, v, vdot = (self._field(field, np.s_[:, i]) for field in ("q", "v", "vdot"))
         return BodyResult(
@@ -239,6 +244,8 @@ class Result:
     def snapshot(self, frame: int = -1) -> Snapshot:
         """The state of one frame, for simulate(..., start=...), with its history variables.
 
+            onward = lw.simulate(model, t_end=0.2, step=1e-3, start=result.snapshot())
+
         From the last frame the run goes on to the last bit, see linkwork.simulate. Files of version 0.1 have
         no history variables: full turns and contacts then begin anew.
         OptionError: there is no such frame.
@@ -280,12 +287,18 @@ class Result:
         )
 
     def reactions(self) -> Reaction:
-        """Of all joints, in inertial axes: force and torque (k, J, 3). See `unique_reactions`."""
+        """
+        Of all joints, in inertial axes: force and torque (k, J, 3). See `unique_reactions`.
+
+            largest = np.linalg.norm(result.reactions().force, axis=-1).max(axis=0)
+        """
         self._need_reactions()
         return Reaction(self._field("reaction_force"), self._field("reaction_torque"))
 
     def reaction(self, name: Named, frame: Frame = "inertial") -> Reaction:
         """Force and torque (k, 3) that a joint exerts on its second body, at the joint's point on that body.
+
+            force = result.reaction("pin").force
 
         The torque is about that point, `joint_points(name)[:, 1]`, which moves with the second body.
 
@@ -306,6 +319,8 @@ class Result:
 
     def coordinate(self, name: Named, which: str | None = None) -> JointCoordinate:
         """A joint's free coordinate and its rate (k,): an angle [rad] over full turns, or a shift [m].
+
+            angle = result.coordinate("motor pin").value
 
         which  "angle" of revolute, cylindrical, screw; "displacement" of translational, cylindrical, screw;
                "angle_a" and "angle_b", about its two axes, of universal; not needed where there is one
@@ -333,6 +348,8 @@ class Result:
     def force(self, name: str | int, model: Model | None = None) -> ForceResult:
         """What a force element does to its second body, by its name or index; see ForceResult.
 
+            power = result.force("spring").power
+
         model  for a result from a file, which has no laws of forces: the model of which it is
 
         ModelError: no such force element. OptionError: a file without `model`, or another model.
@@ -342,7 +359,11 @@ class Result:
         return forces.force(self, name, model)
 
     def joint_axes(self, name: Named) -> Floats:
-        """The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body."""
+        """
+        The joint's x, y, z axes as columns (k, 3, 3), inertial; they are fixed in its first body.
+
+            hinge = result.joint_axes("motor pin")[..., 2]
+        """
         joint = self._place("joint", name)
         first, in_body = self._header.joint_bodies[joint, 0], self._header.joint_frame[joint, 0]
         if first < 0:
@@ -355,6 +376,8 @@ class Result:
     def recorded(self, name: str, part: Any = np.s_[:]) -> Floats:
         """The part asked for of a recorded field, such as "q": `Header.frame_shapes` has all of them.
 
+            last = result.recorded("q", -1)
+
         OptionError: there is no such field.
         """
         known = self._header.frame_shapes()
@@ -364,12 +387,22 @@ class Result:
         return self._field(name, part)
 
     def sampled_positions(self, every: int) -> Floats:
-        """Centers of mass (., n, 3) of every so manyth frame [m]. OptionError: not a whole number."""
+        """Centers of mass (., n, 3) of every so manyth frame [m].
+
+            every_tenth = result.sampled_positions(10)
+
+        OptionError: not a whole number.
+        """
         _check_every(every)
         return self._field("q", np.s_[::every, :, :3])
 
     def sampled_reactions(self, every: int) -> Reaction:
-        """Reactions (., J, 3) of every so manyth frame. OptionError: not a positive whole number."""
+        """Reactions (., J, 3) of every so manyth frame.
+
+            every_tenth = result.sampled_reactions(10)
+
+        OptionError: not a positive whole number.
+        """
         _check_every(every)
         self._need_reactions()
         force, torque = (
@@ -378,7 +411,11 @@ class Result:
         return Reaction(force, torque)
 
     def joint_points(self, name: Named) -> Floats:
-        """The joint's point on its first and on its second body (k, 2, 3), inertial [m]."""
+        """
+        The joint's point on its first and on its second body (k, 2, 3), inertial [m].
+
+            way = result.joint_points("pin")[:, 1]
+        """
         joint = self._place("joint", name)
         points = np.empty((len(self), 2, 3))
         for side, (body, s) in enumerate(
@@ -434,6 +471,9 @@ class Result:
     def error_of(self, what: str, *name: Any, **how: Any) -> Any:
         """The estimated error of what is recorded, in its shape and unit, from the finer run of `verify`.
 
+            sure = lw.simulate(model, t_end=0.1, step=1e-3, verify=True)
+            error = sure.error_of("q")
+
         what       the name of a property or method of a result: "position", "energy", "reaction", "body", ...
         name, how  the arguments of the method: error_of("reaction", "pin").force (k, 3) is that of
                    reaction("pin").force
@@ -453,6 +493,8 @@ class Result:
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Write everything to an HDF5 file.
 
+            result.save("motion.h5")
+
         overwrite  whether it may replace a file, which then stays until the new one is complete
 
         FileError: there is a file, `path` has the suffix of another kind of file, or cannot be written.
@@ -470,6 +512,8 @@ class Result:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:
         """A result file, also of an interrupted run, or what is whole of a damaged one: see `missing`.
+
+            result = lw.Result.load("motion.h5")
 
         FileError: there is no such file, it is damaged from the beginning, or of another kind.
         """
@@ -518,6 +562,8 @@ class Result:
     ) -> str:
         """The columns of `to_frame` as CSV, every digit kept; written to `path` when given.
 
+            result.to_csv("motion.csv", bodies=["rod"])
+
         FileError: `path` is there already, is no .csv, or cannot be written. Others as for `to_frame`.
         """
         from linkwork.results import tables
@@ -528,6 +574,8 @@ class Result:
         self, *, bodies: Sequence[Named] = (), joints: Sequence[Named] = (), quantities: Sequence[str] = ()
     ) -> xarray.Dataset:
         """An xarray.Dataset with named axes: `found.position.sel(body="crank", xyz="x")` over the time.
+
+            result.to_xarray().position.sel(body="rod", xyz="z")
 
         Every variable has its `units` and `long_name`, the data set the manifest. Angles and displacements of
         joints, and their rates, are over the joints that have them. Arguments and errors as for `to_frame`;
@@ -547,6 +595,8 @@ class Result:
     ) -> Figure:
         """A figure of the run, written to `path` when given.
 
+            result.plot("reactions.png", "reactions", joints=["pin"])
+
         kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
                 "positions", "velocities", "accelerations" (of bodies, the last two with those of rotations),
                 "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
@@ -563,7 +613,12 @@ class Result:
         return kinds.plot(self, path, kind, bodies, joints)
 
     def index(self, what: Literal["body", "joint"], name: Named) -> int:
-        """Place of a body or a joint in the arrays, by name, index or handle. ModelError: no such one."""
+        """Place of a body or a joint in the arrays, by name, index or handle.
+
+            rod = result.index("body", "rod")
+
+        ModelError: no such one.
+        """
         return self._place(what, name)
 
     def movie(
@@ -575,6 +630,8 @@ class Result:
         size: tuple[int, int] = (960, 640),
     ) -> None:
         """Write the motion as a movie, .mp4 or .gif; no display is needed.
+
+            result.movie("motion.gif", seconds=2, frames_per_second=10, size=(320, 200))
 
         seconds  that it lasts; without, as long as the motion, but between 2 and 20
         size     width and height [pixels], even
@@ -596,6 +653,8 @@ class Result:
     ) -> Page:
         """The motion as a page that opens in any browser, without a network; written to `path` when given.
 
+            result.view("motion.html")
+
         other   a second run that is laid over this one, drawn as a ghost and by dashed lines
         labels  names of the two runs
         limit   of the recorded numbers in the page [bytes]; frames beyond are left out evenly, and it says so
@@ -613,6 +672,8 @@ class Result:
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
         """A page on the run: model, method, diagnostics, plots, viewer; written to `path` when given.
 
+            result.report("report.html")
+
         FileError: `path` cannot be written. OptionError: there are no frames.
         """
         from linkwork.view.report import report
@@ -623,7 +684,11 @@ class Result:
         return page
 
     def summary(self) -> str:
-        """A few lines of plain text: what ran, how well, what it took."""
+        """
+        A few lines of plain text: what ran, how well, what it took.
+
+            print(result.summary())
+        """
         from linkwork.motion import summary
 
         return summary.text(self)

@@ -61,7 +61,12 @@ class State:
         self._q, self._v = y[:split].reshape(-1, 7), y[split:].reshape(-1, 6)
 
     def body(self, name: str | Body) -> BodyState:
-        """The state of one body, by name or handle. ModelError: no such body."""
+        """The state of one body, by name or handle.
+
+            lw.Event(lambda t, state: state.body("rod").velocity[2], name="turning point")
+
+        ModelError: no such body.
+        """
         name = name.name if isinstance(name, Body) else name
         place = self._model.compiled().find_body(name)
         if place < 0:
@@ -119,6 +124,8 @@ class Event:
 
     def compiled(self, model: Model) -> _core.Event:
         """The same event of a run of `model` in the compiled module.
+
+            lw.Event(lambda t, state: state.body("rod").position[2], name="floor").compiled(model)
 
         OptionError: what is no function, or no direction, tolerance, or answer to whether it is terminal.
         """

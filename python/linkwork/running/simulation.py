@@ -60,6 +60,9 @@ def simulate(
 ) -> Result:  # Long: 20 lines are its arguments.
     """Simulate a model from t = 0 to `t_end` [s], with a fixed `step` [s] or steps that follow tolerances.
 
+        result = lw.simulate(model, t_end=0.1, step=1e-3)
+        print(result.verdict)
+
     t_end         end of the simulated time [s]
     step          [s] fixed, not longer than the run, or with rtol or atol the largest (None: no limit). What
                   would take hours is told before the first step by a LinkworkWarning, what would take more

@@ -83,7 +83,12 @@ class Study:
         return "\n".join([*lines, *(f"  {count} x {message}" for message, count in why)])
 
     def case(self, number: int) -> dict[str, Any]:
-        """Everything of one case. OptionError: there is no such case."""
+        """Everything of one case.
+
+            study.case(0)["verdict"]
+
+        OptionError: there is no such case.
+        """
         k = self._number(number)
         found = {name: values[k] for name, values in (*self.parameters.items(), *self.outputs.items())}
         return {**found, "status": str(self.status[k]), "verdict": str(self.verdict[k]),
@@ -92,6 +97,8 @@ class Study:
 
     def simulate(self, number: int) -> Result:
         """The whole motion of one case, run again, to the same bits on a processor of the same kind.
+
+            study.simulate(2).view("third.html")
 
         OptionError: there is no such case. What the run raises where it failed.
         """
@@ -118,6 +125,8 @@ class Study:
     ) -> Figure:
         """A picture of finished cases, also written to `path`, by its suffix.
 
+            study.plot("scatter", "cases.png")
+
         kind        "scatter": every parameter and output over every other; failed cases are crosses
                     "histogram": outputs, with median, 5th and 95th percentile
                     "bands": outputs that are arrays over time: median, half and nine tenths of the cases
@@ -134,6 +143,9 @@ class Study:
     def swings(self, output: str) -> list[Swing]:
         """What each parameter does to an output, the strongest first, by the linear fit to all cases.
 
+            for swing in study.swings("height"):
+                print(swing)
+
         `change` is that of the output while a parameter goes from the 5th to the 95th percentile of its
         values, the others held; `explained` is the share of the variance that the fit explains: where it is
         far from 1, the output is not linear there, and indices of Sobol tell more.
@@ -146,6 +158,8 @@ class Study:
 
     def view(self, path: str | os.PathLike[str] | None = None) -> Page:
         """A page of parallel coordinates, a line a case, written to `path` when given; needs no network.
+
+            study.view("cases.html")
 
         Drag along an axis to choose cases, click its name to color by it, click a line for its case. From
         `serve` the click opens the motion.
@@ -163,6 +177,9 @@ class Study:
         """The page of `view` by a server for this machine alone, where a click on a case opens its motion,
         simulated again to the same bits. A context manager; `close()` ends it.
 
+            with study.serve() as server:
+                print(server.url)
+
         port  0: a free one, see `url`
 
         OptionError: the port is taken.
@@ -174,7 +191,11 @@ class Study:
     # --- tables ---
 
     def to_table(self) -> NDArray[Any]:
-        """A structured array (n,): parameters, outputs, "status", "verdict", "accuracy", "seconds"."""
+        """
+        A structured array (n,): parameters, outputs, "status", "verdict", "accuracy", "seconds".
+
+            study.to_table()["status"]
+        """
         columns = {**self.parameters, **self.outputs, "status": self.status, "verdict": self.verdict,
                    "accuracy": self.accuracy, "seconds": self.seconds}  # fmt: skip
         kinds = [(name, values.dtype, values.shape[1:]) for name, values in columns.items()]
@@ -185,6 +206,8 @@ class Study:
 
     def to_frame(self) -> pandas.DataFrame:
         """A table of pandas, a row a case; arrays have a column a number: "path[0]". Units in `attrs`.
+
+            study.to_frame().sort_values("height")
 
         OptionError: pandas is not installed.
         """
@@ -197,6 +220,8 @@ class Study:
 
     def to_csv(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Write the table of `to_frame` as text (.csv), a row a case, numbers to the last bit.
+
+            study.to_csv("cases.csv")
 
         overwrite  whether it may replace a file
 
@@ -226,6 +251,8 @@ class Study:
         """A data set of xarray over the dimension "case": parameters, status, verdict, ... as coordinates,
         outputs as variables, units as attributes, the manifest as text.
 
+            study.to_xarray().height.max()
+
         OptionError: xarray is not installed.
         """
         package = optional_package("xarray", "xarray", "to_xarray", instead="to_table needs nothing")
@@ -253,6 +280,8 @@ class Study:
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Write the data set of `to_xarray` as netCDF: .nc, which xarray.load_dataset reads.
+
+            study.save("cases.nc")
 
         overwrite  whether it may replace a file
 

@@ -280,6 +280,17 @@ def _at_most(solid: Shape, length: float) -> Shape:
     return Shape.of(solid.description() | {name: value.tolist() for name, value in smaller.items()})
 
 
+def at_least(shape: Shape, thinnest: float) -> Shape:
+    """The same, nowhere thinner than that [m]: what is seen from afar. Meshes stay as they are."""
+    sizes = {name: value for name, value in shape.dimensions().items() if name in ("size", "radius")}
+    wide = {
+        name: np.maximum(value, thinnest if name == "size" else thinnest / 2) for name, value in sizes.items()
+    }
+    if all(np.array_equal(wide[name], sizes[name]) for name in sizes):
+        return shape
+    return Shape.of(shape.description() | {name: value.tolist() for name, value in wide.items()})
+
+
 def _longest(solid: Shape) -> tuple[Floats, float]:
     """Direction (3,) and length of a slender solid; length 0 where it is not slender."""
     if isinstance(solid, Cylinder) and solid.length > 4 * solid.radius:

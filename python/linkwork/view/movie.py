@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from linkwork import arguments, rotation
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, OptionError, unwritable
-from linkwork.view.appearance import Scene, Solid, Span, scene
+from linkwork.view.appearance import RAMPED, Scene, Solid, Span, at_least, scene
 from linkwork.view.camera import Camera, floor
 from linkwork.view.raster import Raster
 from linkwork.view.surfaces import coil, cylinder, surface
@@ -30,6 +30,9 @@ MOST_FACES, MANY = 1_000_000, 1500
 
 #: Direction to the lamp from the side, in axes (right, up, towards the eye); it is above, too.
 SIDE = np.array([0.35, 0.0, 0.7])
+
+#: Bodies are at least so thick, of the height of the picture; where there are many, a line of them is seen.
+THINNEST, THINNEST_OF_MANY = 1 / 300, 1 / 110
 
 #: Of a movie: hours of it.
 MOST_PICTURES = 1_000_000
@@ -145,7 +148,8 @@ class Painter:
     def __init__(self, result: Result, size: tuple[int, int]) -> None:
         """OptionError: too many faces."""
         self._result, self._size = result, size
-        self._faces = _faces(scene(result))
+        drawn = scene(result)
+        self._faces = _faces(drawn)
         count = sum(len(faces.body) for faces in self._faces)
         if count > MOST_FACES:
             raise OptionError(
@@ -160,6 +164,8 @@ class Painter:
         self._light = _unit(_unit(axes @ SIDE) + 1.2 * self._up)
         self._floor = floor(self.camera, low, high, self._up)
         self._middle = (low + high) / 2
+        part = THINNEST if len(result.body_names) < RAMPED else THINNEST_OF_MANY
+        self._faces = _faces(drawn, part * size[1] / self.pixels_of_meter)
 
     def pictures(self, times: Floats) -> Iterator[Pixels]:
         """Red, green, blue (height, width, 3) at each time, which is written in it."""
@@ -273,11 +279,11 @@ def _eye(result: Result) -> Floats:
 # --- faces -------------------------------------------------------------------------------------------------
 
 
-def _faces(drawn: Scene) -> list[_Faces | _Stretched]:
-    """Of all solids, and of all that is stretched."""
+def _faces(drawn: Scene, thinnest: float = 0.0) -> list[_Faces | _Stretched]:
+    """Of all solids, and of all that is stretched; bodies are nowhere thinner than that [m]."""
     solid = [it for it in drawn.solids if not it.clear]
     coarse = len(solid) + len(drawn.spans) > MANY
-    found: list[_Faces | _Stretched] = [_solid_faces(solid, coarse)] if solid else []
+    found: list[_Faces | _Stretched] = [_solid_faces(solid, coarse, thinnest)] if solid else []
     return found + [_stretched(it) for it in drawn.spans]
 
 
@@ -300,8 +306,9 @@ def _stretched(it: Span) -> _Stretched:
                       np.tile(it.ends, (count, 1, 1)), np.tile(_color(it), (count, 1)))  # fmt: skip
 
 
-def _solid_faces(drawn: list[Solid], coarse: bool) -> _Faces:
-    surfaces = [surface(it.shape, coarse) for it in drawn]
+def _solid_faces(drawn: list[Solid], coarse: bool, thinnest: float) -> _Faces:
+    shapes = [at_least(it.shape, thinnest) if it.layer == "body" else it.shape for it in drawn]
+    surfaces = [surface(shape, coarse) for shape in shapes]
     counts = [len(corners) for corners, _ in surfaces]
     corners, normals = (np.concatenate(it) for it in zip(*surfaces, strict=True))
     return _Faces(corners, normals, np.repeat([it.body for it in drawn], counts),

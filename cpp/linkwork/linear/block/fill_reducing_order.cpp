@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "linkwork/math/interruption.hpp"
+
 #if LINKWORK_WITH_CHOLMOD
 #include <cholmod.h>
 
 #include <new>
 
 #include "linkwork/linear/shared_state.hpp"
-#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
 

@@ -185,8 +185,8 @@ def _variant(name: str) -> type[Record]:
 
 
 def _documentation(constructor: Callable[..., Any]) -> str:
-    """What a file can be told of a function of time: all but the errors of Python."""
-    text = (inspect.getdoc(constructor) or "").partition("ModelError:")[0]
+    """What a file can be told of a function of time: all but the errors and examples of Python."""
+    text = (inspect.getdoc(constructor) or "").partition("\n\n    ")[0].partition("ModelError:")[0]
     return " ".join(text.split())
 
 
