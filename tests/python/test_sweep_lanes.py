@@ -1,4 +1,4 @@
-"""Studies in lanes: a case has the bits of its deterministic run by itself, however cases were put together."""
+"""Studies in lanes: a case has the bits of its deterministic run by itself, whatever runs beside it."""
 
 from __future__ import annotations
 
@@ -83,14 +83,14 @@ def test_a_rerun_of_one_missing_case_gives_its_bits(tmp_path: Path) -> None:
 
 
 def test_cases_that_fail_leave_the_others_of_their_pack_as_they_are() -> None:
-    """One has no model, one no assembled pose, one diverges, one has an output that is no number."""
+    """One has no model, one turns too fast, one has an output that is no number."""
 
-    def build(mass: float, gap: float = 0.0, speed: float = 0.0) -> lw.Model:
+    def build(mass: float, speed: float = 0.0) -> lw.Model:
         model = lw.Model(name="two rods")
-        first = model.body("first", mass=1, inertia=(0.01, 0.1, 0.1), position=(0.5, 0, 0), omega=(0, speed, 0),
+        J = (0.01, 0.1, 0.1)
+        first = model.body("first", mass=1, inertia=J, position=(0.5, 0, 0), omega=(0, speed, 0),
                            velocity=(0, 0, -0.5 * speed))  # fmt: skip
-        second = model.body("second", mass=mass, inertia=(0.01, 0.1, 0.1), position=(1.5 + gap, 0, 0),
-                            velocity=(0, 0, -1.0 * speed))  # fmt: skip
+        second = model.body("second", mass=mass, inertia=J, position=(1.5, 0, 0), velocity=(0, 0, -speed))
         model.revolute(model.ground, first, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
         model.spherical(first, second, at=(1, 0, 0), name="elbow")
         return model
@@ -119,8 +119,9 @@ def test_cases_that_fail_leave_the_others_of_their_pack_as_they_are() -> None:
 def test_what_lanes_do_not_have_is_run_as_ever(options: dict[str, Any]) -> None:
     found = study(MASSES[:2], **options)
     assert found.manifest["lanes"] is ("events" in options)
-    result = lw.simulate(slider_crank().replaced("coupler", mass=MASSES[1]), RUN["t_end"], record_every=1,
-                         **{"step": RUN["step"], "deterministic": found.manifest["lanes"], **options})  # fmt: skip
+    arguments = {"step": RUN["step"], "deterministic": found.manifest["lanes"], **options}
+    model = slider_crank().replaced("coupler", mass=MASSES[1])
+    result = lw.simulate(model, RUN["t_end"], record_every=1, **arguments)
     assert_array_equal(found.outputs["final.q"][1], result.q[-1])
 
 

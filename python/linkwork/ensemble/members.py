@@ -197,7 +197,10 @@ def _judged(it: _Ready, frames: Mapping[str, Any], method: Method) -> dict[str, 
         return {}
     with _core.OnePath(method.options.get("deterministic") is True):
         it.estimator.look(frames)
-        counts = {"steps": it.run.steps_done, **method.plan.steps_with_breaks(it.stepped.breaks, 0.0)}
+        counts: dict[str, Any] = {
+            "steps": it.run.steps_done,
+            **method.plan.steps_with_breaks(it.stepped.breaks, 0.0),
+        }
         verdict = it.estimator.verdict(counts)
     return counts if verdict is None else {**counts, "verdict": verdict.numbers()}
 

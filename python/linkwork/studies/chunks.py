@@ -1,7 +1,8 @@
 """Cases in tasks of a few seconds, on local processes or on any executor of concurrent.futures.
 
-What one case costs is learned from the first ones, which go alone, and of cases in lanes from the first tasks. A task whose process dies is given up;
-its cases are tried once more, each alone, so that what kills a process takes no other with it.
+What one case costs is learned from the first ones, which go alone, and of cases in lanes from the first
+tasks. A task whose process dies is given up; its cases are tried once more, each alone, so that what kills a
+process takes no other with it.
 """
 
 from __future__ import annotations
@@ -73,7 +74,7 @@ def run_cases(
 
 
 def chunked(cases: Sequence[Case], seconds: float, workers: int, pack: int = 1) -> list[Chunk]:
-    """Of so many that a task takes TASK_SECONDS, where a case takes `seconds`; of whole packs where it can be."""
+    """Of so many that a task takes TASK_SECONDS, where a case takes `seconds`; of whole packs if it can be."""
     size = max(1, min(int(TASK_SECONDS / max(seconds, 1e-6)), math.ceil(len(cases) / (TASKS_EACH * workers))))
     size = max(size, math.ceil(len(cases) / FILES))
     size = math.ceil(size / pack) * pack if size >= pack / 2 else size

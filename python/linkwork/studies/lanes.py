@@ -25,7 +25,7 @@ PACK = 8
 #: Cases that are made and simulated at a time: memory does not grow with those of a task.
 AT_ONCE = 4 * PACK
 
-#: Frames of cases of which only the last is asked for: the balance of energy, a part of the verdict, is over them.
+#: Frames of cases of which only the last is asked for: the verdict looks at the balance of energy over them.
 FRAMES = 50
 
 #: Options of `simulate` that lanes do not have.
@@ -33,7 +33,7 @@ ALONE = ("events", "verify", "threads")
 
 
 def with_lanes(runner: Runner, given: Mapping[str, Any]) -> Runner | None:
-    """The same in lanes; None: they cannot have what it asks for, or `given` options say that they shall not."""
+    """The same in lanes; None: they cannot have what it asks for, or the `given` options forbid it."""
     if given.get("deterministic") is False or given.get("on_inaccurate") == "stop":
         return None
     if any(given.get(name) for name in ALONE):
