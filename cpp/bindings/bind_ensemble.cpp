@@ -13,14 +13,14 @@ struct AllBusy {
 };
 
 py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, double t_end, double step,
-                      std::int64_t record_every, int threads) {
+                      std::int64_t record_every, int threads, std::vector<LaneRun*> runs) {
   const FixedSteps steps(t_end, step, record_every);
   const InstructionSet widest = best_instruction_set();
   const AllBusy busy(dynamics);
   std::vector<Ensemble::Member> members;
   {
     const py::gil_scoped_release release;
-    Ensemble ensemble(dynamics, tableau, steps, widest);
+    Ensemble ensemble(dynamics, tableau, steps, widest, std::move(runs));
     ensemble.run(threads);
     members = ensemble.take();
   }
@@ -38,11 +38,15 @@ py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTable
 }  // namespace
 
 void bind_ensemble(py::module_& module) {
-  module.def("run_ensemble", &run_ensemble, py::arg("dynamics"), py::arg("tableau"), py::arg("t_end"), py::arg("step"),
-             py::arg("record_every"), py::arg("threads"),
-             "Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, "
-             "in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the "
-             "reason is empty, else why it has to be simulated by itself.");
+  module.def("lane_refusal", &LaneStructure::refusal, py::arg("dynamics"),
+             "Why lanes cannot run this, in words that end a sentence; empty where they can.");
+  module.def(
+      "run_ensemble", &run_ensemble, py::arg("dynamics"), py::arg("tableau"), py::arg("t_end"), py::arg("step"),
+      py::arg("record_every"), py::arg("threads"), py::arg("runs") = std::vector<LaneRun*>(),
+      "Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, "
+      "in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the "
+      "reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or "
+      "none of them.");
 }
 
 }  // namespace linkwork::python

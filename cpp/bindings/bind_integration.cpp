@@ -80,19 +80,33 @@ double relative_violation(const Run& run, RelativeViolation& measure) {
   return measure.largest(run.t(), run.y(), run.dynamics().history());
 }
 
-py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
+py::dict judged(const StepSampling& sampling, const Dynamics& run, double end_violation, Dynamics& dynamics,
+                SecondTake take) {
   std::optional<Busy> busy;
-  if (&dynamics != &run.dynamics()) busy.emplace(dynamics);
-  SecondTake take = second_take(method, other, run.records_inside());
+  if (&dynamics != &run) busy.emplace(dynamics);
   AccumulatedError found;
   {
     const py::gil_scoped_release release;
-    RelativeViolation violation(dynamics.system());
-    const double end_violation = relative_violation(run, violation);
-    found = accumulate(judge_run(run.sampling(), dynamics, std::move(take)), violation.length());
+    const double length = RelativeViolation(dynamics.system()).length();
+    found = accumulate(judge_run(sampling, dynamics, std::move(take)), length);
     found.violation = std::max(found.violation, end_violation);
   }
   return to_dict(found);
+}
+
+py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
+  RelativeViolation violation(dynamics.system());
+  return judged(run.sampling(), run.dynamics(), relative_violation(run, violation), dynamics,
+                second_take(method, other, run.records_inside()));
+}
+
+double relative_violation_of_lane(const LaneRun& run) {
+  return RelativeViolation(run.dynamics.system()).largest(run.t, run.y, run.dynamics.history());
+}
+
+py::dict judge_lane(const LaneRun& run, Dynamics& dynamics, const py::object& method, bool other) {
+  return judged(run.sampling, run.dynamics, relative_violation_of_lane(run), dynamics,
+                second_take(method, other, false));
 }
 
 py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {
@@ -184,6 +198,29 @@ void bind_checkpoints(py::class_<Run>& run) {
                              "Of last_state [J].");
 }
 
+py::tuple to_python(const EnergyRange& it) {
+  return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
+}
+
+/// What the verdict of a member of an ensemble is made of.
+void bind_lane_runs(py::module_& module) {
+  py::class_<LaneRun>(module, "LaneRun", "What the verdict of a member of an ensemble is made of, as that of a Run.")
+      .def(py::init([](Dynamics& dynamics, double t_end, double step) {
+             const Busy busy(dynamics);
+             return std::make_unique<LaneRun>(dynamics, FixedSteps(t_end, step, 1));
+           }),
+           py::arg("dynamics"), py::arg("t_end"), py::arg("step"), py::keep_alive<1, 2>())
+      .def(
+          "expect_breaks",
+          [](LaneRun& run, std::vector<double> times) { run.sampling.expect_breaks(std::move(times)); },
+          py::arg("times"))
+      .def_property_readonly("t", [](const LaneRun& run) { return run.t; })
+      .def_property_readonly("steps_done", [](const LaneRun& run) { return run.sampling.steps(); })
+      .def_property_readonly("energies", [](const LaneRun& run) { return to_python(run.sampling.energies()); })
+      .def("relative_violation", exclusive(&relative_violation_of_lane))
+      .def("judge", exclusive(&judge_lane), py::arg("dynamics"), py::arg("method"), py::arg("other") = false);
+}
+
 /// What a run says of itself on its way.
 void bind_measures(py::class_<Run>& run) {
   run.def("relative_violation", exclusive(+[](const Run& run) {
@@ -192,10 +229,7 @@ void bind_measures(py::class_<Run>& run) {
           }),
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
-          "energies", exclusive(+[](const Run& run) {
-            const EnergyRange& it = run.sampling().energies();
-            return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
-          }),
+          "energies", exclusive(+[](const Run& run) { return to_python(run.sampling().energies()); }),
           "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].");
 }
 
@@ -327,6 +361,7 @@ void bind_integration(py::module_& module) {
   bind_events(module);
   bind_runs(module);
   bind_fixed_steps(module);
+  bind_lane_runs(module);
   bind_adaptive_steps(module);
 }
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "linkwork/ensemble/lane.hpp"
 #include "linkwork/integration/run.hpp"
 
 namespace linkwork::python {
@@ -10,6 +11,7 @@ namespace linkwork::python {
 // A System works for one caller at a time; see Busy.
 inline const Dynamics& dynamics_of(const Dynamics& dynamics) { return dynamics; }
 inline const Dynamics& dynamics_of(const Run& run) { return run.dynamics(); }
+inline const Dynamics& dynamics_of(const LaneRun& run) { return run.dynamics; }
 
 /// The function, in which the dynamics of its first argument are busy.
 template <class Result, class Self, class... Arguments>

@@ -24,6 +24,7 @@ __all__ = [
     "FormulationInfo",
     "HalfExplicit",
     "KindInfo",
+    "LaneRun",
     "Model",
     "Multistep",
     "OnePath",
@@ -42,6 +43,7 @@ __all__ = [
     "formulations",
     "instruction_set",
     "joint_kinds",
+    "lane_refusal",
     "linear_solvers",
     "options",
     "run_ensemble",
@@ -545,6 +547,30 @@ class KindInfo:
         How many of the last rows are of velocities.
         """
 
+class LaneRun:
+    """
+    What the verdict of a member of an ensemble is made of, as that of a Run.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self,
+        dynamics: Dynamics,
+        t_end: typing.SupportsFloat | typing.SupportsIndex,
+        step: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> None: ...
+    def expect_breaks(
+        self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
+    ) -> None: ...
+    def judge(self, dynamics: Dynamics, method: typing.Any, other: bool = False) -> dict: ...
+    def relative_violation(self) -> float: ...
+    @property
+    def energies(self) -> tuple: ...
+    @property
+    def steps_done(self) -> int: ...
+    @property
+    def t(self) -> float: ...
+
 class Model:
     """
     The constant description of a mechanism; see linkwork.Model.
@@ -989,7 +1015,7 @@ class Run:
         (t, state), not after the last frame that was taken; None: there is none.
         """
     @property
-    def energies(self) -> tuple[float, float, float, float]:
+    def energies(self) -> tuple:
         """
         Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].
         """
@@ -1186,6 +1212,11 @@ def instruction_set() -> str:
     """
 
 def joint_kinds() -> list[KindInfo]: ...
+def lane_refusal(dynamics: Dynamics) -> str:
+    """
+    Why lanes cannot run this, in words that end a sentence; empty where they can.
+    """
+
 def linear_solvers() -> list[SolverInfo]: ...
 def options() -> list[OptionInfo]:
     """
@@ -1199,9 +1230,10 @@ def run_ensemble(
     step: typing.SupportsFloat | typing.SupportsIndex,
     record_every: typing.SupportsInt | typing.SupportsIndex,
     threads: typing.SupportsInt | typing.SupportsIndex,
+    runs: collections.abc.Sequence[LaneRun] = [],
 ) -> list:
     """
-    Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the reason is empty, else why it has to be simulated by itself.
+    Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or none of them.
     """
 
 def special_joint_kinds() -> list[KindInfo]:

@@ -301,7 +301,7 @@ void System::evaluate_rest(double t, const ConstVector& q, const ConstVector& v,
                            Evaluation& out) const {
   evaluate_signals(t, out);
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
-  out.potential = out.power = 0.0;
+  out.power = 0.0;
   evaluate_forces(t, q, v, history, out);
 }
 

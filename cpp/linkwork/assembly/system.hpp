@@ -102,7 +102,7 @@ class System {
   // For ensembles, which evaluate bodies and joints of many mechanisms at once.
   /// Whether there is more than bodies and joints without functions of time.
   bool has_rest() const;
-  /// That: functions of time, special joints, and all forces, which are added to `out.g`, where those of the bodies are.
+  /// That: functions of time, special joints, and all forces, added to `out.g` and `out.potential` of the bodies.
   void evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                      Evaluation& out) const;
 

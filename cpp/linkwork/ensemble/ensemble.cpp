@@ -21,8 +21,13 @@ struct Stopped {};
 }  // namespace
 
 Ensemble::Ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, const FixedSteps& steps,
-                   const InstructionSet& widest)
-    : dynamics_(dynamics), tableau_(tableau), steps_(steps), widest_(widest), members_(dynamics.size()) {
+                   const InstructionSet& widest, std::vector<LaneRun*> runs)
+    : dynamics_(dynamics),
+      runs_(std::move(runs)),
+      tableau_(tableau),
+      steps_(steps),
+      widest_(widest),
+      members_(dynamics.size()) {
   check(tableau);
   for (int k = 0; k < static_cast<int>(dynamics.size()); ++k) {
     members_[k].reason = LaneStructure::refusal(*dynamics[k]);
@@ -47,7 +52,7 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   std::vector<int> members;
   for (const int member : task.members) {
     try {
-      lanes.push_back(std::make_unique<Lane>(*dynamics_[member]));
+      lanes.push_back(std::make_unique<Lane>(*dynamics_[member], runs_.empty() ? nullptr : runs_[member]));
     } catch (const Error& error) {
       members_[member].reason = error.what();
       continue;

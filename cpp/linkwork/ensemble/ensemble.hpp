@@ -13,9 +13,10 @@ namespace linkwork {
 /// itself, see LaneElimination; one that leaves its pack has no motion here, and says why.
 class Ensemble {
  public:
-  /// Refers to `dynamics`, of which none may be there twice. `widest`: of the registers that are used.
+  /// Refers to `dynamics`, of which none may be there twice. `widest`: of the registers that are used. `runs`: of each
+  /// what its verdict is made of; none of them where it is empty.
   Ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, const FixedSteps& steps,
-           const InstructionSet& widest);
+           const InstructionSet& widest, std::vector<LaneRun*> runs = {});
 
   /// One pack a thread at a time.
   void run(int threads);
@@ -43,6 +44,7 @@ class Ensemble {
   void run_task(const Task& task, const std::function<void()>& look);
 
   std::vector<Dynamics*> dynamics_;
+  std::vector<LaneRun*> runs_;
   ButcherTableau tableau_;
   FixedSteps steps_;
   InstructionSet widest_;

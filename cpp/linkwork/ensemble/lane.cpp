@@ -24,13 +24,19 @@ FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every)
   whole_ = std::abs(t_end - end) <= same_time * step + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_end);
 }
 
-Lane::Lane(Dynamics& dynamics)
+LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps)
+    : dynamics(mechanism), sampling(mechanism), y(mechanism.initial_y()) {
+  sampling.expect(steps.count());
+}
+
+Lane::Lane(Dynamics& dynamics, LaneRun* run)
     : dynamics_(dynamics),
       recorder_(dynamics),
       crossing_(dynamics),
       redundancy_(dynamics.system(), dynamics.initial_y().head(dynamics.system().q_size())),
       turns_(dynamics),
-      divergence_(dynamics.system()) {}
+      divergence_(dynamics.system()),
+      run_(run) {}
 
 void Lane::leave(double t, std::string reason) {
   if (!alive_) return;
@@ -72,6 +78,17 @@ void Lane::record(double t, double frame_t, const VectorXd& y, bool last) {
     recorder_.record(frame_t, y);
   });
   dynamics_.formulation().look(false);
+}
+
+void Lane::sample(double t, const VectorXd& y, double potential) {
+  if (!run_) return;
+  run_->sampling.before(dynamics_, y, potential);
+  run_->t = t;
+  run_->y = y;
+}
+
+void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+  if (run_) run_->sampling.after(t, h, y, y_new);
 }
 
 /// As Simulation begins a leap over a pose; most of what may be one is none, and is not leapt over.

@@ -9,6 +9,7 @@
 #include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/history_watch.hpp"
 #include "linkwork/integration/recorder.hpp"
+#include "linkwork/integration/step_sampling.hpp"
 
 namespace linkwork {
 
@@ -36,11 +37,22 @@ class FixedSteps {
   bool whole_ = false;
 };
 
+/// What the verdict of a lane is made of, as that of a Run.
+struct LaneRun {
+  LaneRun(Dynamics& mechanism, const FixedSteps& steps);
+
+  Dynamics& dynamics;
+  StepSampling sampling;
+  double t = 0.0;
+  VectorXd y;  ///< at t, the end
+};
+
 /// One mechanism of an ensemble: what watches it, as a single run is watched, and what is recorded of it. Whatever a
 /// single run would do otherwise than take its steps makes it leave; the single run is then the one to ask.
 class Lane {
  public:
-  explicit Lane(Dynamics& dynamics);
+  /// `run`, if any, refers to the same `dynamics`, and hears of every step.
+  explicit Lane(Dynamics& dynamics, LaneRun* run = nullptr);
 
   Dynamics& dynamics() { return dynamics_; }
   bool alive() const { return alive_; }
@@ -62,6 +74,10 @@ class Lane {
   /// Of Phi and Phi_dot, where rows are redundant.
   void watch_redundant_rows(double t, const VectorXd& y);
   void record(double t, double frame_t, const VectorXd& y, bool last);
+  bool judged() const { return run_ != nullptr; }
+  /// For the verdict.
+  void sample(double t, const VectorXd& y, double potential);
+  void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new);
   /// Singular poses ahead of a step from the state y.
   void look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& y);
   void expect_nothing() { looked_ = false; }
@@ -83,6 +99,7 @@ class Lane {
   RedundancyWatch redundancy_;
   TurnGuard turns_;
   Divergence divergence_;
+  LaneRun* run_;
   bool alive_ = true, looked_ = false;
   double power_ = 0.0, left_at_ = NAN;
   std::string reason_;

@@ -37,18 +37,34 @@ void states(int bodies, const double* y, double* out) {
   }
 }
 
+/// Of the sums of a chunk of bodies, which begin anew.
+LINKWORK_INLINE Native sum_up(Native (&partial)[8]) {
+  Native total{};
+  for (Native& part : partial) {
+    total += part;
+    part = Native{};
+  }
+  return total;
+}
+
 // In the order of operations of assembly/body_forces.cpp.
-void body_forces(int bodies, const double* mass, const double* gravity, const double* y, double* g) {
+void body_forces(int bodies, const double* mass, const double* gravity, const double* y, double* g, double* potential) {
+  constexpr long sums = 8, chunk = 4096;  // of System
   const Vec3<Pack> down = get_vector<3>(gravity, 0);
+  Native partial[sums]{}, total{};
   for (long body = 0; body < bodies; ++body) {
+    if (body > 0 && body % chunk == 0) total += sum_up(partial);
     const Vec3<Pack> omega = get_vector<3>(y, 7l * bodies + 6 * body + 3);
     const auto M = get_vector<10>(mass, 10 * body);
     Vec3<Pack> momentum;
     for (int k = 0; k < 3; ++k)
       momentum[k] = M[1 + 3 * k] * omega[0] + M[2 + 3 * k] * omega[1] + M[3 + 3 * k] * omega[2];
-    put_vector(g, 6 * body, Vec3<Pack>(M[0] * down));
+    const Vec3<Pack> weight = M[0] * down;
+    put_vector(g, 6 * body, weight);
     put_vector(g, 6 * body + 3, Vec3<Pack>(momentum.cross(omega)));
+    partial[body % sums] -= weight.dot(get_vector<3>(y, 7 * body)).v;
   }
+  put(potential, 0, total + sum_up(partial));
 }
 
 void rates(int bodies, const double* y, const double* v_dot, double* y_dot) {

@@ -26,7 +26,10 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       lanes_(std::move(lanes)),
       tableau_(tableau),
       steps_(steps) {
-  for (const Lane* it : lanes_) watches_ = watches_ || it->watches();
+  for (const Lane* it : lanes_) {
+    watches_ = watches_ || it->watches();
+    judged_ = judged_ || it->judged();
+  }
   for (Lane* it : lanes_) rest_ = rest_ || it->dynamics().system().has_rest();
   const auto size = [&](Numbers& numbers, std::ptrdiff_t count) { numbers.assign(count * width_, 0.0); };
   const auto& symbolic = structure.symbolic;
@@ -35,7 +38,7 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
   size(D_, structure.D_size);
   for (Numbers* rows : {&Phi_, &Phi_t_, &Phi_dot_, &gamma_, &b_, &u_, &lambda_, &looked_lambda_}) size(*rows, m);
   for (Numbers* velocities : {&g_, &v_dot_, &looked_v_dot_}) size(*velocities, velocity_size * n);
-  for (Numbers* one : {&smallest_, &power_, &largest_}) size(*one, 1);
+  for (Numbers* one : {&smallest_, &power_, &potential_, &largest_}) size(*one, 1);
   size(factors_, symbolic.factor_size);
   size(articulated_inertias_, block::articulated_inertia_size * symbolic.articulated_inertia_count);
   size(panels_, symbolic.panel_size);
@@ -71,6 +74,7 @@ bool LanePack::any_lane() const {
 /// Lanes that are not used hold the numbers of the last one.
 void LanePack::load_numbers() {
   state_.resize(structure_.y_size());
+  new_state_.resize(structure_.y_size());
   rows_.resize(structure_.rows);
   rates_.resize(structure_.rows);
   load_masses();
@@ -156,7 +160,8 @@ void LanePack::run(const std::function<void()>& look) {
 void LanePack::begin_step(std::int64_t step) {
   const double t = steps_.time(step);
   evaluate(t, y_);
-  const bool records = steps_.records(step), needs_state = records || watches_ || !structure_.dropped.empty();
+  const bool records = steps_.records(step),
+             needs_state = records || watches_ || judged_ || !structure_.dropped.empty();
   each_lane([&](int l, Lane& lane) {
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
     lane.expect_nothing();
@@ -176,9 +181,15 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     lane.watch_redundant_rows(t, state_);
   }
   if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), state_, last);
-  if (!lane.watches() || !lane.alive()) return;
-  if (last) lane.end(steps_.t_end(), state_);
-  else lane.look_ahead(step, steps_, state_);
+  if (!lane.alive()) return;
+  const double potential = *this->lane(potential_, 0, l);
+  if (last) {
+    lane.sample(steps_.t_end(), state_, potential);
+    if (lane.watches()) lane.end(steps_.t_end(), state_);
+  } else {
+    if (lane.watches()) lane.look_ahead(step, steps_, state_);
+    lane.sample(t, state_, potential);
+  }
 }
 
 void LanePack::take_step(std::int64_t step) {
@@ -224,11 +235,15 @@ void LanePack::take_step(std::int64_t step) {
 void LanePack::finish_step(std::int64_t step) {
   check_size(step);
   kernels_.normalize(structure_.bodies, y_.data());
-  if (!watches_) return;
+  if (!watches_ && !judged_) return;
+  const double t = steps_.time(step), h = steps_.size(step);
   each_lane([&](int l, Lane& lane) {
-    if (!lane.watches()) return;
     take(before_, l, 0, state_);
-    lane.look_back(steps_.time(step), steps_.size(step), state_);
+    if (lane.judged()) {
+      take(y_, l, 0, new_state_);
+      lane.sample_step(t, h, state_, new_state_);
+    }
+    if (lane.watches()) lane.look_back(t, h, state_);
   });
 }
 
@@ -257,7 +272,7 @@ void LanePack::check_size(std::int64_t step) {
 
 void LanePack::evaluate(double t, const Numbers& y) {
   kernels_.states(structure_.bodies, y.data(), states_.data());
-  kernels_.body_forces(structure_.bodies, mass_.data(), gravity_.data(), y.data(), g_.data());
+  kernels_.body_forces(structure_.bodies, mass_.data(), gravity_.data(), y.data(), g_.data(), potential_.data());
   if (rest_) each_lane([&](int l, Lane&) { evaluate_rest(l, t, y); });
   evaluate_joints();
   leave_out_rows();
@@ -272,6 +287,7 @@ void LanePack::evaluate_rest(int l, double t, const Numbers& y) {
   const int nq = system.q_size(), nv = system.v_size();
   const double* g = g_.data() + l;
   for (int k = 0; k < nv; ++k) at.g[k] = g[static_cast<std::ptrdiff_t>(k) * width_];
+  at.potential = *lane(potential_, 0, l);
   try {
     system.evaluate_rest(t, state_.head(nq), state_.segment(nq, nv), dynamics.history(), at);
   } catch (const Error& error) {
@@ -279,6 +295,7 @@ void LanePack::evaluate_rest(int l, double t, const Numbers& y) {
   }
   give(at.g.data(), nv, l, g_, 0);
   *lane(power_, 0, l) = at.power;
+  *lane(potential_, 0, l) = at.potential;
   give_parameters(l, at);
   give_special_joints(l, at);
 }

@@ -59,16 +59,16 @@ class LanePack {
   std::vector<Lane*> lanes_;
   const ButcherTableau& tableau_;
   const FixedSteps& steps_;
-  bool rest_ = false, watches_ = false;
+  bool rest_ = false, watches_ = false, judged_ = false;
 
   Numbers mass_, mass_factors_, gravity_, states_;
   std::vector<Numbers> attachments_, parameters_;  ///< by kind
-  Numbers D_, Phi_, Phi_t_, Phi_dot_, gamma_, g_, b_, u_, v_dot_, lambda_, smallest_, power_;
+  Numbers D_, Phi_, Phi_t_, Phi_dot_, gamma_, g_, b_, u_, v_dot_, lambda_, smallest_, power_, potential_;
   Numbers looked_v_dot_, looked_lambda_, largest_;
   Numbers factors_, articulated_inertias_, panels_, contributions_, scratch_;
   Numbers y_, before_, stage_;
   std::vector<Numbers> k_;
-  VectorXd state_, rows_, rates_;
+  VectorXd state_, new_state_, rows_, rates_;
   Gains gains_{0.0, 0.0};
 };
 

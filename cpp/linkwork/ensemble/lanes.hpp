@@ -38,8 +38,9 @@ struct LaneKernels {
 
   /// Numbers of BodyState (18 a body) from y; of the ground behind them.
   void (*states)(int bodies, const double* y, double* states);
-  /// g = (m gravity, -omega x J omega), 6 a body.
-  void (*body_forces)(int bodies, const double* mass, const double* gravity, const double* y, double* g);
+  /// g = (m gravity, -omega x J omega), 6 a body; and the potential -sum m gravity . r.
+  void (*body_forces)(int bodies, const double* mass, const double* gravity, const double* y, double* g,
+                      double* potential);
   /// q_dot = N(q) v and v_dot, without the work.
   void (*rates)(int bodies, const double* y, const double* v_dot, double* y_dot);
   /// Every p to unit length.

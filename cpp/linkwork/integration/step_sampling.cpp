@@ -120,10 +120,10 @@ void StepSampling::begin_anew(const Dynamics& dynamics, double work) {
   *this = std::move(fresh);
 }
 
-void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
+void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double potential) {
   const VectorXd& history = dynamics.history();
   if (history.size() > 0) look_for_contacts(history, y);
-  balance(dynamics, y);
+  balance(y, potential);
   if (history.size() > 0) history_ = history;
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
@@ -141,8 +141,8 @@ void StepSampling::look_for_contacts(const VectorXd& now, const VectorXd& y) {
   }
 }
 
-void StepSampling::balance(const Dynamics& dynamics, const VectorXd& y) {
-  const double work = y[y.size() - 1], potential = dynamics.evaluation().potential;
+void StepSampling::balance(const VectorXd& y, double potential) {
+  const double work = y[y.size() - 1];
   const double kinetic = system_->kinetic_energy(y.segment(q_size_, system_->v_size()));
   const double balance = kinetic + potential - work;
   energies_.kinetic = std::max(energies_.kinetic, kinetic);

@@ -73,7 +73,9 @@ class StepSampling {
 
   // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
-  void before(const Dynamics& dynamics, const VectorXd& y);
+  void before(const Dynamics& dynamics, const VectorXd& y) { before(dynamics, y, dynamics.evaluation().potential); }
+  /// The same where somebody else knows the potential.
+  void before(const Dynamics& dynamics, const VectorXd& y, double potential);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
   void pass_over() {
     compared_ = false;
@@ -106,7 +108,7 @@ class StepSampling {
   };
 
   void look_for_contacts(const VectorXd& now, const VectorXd& y);
-  void balance(const Dynamics& dynamics, const VectorXd& y);
+  void balance(const VectorXd& y, double potential);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
   double change(double h, const VectorXd& y, const VectorXd& y_new);

@@ -17,10 +17,9 @@ from linkwork import memory
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import processor_count
-from linkwork.ensemble.members import Member, Method, run_members
+from linkwork.ensemble.members import Member, Method, method_of, run_members
 from linkwork.ensemble.outcome import TRAJECTORIES, EnsembleResult, whole_number
 from linkwork.errors import LinkworkError, LinkworkWarning, OptionError
-from linkwork.integrators import ButcherTableau, named
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import TABLE, check_name, check_number, check_option
 from linkwork.options import names as option_names
@@ -174,7 +173,7 @@ class Ensemble:
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
                      "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
         wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
-        method = _method(example, float(t_end), arguments, count)
+        method = method_of(example, float(t_end), arguments, count)
         _check_run(self._members, method)
         if asked is not None:
             found = probe(example, arguments)
@@ -284,25 +283,6 @@ def _recorded(
         if at_end and times is None:
             arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"])))
     return check_times(times, t_end, arguments)
-
-
-def _method(example: Model, t_end: float, arguments: Mapping[str, Any], threads: int) -> Method:
-    """OptionError: a plan that makes no sense."""
-    step, rtol, atol, every, at = (
-        arguments.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
-    )
-    plan = schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(example), 0.0)
-    given = {name: value for name, value in arguments.items() if value is not None or name in TABLE}
-    integrator = arguments["integrator"] or plan.usual_integrator
-    found = named(integrator) if isinstance(integrator, str) else integrator
-    alone = ""
-    if not isinstance(plan, schedule.Fixed):
-        alone = "lanes have fixed steps only"
-    elif not isinstance(found, ButcherTableau):
-        alone = "lanes have explicit Runge-Kutta methods only"
-    elif arguments.get("events"):
-        alone = "lanes have no events"
-    return Method(t_end, given, threads, alone, plan)
 
 
 def _check_run(members: _Members, method: Method) -> None:

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from linkwork import _core
 from linkwork.equations.system import System
-from linkwork.integrators import Integrator
+from linkwork.errors import LinkworkError
+from linkwork.integrators import ButcherTableau, Integrator, named
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.options import TABLE
 from linkwork.results.result import Result
-from linkwork.running import checks, schedule
+from linkwork.running import checks, estimation, recording, schedule
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
-from linkwork.running.simulation import simulate, what_steps
-from linkwork.studies.cases import facts_of
+from linkwork.running.simulation import Stepped, simulate, what_steps
+from linkwork.studies.cases import facts_of, remarked
 
-__all__ = ["Member", "Method", "run_members"]
+__all__ = ["Member", "Method", "method_of", "refusal", "run_members"]
 
 
 @dataclass(frozen=True)
@@ -48,6 +47,7 @@ class Method:
     threads: int
     alone: str  # why none of them can run in lanes; empty where they can
     plan: schedule.Fixed | schedule.Adaptive
+    judged: bool = False  # whether members have a verdict
 
     @property
     def given(self) -> dict[str, Any]:
@@ -64,10 +64,50 @@ class _Ready:
     """One that can run in a lane."""
 
     place: int
-    model: Model
-    system: System
-    method: Integrator
+    stepped: Stepped
     remarks: list[str]
+    run: _core.LaneRun | None = None  # with its estimator, where there is to be a verdict
+    estimator: estimation.ErrorEstimator | None = None
+
+    @property
+    def system(self) -> System:
+        return self.stepped.system
+
+    @property
+    def model(self) -> Model:
+        return self.system.model
+
+
+def method_of(
+    example: Model, t_end: float, arguments: Mapping[str, Any], threads: int, *, judged: bool = False
+) -> Method:
+    """OptionError: a plan that makes no sense."""
+    step, rtol, atol, every, at = (
+        arguments.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
+    )
+    plan = schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(example), 0.0)
+    given = {name: value for name, value in arguments.items() if value is not None or name in TABLE}
+    integrator = arguments.get("integrator") or plan.usual_integrator
+    found = named(integrator) if isinstance(integrator, str) else integrator
+    alone = ""
+    if not isinstance(plan, schedule.Fixed):
+        alone = "lanes have fixed steps only"
+    elif not isinstance(found, ButcherTableau):
+        alone = "lanes have explicit Runge-Kutta methods only"
+    elif arguments.get("events"):
+        alone = "lanes have no events"
+    return Method(t_end, given, threads, alone, plan, judged)
+
+
+def refusal(model: Model, method: Method) -> str:
+    """Why lanes cannot run it, or why it cannot be run at all; empty where they can."""
+    if method.alone:
+        return method.alone
+    with remarked():
+        try:
+            return _core.lane_refusal(_stepped(model, method).system.compiled())
+        except LinkworkError as error:
+            return str(error)
 
 
 def run_members(models: Sequence[Model | Exception], method: Method) -> list[Member]:
@@ -91,26 +131,43 @@ def run_members(models: Sequence[Model | Exception], method: Method) -> list[Mem
 
 
 def _prepared(place: int, model: Model, method: Method) -> _Ready | Member:
-    with _remarked() as remarks:
+    with remarked() as remarks:
         try:
-            with _core.OnePath(method.options.get("deterministic") is True):
-                checks.check_bodies(model)
-                stepped = what_steps(model, method.plan, method.given, method.options)
+            it = _Ready(place, _stepped(model, method), remarks)
+            if method.judged:
+                _follow(it, method)
         except Exception as error:
             return Member(None, error=facts_of(error))
-    assert isinstance(stepped.method, Integrator)
-    return _Ready(place, stepped.system.model, stepped.system, stepped.method, remarks)
+    return it
+
+
+def _stepped(model: Model, method: Method) -> Stepped:
+    with _core.OnePath(method.options.get("deterministic") is True):
+        checks.check_bodies(model)
+        return what_steps(model, method.plan, method.given, method.options)
+
+
+def _follow(it: _Ready, method: Method) -> None:
+    """Its steps, for the verdict."""
+    plan = method.plan
+    assert isinstance(plan, schedule.Fixed)
+    it.run = _core.LaneRun(it.system.compiled(), plan.t_end, plan.step)
+    it.estimator = estimation.ErrorEstimator(
+        it.run, it.stepped.method, it.system, it.stepped.options, None, plan, breaks=it.stepped.breaks
+    )
 
 
 def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
     plan = method.plan
-    tableau = ready[0].method.compiled()
+    integrator = ready[0].stepped.method
     assert isinstance(plan, schedule.Fixed)
+    assert isinstance(integrator, Integrator)
+    tableau = integrator.compiled()
     assert isinstance(tableau, _core.Tableau)  # others run alone
     with Interrupts() as interrupts, interrupts.computing():
         answers = _core.run_ensemble(
             [it.system.compiled() for it in ready], tableau, plan.t_end, plan.step, plan.record_every,
-            method.threads,
+            method.threads, [it.run for it in ready if it.run is not None],
         )  # fmt: skip
     found = {}
     for it, answer in zip(ready, answers, strict=True):
@@ -124,28 +181,34 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
 
 
 def _result(it: _Ready, frames: Mapping[str, Any], method: Method) -> Result:
-    chosen = {"t_start": 0.0, **method.plan.chosen(), "integrator": it.method.name, **it.system.options}
+    integrator = it.stepped.method
+    assert isinstance(integrator, Integrator)
+    chosen = {"t_start": 0.0, **method.plan.chosen(), "integrator": integrator.name, **it.system.options}
     facts = {**manifest(it.model, method.given, chosen), "lane": True}
     header = Header.of(
         it.model.compiled(), it.system.compiled(), facts, None, it.model.shapes, it.model.curves
     )
-    return Result(frames, header, {"lane": True})
+    return Result(frames, header, {"lane": True, **_judged(it, frames, method)})
+
+
+def _judged(it: _Ready, frames: Mapping[str, Any], method: Method) -> dict[str, Any]:
+    """Statistics with the verdict: as of the run by itself."""
+    if it.run is None or it.estimator is None:
+        return {}
+    with _core.OnePath(method.options.get("deterministic") is True):
+        it.estimator.look(frames)
+        counts: dict[str, Any] = {
+            "steps": it.run.steps_done,
+            **method.plan.steps_with_breaks(it.stepped.breaks, 0.0),
+        }
+        verdict = it.estimator.verdict(counts)
+    return counts if verdict is None else {**counts, "verdict": verdict.numbers()}
 
 
 def _alone(model: Model, method: Method, reason: str, remarks: Sequence[str] = ()) -> Member:
-    with _remarked() as more:
+    with remarked() as more:
         try:
             result = simulate(model, method.t_end, progress=False, **method.arguments)
         except Exception as error:
             return Member(None, reason, facts_of(error), [*remarks, *more])
     return Member(result, reason, remarks=list(dict.fromkeys([*remarks, *more])))
-
-
-@contextmanager
-def _remarked() -> Iterator[list[str]]:
-    """Warnings go to the member."""
-    texts: list[str] = []
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        yield texts
-    texts.extend(dict.fromkeys(str(it.message) for it in caught))

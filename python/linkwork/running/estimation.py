@@ -58,7 +58,7 @@ class ErrorEstimator:
 
     def __init__(
         self,
-        run: _core.Run,
+        run: _core.Run | _core.LaneRun,
         method: Integrator | Any,
         system: System,
         options: Options,
@@ -89,7 +89,9 @@ class ErrorEstimator:
     def look(self, frames: Mapping[str, Floats]) -> None:
         """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""
         self._energies.add(frames)
-        if not self._stops or self._run.finished or self._run.steps_done < self._next_look:
+        if not self._stops or isinstance(self._run, _core.LaneRun):
+            return
+        if self._run.finished or self._run.steps_done < self._next_look:
             return
         self._next_look = 2 * self._run.steps_done
         verdict = self._of(System(self._system.model, **self._options), self._run.statistics())

@@ -7,7 +7,7 @@ import time
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ from linkwork.running.simulation import simulate
 from linkwork.studies.outputs import Output
 from linkwork.studies.variants import Source
 
-__all__ = ["Answer", "Case", "Run", "Runner"]
+__all__ = ["Answer", "Case", "Run", "Runner", "facts_of", "machine", "remarked"]
 
 #: Characters of remarks that are kept of a case.
 REMARKS = 300
@@ -68,38 +68,50 @@ class Answer:
 
 @dataclass(frozen=True)
 class Runner:
-    """Everything that the cases have in common; it goes to other processes."""
+    """Everything that the cases have in common; it goes to other processes. `lanes`: they run in those of
+    ensembles, where they can, see `studies.lanes`.
+    """
 
     source: Source
     t_end: float
     options: Mapping[str, Any]
     outputs: Sequence[Output]
     times: Floats | None
+    lanes: bool = False
 
     def __call__(self, cases: Sequence[Case]) -> Answer:
+        if self.lanes:
+            from linkwork.studies.lanes import run_in_lanes
+
+            return Answer(machine(), run_in_lanes(self, cases))
         return Answer(machine(), [self.run(case) for case in cases])
 
     def run(self, case: Case) -> Run:
         """Whatever it raises, it is a Run."""
         found: dict[str, Any]
         started = time.perf_counter()
-        with _remarked() as remarks:
+        with remarked() as remarks:
             try:
-                result = self.result(case.values)
-                found = {"status": "finished", "outputs": self._kept(result), "verdict": _verdict(result)}
+                found = self.kept(self.result(case.values))
             except Exception as error:
                 found = {"status": "failed", "error": facts_of(error)}
-        seconds = time.perf_counter() - started
-        return Run(case.key, **found, remarks="; ".join(remarks)[:REMARKS], seconds=seconds,
-                   values=dict(case.values))  # fmt: skip
+        return replace(self.noted(case, found, remarks), seconds=time.perf_counter() - started)
+
+    def noted(self, case: Case, found: Mapping[str, Any], remarks: Sequence[str]) -> Run:
+        return Run(case.key, **found, remarks="; ".join(remarks)[:REMARKS], values=dict(case.values))
+
+    def kept(self, result: Result) -> dict[str, Any]:
+        """Status, outputs and verdict of one that came to its end; failed where an output cannot be told."""
+        try:
+            outputs = {output.label: output.value(result, self.times).tolist() for output in self.outputs}
+        except Exception as error:
+            return {"status": "failed", "error": facts_of(error)}
+        return {"status": "finished", "outputs": outputs, "verdict": _verdict(result)}
 
     def result(self, values: Mapping[str, Any]) -> Result:
         """The whole run of a case."""
         options = {"threads": 1, **self.options}  # the processors are for other cases
         return simulate(self.source.model(values), self.t_end, progress=False, **options)
-
-    def _kept(self, result: Result) -> dict[str, Any]:
-        return {output.label: output.value(result, self.times).tolist() for output in self.outputs}
 
 
 def facts_of(error: BaseException) -> dict[str, Any]:
@@ -124,7 +136,7 @@ def machine() -> dict[str, str]:
 
 
 @contextmanager
-def _remarked() -> Iterator[list[str]]:
+def remarked() -> Iterator[list[str]]:
     """Warnings go to the case. In threads, which share what becomes of warnings, they go where they go."""
     texts: list[str] = []
     if threading.current_thread() is not threading.main_thread():

@@ -1,7 +1,8 @@
 """Cases in tasks of a few seconds, on local processes or on any executor of concurrent.futures.
 
-What one case costs is learned from the first ones, which go alone. A task whose process dies is given up;
-its cases are tried once more, each alone, so that what kills a process takes no other with it.
+What one case costs is learned from the first ones, which go alone, and of cases in lanes from the first
+tasks. A task whose process dies is given up; its cases are tried once more, each alone, so that what kills a
+process takes no other with it.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError
 from linkwork.studies.cases import Answer, Case, Runner
 from linkwork.studies.executors import adapted, workers_of
+from linkwork.studies.lanes import PACK
 
 __all__ = ["chunked", "run_cases"]
 
@@ -50,28 +52,32 @@ def run_cases(
     local = executor is None
     pool = _local(processes, beat, case_seconds) if local else _on(adapted(executor), workers, beat)
     lost: list[Case] = []
-    seconds: list[float] = []
-    for chunk, answer in pool(runner, [[case] for case in cases[:workers]]):
-        if isinstance(answer, Lost) and answer.late:
-            yield chunk, answer
-        elif isinstance(answer, Lost):
-            lost.extend(chunk)
+    rest, mean = cases, 0.0
+    for turn in range(3 if runner.lanes else 2):
+        if turn == 0:
+            chunks: list[Chunk] = [[case] for case in rest[:workers]]
         else:
-            seconds.extend(run.seconds for run in answer.runs)
+            chunks = chunked(rest, mean, workers, PACK if runner.lanes else 1)
+        if turn == 1 and runner.lanes:  # full packs take less for a case than one that is alone
+            chunks = chunks[:workers]
+        rest = rest[sum(map(len, chunks)) :]
+        seconds: list[float] = []
+        for chunk, answer in pool(runner, chunks):
+            if isinstance(answer, Lost) and not (answer.late and len(chunk) == 1):
+                lost.extend(chunk)
+                continue
+            if isinstance(answer, Answer):
+                seconds.extend(run.seconds for run in answer.runs)
             yield chunk, answer
-    mean = sum(seconds) / len(seconds) if seconds else TASK_SECONDS
-    for chunk, answer in pool(runner, chunked(cases[workers:], mean, workers)):
-        if isinstance(answer, Lost):
-            lost.extend(chunk)
-        else:
-            yield chunk, answer
+        mean = sum(seconds) / len(seconds) if seconds else TASK_SECONDS
     yield from pool(runner, [[case] for case in lost])
 
 
-def chunked(cases: Sequence[Case], seconds: float, workers: int) -> list[Chunk]:
-    """Of so many that a task takes TASK_SECONDS, where a case takes `seconds`."""
+def chunked(cases: Sequence[Case], seconds: float, workers: int, pack: int = 1) -> list[Chunk]:
+    """Of so many that a task takes TASK_SECONDS, where a case takes `seconds`, if it can be of whole packs."""
     size = max(1, min(int(TASK_SECONDS / max(seconds, 1e-6)), math.ceil(len(cases) / (TASKS_EACH * workers))))
     size = max(size, math.ceil(len(cases) / FILES))
+    size = math.ceil(size / pack) * pack if size >= pack / 2 else size
     return [cases[start : start + size] for start in range(0, len(cases), size)]
 
 

@@ -26,7 +26,7 @@ from linkwork.errors import FileError, cause, unwritable, warn
 from linkwork.studies.cases import Answer, Run
 from linkwork.studies.fingerprints import digest
 
-__all__ = ["Store", "write_whole"]
+__all__ = ["Store", "stored_identity", "write_whole"]
 
 #: Of the format.
 VERSION = 1
@@ -124,6 +124,16 @@ class Store:
                 f"directory '{self.directory}': holds something else than a study; give a new one",
                 code="other_study",
             )
+
+
+def stored_identity(directory: Any) -> Mapping[str, Any] | None:
+    """Of the study that is there; None: there is none that can be read."""
+    path = arguments.path(directory, "directory") / "study.json"
+    try:
+        found: Mapping[str, Any] = json.loads(path.read_text(encoding="utf-8"))["identity"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+    return found
 
 
 def _difference(stored: Any, value: Any) -> str:

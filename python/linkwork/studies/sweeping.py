@@ -37,8 +37,9 @@ from linkwork.studies.cases import Answer, Case, Run, Runner, check_times, machi
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.executors import check_executor
 from linkwork.studies.fingerprints import canonical, digest
+from linkwork.studies.lanes import fits, with_lanes
 from linkwork.studies.sampling import Cases, cases_of
-from linkwork.studies.store import Store
+from linkwork.studies.store import Store, stored_identity
 from linkwork.studies.study import Study, assembled
 from linkwork.studies.variants import Built, Source, source_of
 
@@ -140,6 +141,8 @@ def sweep(
     _check_reductions(checked, run_options)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
+    base = model if isinstance(model, Model) else example
+    runner = _chosen(runner, with_lanes(runner, options), base, drawn, directory)
     check_executor(executor, processes, runner)
     _check_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
@@ -306,6 +309,17 @@ def _check_times(outputs: Sequence[wanted.Output], times: Floats | None, options
 # --- what it is ---
 
 
+def _chosen(alone: Runner, lanes: Runner | None, base: Model, cases: Cases, directory: Any) -> Runner:
+    """In lanes where they can have it; a study that is in the directory goes on as it began."""
+    if lanes is None:
+        return alone
+    if directory is not None and (begun := stored_identity(directory)) is not None:
+        for runner in (lanes, alone):
+            if begun == _identity(runner, cases):
+                return runner
+    return lanes if fits(lanes, base) else alone
+
+
 def _version() -> str:
     return str(platform_facts()["versions"]["linkwork"])
 
@@ -345,7 +359,7 @@ def _about(runner: Runner, cases: Cases, seed: int | None) -> dict[str, Any]:
     """For the manifest."""
     return {
         "example": {"values": cases.case(0), "model": _hash_of(runner.source, cases.case(0))},
-        "sampler": cases.how, "cases": len(cases), "seed": seed,
+        "sampler": cases.how, "cases": len(cases), "seed": seed, "lanes": runner.lanes,
         "outputs": [it.label for it in runner.outputs], **platform_facts(), "machine": machine(),
         "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
     }  # fmt: skip

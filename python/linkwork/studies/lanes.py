@@ -1,0 +1,97 @@
+"""Cases of a study in the lanes of ensembles: whether all of them go there, and what becomes of some.
+
+Which it is follows from what the study is: its model, its options, its times. So a case has the same bits on
+whatever processor, in whatever task, shard or rerun: those of its run by itself with deterministic=True.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from linkwork.errors import LinkworkError
+from linkwork.modeling.model import Model
+from linkwork.running.estimation import apply_policy
+from linkwork.studies.cases import Case, Run, Runner, facts_of, remarked
+
+__all__ = ["PACK", "fits", "run_in_lanes", "with_lanes"]
+
+#: Members of the widest pack; tasks have a multiple of it.
+PACK = 8
+
+#: Cases that are made and simulated at a time: memory does not grow with those of a task.
+AT_ONCE = 4 * PACK
+
+#: Frames of cases of which only the last is asked for: the verdict looks at the balance of energy over them.
+FRAMES = 50
+
+#: Options of `simulate` that lanes do not have.
+ALONE = ("events", "verify", "threads")
+
+
+def with_lanes(runner: Runner, given: Mapping[str, Any]) -> Runner | None:
+    """The same in lanes; None: they cannot have what it asks for, or the `given` options forbid it."""
+    if given.get("deterministic") is False or given.get("on_inaccurate") == "stop":
+        return None
+    if any(given.get(name) for name in ALONE):
+        return None
+    options = {**runner.options, "deterministic": True}
+    if runner.times is None and given.get("record_every") is None and all(it.at_end for it in runner.outputs):
+        options["record_every"] = math.ceil(runner.t_end / given["step"] / FRAMES) if given.get("step") else 1
+    return replace(runner, options=options, lanes=True)
+
+
+def fits(runner: Runner, example: Model) -> bool:
+    """Whether lanes can run a model of the study: else none of it is worth the slower arithmetic."""
+    from linkwork.ensemble.members import refusal
+
+    try:
+        return not refusal(example, _method(runner, example))
+    except LinkworkError:
+        return False
+
+
+def run_in_lanes(runner: Runner, cases: Sequence[Case]) -> list[Run]:
+    """Whatever they raise, they are Runs, in order."""
+    return [run for start in range(0, len(cases), AT_ONCE)
+            for run in _at_once(runner, cases[start : start + AT_ONCE])]  # fmt: skip
+
+
+def _at_once(runner: Runner, cases: Sequence[Case]) -> list[Run]:
+    from linkwork.ensemble.members import run_members
+
+    started = time.perf_counter()
+    models = [_model_or_error(runner, case) for case in cases]
+    example = next((it for it in models if isinstance(it, Model)), None)
+    if example is None:
+        members = [facts_of(it) for it in models if isinstance(it, Exception)]
+        return [Run(case.key, "failed", error=facts, values=dict(case.values))
+                for case, facts in zip(cases, members, strict=True)]  # fmt: skip
+    runs = []
+    for case, member in zip(cases, run_members(models, _method(runner, example)), strict=True):
+        remarks = list(member.remarks)
+        found: dict[str, Any] = {"status": "failed", "error": member.error}
+        if member.result is not None:
+            with remarked() as more:
+                found = runner.kept(member.result)
+                apply_policy(member.result, runner.options["on_inaccurate"])
+            remarks = list(dict.fromkeys([*remarks, *more]))
+        runs.append(runner.noted(case, found, remarks))
+    seconds = (time.perf_counter() - started) / len(cases)
+    return [replace(run, seconds=seconds) for run in runs]
+
+
+def _model_or_error(runner: Runner, case: Case) -> Model | Exception:
+    try:
+        return runner.source.model(case.values)
+    except Exception as error:
+        return error
+
+
+def _method(runner: Runner, example: Model) -> Any:
+    from linkwork.ensemble.members import method_of
+
+    return method_of(example, runner.t_end, {**runner.options, "threads": 1}, 1, judged=True)
