@@ -1,5 +1,6 @@
 #include "bindings.hpp"
 #include "linkwork/ensemble/ensemble.hpp"
+#include "linkwork/ensemble/lane_timing.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -35,9 +36,24 @@ py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTable
   return out;
 }
 
+py::tuple timed_lanes(const std::vector<Dynamics*>& dynamics, int repetitions, int threads) {
+  const InstructionSet widest = best_instruction_set();
+  const AllBusy busy(dynamics);
+  LaneTiming found;
+  {
+    const py::gil_scoped_release release;
+    found = time_lanes(dynamics, repetitions, threads, widest);
+  }
+  return py::make_tuple(found.seconds, found.v_dot);
+}
+
 }  // namespace
 
 void bind_ensemble(py::module_& module) {
+  module.def("lane_count", +[] { return lane_count(best_instruction_set()); }, "Mechanisms that fill a pack here.");
+  module.def("time_lanes", &timed_lanes, py::arg("dynamics"), py::arg("repetitions"), py::arg("threads"),
+             "(wall time [s] of one right-hand side with reactions of all of them, in full packs, one a thread; their "
+             "v_dot (6n,)).");
   module.def("lane_refusal", &LaneStructure::refusal, py::arg("dynamics"),
              "Why lanes cannot run this, in words that end a sentence; empty where they can.");
   module.def(

@@ -6,8 +6,14 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "linkwork/integration/recorder.hpp"
 #include "linkwork/math/types.hpp"
+
+namespace linkwork {
+
+class System;
+struct Frames;
+
+}  // namespace linkwork
 
 namespace linkwork::python {
 

@@ -301,3 +301,22 @@ def test_help_has_an_example(command: str, capsys: pytest.CaptureFixture[str]) -
     code, out, _ = words(capsys, command, "--help")
     assert code == 0 and f"linkwork bench {command}" in out.split("Usage")[1].split("\n", 1)[1]
     assert all(option in out for option in ("--mechanism", "--repeats", "--json"))
+
+
+def test_lanes_are_timed_beside_the_run_by_itself_once_their_accelerations_are_right() -> None:
+    chain, crank = benchmark.measure_lanes([("chain", 3), ("spatial_slider_crank", None)], rounds=1)
+    assert (chain.bodies, crank.bodies) == (3, 3)
+    assert list(chain.packed) == [1, 2]
+    assert max(chain.difference, crank.difference) < 1e-9
+    assert min(chain.single, chain.deterministic, *chain.packed.values()) > 0
+    assert not crank.mujoco
+
+
+def test_a_mechanism_that_lanes_refuse_is_no_benchmark_of_lanes() -> None:
+    with pytest.raises(lw.OptionError, match="torque_free_top: .*no joints"):
+        benchmark.measure_lanes([("torque_free_top", None)], rounds=1)
+
+
+def test_command_prints_lanes(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["bench", "ensemble", "--mechanism", "chain", "--repeats", "1", "--threads", "1"]) == 0
+    assert "lanes, 1 thread" in capsys.readouterr().out

@@ -24,6 +24,7 @@ PARTS = {
     "math/instruction_set": "batch",
     "math/usable_cores": "thread_pool",
     "assembly/system_algebra": "system",
+    "assembly/system_compilation": "system",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import platform as platform_module
+import re
 import shutil
 import subprocess
 import sys
@@ -10,6 +12,7 @@ from importlib import metadata
 from pathlib import Path
 
 import pytest
+from linkwork import _core
 
 ROOT = Path(__file__).parents[2]
 PYTHONS = ("cp311", "cp312", "cp313", "cp314")
@@ -65,3 +68,14 @@ def test_the_module_asks_for_no_newer_c_library_than_its_wheel_says() -> None:
     versions = {tuple(map(int, word.partition("@GLIBC_")[2].split("."))) for word in symbols.split()
                 if "@GLIBC_" in word}  # fmt: skip
     assert versions and max(versions) <= (2, 34)
+
+
+@pytest.mark.skipif(
+    platform_module.libc_ver() != ("glibc", "2.36"), reason="another toolchain than wheels are tried with"
+)
+def test_the_module_asks_for_no_newer_libraries_than_wheels_promise() -> None:
+    """manylinux_2_34 has glibc 2.34 and the C++ library of GCC 11."""
+    module = Path(_core.__file__).read_bytes()
+    for name, newest in (("GLIBC_2", 34), ("GLIBCXX_3.4", 29)):
+        versions = re.findall(rb"\0" + re.escape(name.encode()) + rb"\.(\d+)\0", module)
+        assert versions and max(map(int, versions)) <= newest, name

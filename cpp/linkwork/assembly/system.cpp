@@ -1,10 +1,8 @@
 #include "linkwork/assembly/system.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <limits>
 #include <numeric>
 
 #include "linkwork/math/error.hpp"
@@ -14,221 +12,13 @@ namespace linkwork {
 namespace {
 
 constexpr std::size_t most_parameters = 8;  // of a special joint
-constexpr double singular_moment = 1e-14;   // principal moment, relative to the largest
 constexpr int chunk_of_forces = 1024;       // that a thread works on at a time
-constexpr std::size_t many_forces = 4 * chunk_of_forces;
-
-/// Fills `begin` and `list` so that list[begin[k] .. begin[k+1]) holds the blocks whose key is k, in order.
-template <class Key>
-void group_blocks(const std::vector<ConstraintBlock>& blocks, int groups, Key key, std::vector<int>& list,
-                  std::vector<int>& begin) {
-  begin.assign(groups + 1, 0);
-  for (const ConstraintBlock& block : blocks) begin[key(block) + 1] += 1;
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  list.resize(blocks.size());
-  std::vector<int> next(begin.begin(), begin.end() - 1);
-  for (std::size_t b = 0; b < blocks.size(); ++b) list[next[key(blocks[b])]++] = static_cast<int>(b);
-}
 
 BlockRange range(const std::vector<int>& list, const std::vector<int>& begin, int k) {
   return {list.data() + begin[k], list.data() + begin[k + 1]};
 }
 
-/// The inverse on the range of J, zero on its kernel (bodies without inertia).
-Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
-  const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(J);
-  const Vec3<double> moments = eigen.eigenvalues();
-  singular = moments[0] <= singular_moment * moments[2] || moments[2] <= 0.0;
-  if (!singular)
-    return J.isDiagonal(0.0) ? Mat3<double>(J.diagonal().cwiseInverse().asDiagonal()) : Mat3<double>(J.inverse());
-  Vec3<double> inverse = Vec3<double>::Zero();
-  for (int k = 0; k < 3; ++k)
-    if (moments[k] > singular_moment * moments[2] && moments[2] > 0.0) inverse[k] = 1.0 / moments[k];
-  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-}
-
-void append_joint(const Model& model, const Element& element, int row, std::ptrdiff_t D, JointBatch& batch) {
-  batch.body_i.push_back(element.i);
-  batch.body_j.push_back(element.j);
-  batch.attachment.push_back(element.at);
-  batch.row.push_back(row);
-  batch.D.push_back(D);
-  for (std::size_t p = 0; p < joint_info(element.kind).parameters.size(); ++p) {
-    batch.parameters.push_back(model.joint_parameters()[element.first_parameter + p]);
-    batch.time_dependent = batch.time_dependent || batch.parameters.back().signal >= 0;
-  }
-}
-
 }  // namespace
-
-System::System(const Model& model, const InstructionSet& instructions)
-    : model_(model),
-      instructions_(instructions),
-      body_forces_(body_forces(instruction_set_for(static_cast<int>(model.bodies().size()), instructions))) {
-  compile_masses();
-  compile_joints();
-  compile_forces();
-  begin_history();
-}
-
-void System::compile_masses() {
-  mass_.resize(model_.bodies().size());
-  inverse_mass_.resize(mass_.size());
-  for (std::size_t k = 0; k < mass_.size(); ++k) {
-    const Body& body = model_.bodies()[k];
-    bool singular = false;
-    Eigen::Map<Mat3<double>>(inverse_mass_[k].J) = pseudo_inverse(body.inertia, singular);
-    Eigen::Map<Mat3<double>>(mass_[k].J) = body.inertia;
-    if (singular || body.mass == 0.0) massless_.push_back(static_cast<int>(k));
-    mass_[k].m = body.mass;
-    inverse_mass_[k].m = body.mass > 0.0 ? 1.0 / body.mass : 0.0;
-  }
-}
-
-void System::compile_joints() {
-  std::vector<int> count(joint_kinds().size(), 0);
-  std::vector<std::size_t> place(joint_kinds().size(), 0);
-  for (const Element& element : model_.joints())
-    if (static_cast<std::size_t>(element.kind) < count.size()) count[element.kind] += 1;
-  for (std::size_t kind = 0; kind < count.size(); ++kind) {
-    if (count[kind] == 0) continue;
-    place[kind] = joints_.size();
-    const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
-    joints_.push_back({joint_kinds()[kind].evaluate[instructions.level], instructions.width, {}});
-    joints_.back().batch.reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions.width);
-  }
-  blocks_.reserve(2 * model_.joints().size());
-  for (int joint = 0; joint < joint_count(); ++joint) {
-    const Element& element = model_.joints()[joint];
-    if (const SpecialJoint* special = model_.special_joint(joint)) {
-      compile_special_joint(joint, *special);
-      continue;
-    }
-    const int row = model_.joint_rows()[joint], rows = joint_info(element.kind).rows;
-    append_joint(model_, element, row, D_size_, joints_[place[element.kind]].batch);
-    if (element.i != ground)
-      blocks_.push_back({.joint = joint, .body = element.i, .row = row, .rows = rows, .offset = D_size_});
-    if (element.j != ground)
-      blocks_.push_back(
-          {.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_size_ + velocity_size * rows});
-    D_size_ += 2 * velocity_size * rows;
-  }
-  for (std::size_t kind = 0; kind < joints_.size(); ++kind)
-    for (int first = 0, count = static_cast<int>(joints_[kind].batch.row.size()); first < count; first += chunk)
-      joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
-  for (CompiledJoints& joints : joints_) {
-    joints.batch.pack(joints.width);
-    time_dependent_constraints_ = time_dependent_constraints_ || joints.batch.time_dependent;
-  }
-  group_blocks(
-      blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);
-  group_blocks(
-      blocks_, body_count(), [](const ConstraintBlock& b) { return b.body; }, body_block_list_, body_block_begin_);
-}
-
-void System::compile_special_joint(int joint, const SpecialJoint& special) {
-  const Element& element = model_.joints()[joint];
-  const KindInfo& info = joint_info(element.kind);
-  const int row = model_.joint_rows()[joint];
-  special_joints_.push_back(
-      {.special = &special, .joint = joint, .row = row, .rows = info.rows, .D = D_size_, .history = history_size()});
-  add_history(special.history_kind(), true, joint, special.history_size());
-  most_bodies_ = std::max(most_bodies_, special.bodies().size());
-  for (const int body : special.bodies()) {
-    if (body != ground)
-      blocks_.push_back({.joint = joint, .body = body, .row = row, .rows = info.rows, .offset = D_size_});
-    D_size_ += velocity_size * info.rows;
-  }
-  for (std::size_t p = 0; p < info.parameters.size(); ++p)
-    time_dependent_constraints_ =
-        time_dependent_constraints_ || model_.joint_parameters()[element.first_parameter + p].signal >= 0;
-}
-
-void System::compile_forces() {
-  force_batches_.resize(force_kinds().size());
-  const int n = body_count();
-  for (std::size_t k = 0; k < model_.forces().size(); ++k) {
-    const Element& element = model_.forces()[k];
-    const ForceKind& kind = force_kinds()[element.kind];
-    Batch& batch = force_batches_[element.kind];
-    batch.body_i.push_back(element.i == ground ? n : element.i);
-    batch.body_j.push_back(element.j == ground ? n : element.j);
-    batch.attachment.push_back(element.at);
-    batch.history.push_back(history_size());
-    batch.switches.push_back(static_cast<std::ptrdiff_t>(switches_.size()));
-    const int contact = kind.history == HistoryKind::onset ? history_size() : -1;
-    switches_.insert(switches_.end(), kind.switches, contact);
-    const auto first = model_.force_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
-    batch.parameters.insert(batch.parameters.end(), first,
-                            first + static_cast<std::ptrdiff_t>(kind.info.parameters.size()));
-    add_history(kind.history, false, static_cast<int>(k), kind.history == HistoryKind::none ? 0 : 1);
-  }
-  for (std::size_t k = 0; k < model_.joint_forces().size(); ++k) {
-    const HistoryKind kind = model_.joint_forces()[k].history_kind();
-    joint_force_history_.push_back(kind == HistoryKind::none ? -1 : history_size());
-    add_history(kind, false, static_cast<int>(model_.forces().size() + k), kind == HistoryKind::none ? 0 : 1);
-  }
-  if (model_.forces().size() >= many_forces) place_wrenches();
-}
-
-/// Of each body the wrenches that elements apply to it, in the order in which one thread adds them up.
-void System::place_wrenches() {
-  body_wrench_begin_.assign(body_count() + 2, 0);
-  const auto visit = [&](const auto& see) {
-    int element = 0;
-    for (const Batch& batch : force_batches_)
-      for (std::size_t k = 0; k < batch.size(); ++k, ++element) {
-        see(batch.body_i[k], 2 * element);
-        see(batch.body_j[k], 2 * element + 1);
-      }
-  };
-  visit([&](int body, int) { body_wrench_begin_[body + 1] += 1; });
-  std::partial_sum(body_wrench_begin_.begin(), body_wrench_begin_.end(), body_wrench_begin_.begin());
-  body_wrench_list_.resize(body_wrench_begin_.back());
-  std::vector<int> next(body_wrench_begin_.begin(), body_wrench_begin_.end() - 1);
-  visit([&](int body, int wrench) { body_wrench_list_[next[body]++] = wrench; });
-  for (const Batch& batch : force_batches_)
-    called_alone_.push_back(std::any_of(batch.parameters.begin(), batch.parameters.end(), [&](const Parameter& it) {
-      return it.signal >= 0 && !model_.signals()[it.signal]->of_time();
-    }));
-}
-
-void System::add_history(HistoryKind kind, bool joint, int element, int count) {
-  history_owners_.insert(history_owners_.end(), count, {kind, joint, element});
-}
-
-std::string System::history_name(int variable) const {
-  const HistoryOwner& owner = history_owners_[variable];
-  if (owner.joint) return "joint '" + model_.joint_name(owner.element) + "'";
-  if (const auto k = static_cast<std::size_t>(owner.element); k >= model_.forces().size())
-    return "force '" + model_.joint_forces()[k - model_.forces().size()].name + "'";
-  return "force '" + model_.force_names().name(owner.element) + "'";
-}
-
-void System::begin_history() {
-  initial_history_ = blank_history();
-  if (initial_history_.size() == 0) return;
-  const std::vector<double>& given = model_.initial_history();
-  if (!given.empty() && std::ssize(given) != history_size())
-    throw ModelError("history", "the initial state of the model has " + std::to_string(given.size()) +
-                                    " history variables, but its springs, stops, contacts and couplers have " +
-                                    std::to_string(history_size()) +
-                                    ": set the initial state after all of them are there");
-  if (!given.empty()) initial_history_ = Eigen::Map<const VectorXd>(given.data(), history_size());
-  if (special_joints_.empty()) return;
-  Evaluation at = make_evaluation();
-  at.history = initial_history_;
-  evaluate_constraints(0.0, model_.initial_q(), VectorXd::Zero(v_size()), initial_history_, at);
-  initial_history_ = at.history;
-}
-
-/// Nothing is known of the past.
-VectorXd System::blank_history() const {
-  VectorXd out(history_size());
-  for (int k = 0; k < history_size(); ++k)
-    out[k] = history_owners_[k].joint ? std::numeric_limits<double>::quiet_NaN() : 0.0;
-  return out;
-}
 
 VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVector& v) const {
   if (history_size() == 0) return {};
@@ -248,21 +38,6 @@ VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVe
 
 bool System::shares_work() const {
   return body_count() > chunk || joint_count() > chunk || !body_wrench_begin_.empty();
-}
-
-Evaluation System::make_evaluation() const {
-  Evaluation out;
-  if (!model_.forces().empty()) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
-  out.signals.resize(model_.signals().size());
-  out.D.assign(D_size_ + velocity_size, 0.0);
-  out.special.resize(most_bodies_);
-  if (!body_wrench_begin_.empty()) out.wrenches.resize(wrench_size * model_.forces().size());
-  out.potentials.resize((body_count() + chunk - 1) / chunk);
-  for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
-  out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
-  for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
-  out.g.setZero(v_size() + velocity_size);
-  return out;
 }
 
 // g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
@@ -478,22 +253,6 @@ BodyState<double> System::moving(int body, const ConstVector& q, const ConstVect
   state.r_dot = v.segment<3>(velocity_size * body);
   state.omega = v.segment<3>(velocity_size * body + 3);
   return state;
-}
-
-MatrixXd System::massless_directions(int body) const {
-  const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(inertia(body));
-  const Vec3<double> moments = eigen.eigenvalues();
-  MatrixXd kernel(6, 0);
-  const auto append = [&](int first_row, const Vec3<double>& direction) {
-    kernel.conservativeResize(6, kernel.cols() + 1);
-    kernel.rightCols<1>().setZero();
-    kernel.rightCols<1>().segment<3>(first_row) = direction;
-  };
-  for (int k = 0; k < 3; ++k) {
-    if (mass(body) == 0.0) append(0, Vec3<double>::Unit(k));
-    if (moments[k] <= singular_moment * moments[2] || moments[2] <= 0.0) append(3, eigen.eigenvectors().col(k));
-  }
-  return kernel;
 }
 
 BlockRange System::joint_blocks(int joint) const { return range(joint_block_list_, joint_block_begin_, joint); }

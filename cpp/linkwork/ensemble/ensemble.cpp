@@ -30,12 +30,15 @@ Ensemble::Ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau&
       members_(dynamics.size()) {
   check(tableau);
   for (int k = 0; k < static_cast<int>(dynamics.size()); ++k) {
-    members_[k].reason = LaneStructure::refusal(*dynamics[k]);
+    members_[k].reason = LaneStructure::refusal_of_numbers(*dynamics[k]);
     if (!members_[k].reason.empty()) continue;
     auto found = std::find_if(groups_.begin(), groups_.end(),
                               [&](const auto& group) { return group->structure.same(*dynamics[k]); });
-    if (found == groups_.end())
+    if (found == groups_.end()) {
+      members_[k].reason = LaneStructure::refusal(*dynamics[k]);
+      if (!members_[k].reason.empty()) continue;
       found = groups_.insert(groups_.end(), std::make_unique<Group>(Group{LaneStructure(*dynamics[k]), {}}));
+    }
     (*found)->members.push_back(k);
   }
   const std::ptrdiff_t width = lane_kernels(widest).width;

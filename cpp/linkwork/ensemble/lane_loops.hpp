@@ -187,6 +187,8 @@ struct ColumnUpdate {
   }
   template <bool of_block>
   LINKWORK_INLINE void apply_from(double* column, int p, int end) const {
+    if constexpr (!of_block)
+      for (; p + 8 <= end; p += 8) apply<8, of_block>(column, p);
     for (; p + 4 <= end; p += 4) apply<4, of_block>(column, p);
     for (; p < end; ++p) apply<1, of_block>(column, p);
   }
@@ -260,6 +262,7 @@ void update_kept(const FrontPlace& at, const double* U, const double* pivots) {
     const double* A = narrow ? U : at.panel;
     double* column = at.column(c);
     int p = c;
+    for (; p + 8 <= at.last(); p += 8) subtract_products<8>(column, p, A, stride, front.width, factors);
     for (; p + 4 <= at.last(); p += 4) subtract_products<4>(column, p, A, stride, front.width, factors);
     for (; p < at.last(); ++p) subtract_products<1>(column, p, A, stride, front.width, factors);
   }

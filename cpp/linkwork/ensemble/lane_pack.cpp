@@ -155,6 +155,20 @@ void LanePack::run(const std::function<void()>& look) {
   }
 }
 
+void LanePack::evaluate_start(int times) {
+  for (int k = 0; k < times; ++k) {
+    evaluate(0.0, y_);
+    solve(0.0, false);
+    find_rates(y_, k_.front());
+  }
+}
+
+VectorXd LanePack::accelerations(int l) {
+  VectorXd out(velocity_size * structure_.bodies);
+  take(v_dot_, l, 0, out);
+  return out;
+}
+
 // --- one step ---
 
 void LanePack::begin_step(std::int64_t step) {

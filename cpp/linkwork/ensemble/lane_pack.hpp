@@ -23,6 +23,10 @@ class LanePack {
   /// Until all lanes have ended or left. `look` is called between steps; what it throws ends the pack.
   void run(const std::function<void()>& look);
 
+  /// Right-hand sides with reactions at the initial states, again and again; for benchmarks.
+  void evaluate_start(int times);
+  VectorXd accelerations(int l);  ///< of a lane, from the last one
+
  private:
   using Numbers = AlignedDoubles;
 

@@ -85,7 +85,7 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
                     });
 }
 
-std::string LaneStructure::refusal(const Dynamics& dynamics) {
+std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   const Options& options = dynamics.options();
   const System& system = dynamics.system();
   if (!options.deterministic) return "lanes have the bits of deterministic runs only";
@@ -101,7 +101,12 @@ std::string LaneStructure::refusal(const Dynamics& dynamics) {
   const RegularizedInertia& inertia = dynamics.formulation().inertia();
   if (inertia.regularized() || inertia.shows(INFINITY)) return "it has very small inertias, which take refinement";
   if (!system.model().user_forces().empty()) return "it has forces that are functions of Python";
-  const block::SymbolicFactorization symbolic(system, dynamics.dropped().rows());
+  return "";
+}
+
+std::string LaneStructure::refusal(const Dynamics& dynamics) {
+  if (std::string why = refusal_of_numbers(dynamics); !why.empty()) return why;
+  const block::SymbolicFactorization symbolic(dynamics.system(), dynamics.dropped().rows());
   if (!symbolic.hubs.empty()) return "it has a body with very many joints";
   if (symbolic.widest_front > widest_front) return "its loops are too large";
   return "";

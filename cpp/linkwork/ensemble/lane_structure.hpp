@@ -18,6 +18,8 @@ class LaneStructure {
 
   /// Why lanes cannot run this, in words that end a sentence; empty where they can.
   static std::string refusal(const Dynamics& dynamics);
+  /// The same of one whose structure they can.
+  static std::string refusal_of_numbers(const Dynamics& dynamics);
   bool same(const Dynamics& dynamics) const;
 
   /// The joints of one kind.

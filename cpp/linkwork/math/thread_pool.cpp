@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -34,6 +35,12 @@ long process() {
 #else
   return 0;
 #endif
+}
+
+/// As condition.wait(lock, met), which since GCC 12 asks for that version's library: wheels run with older ones.
+template <class Met>
+void sleep_until(std::condition_variable& condition, std::unique_lock<std::mutex>& lock, Met met) {
+  while (!condition.wait_for(lock, std::chrono::hours(1), met)) continue;
 }
 
 /// Signals are for the threads that were there before.
@@ -83,7 +90,7 @@ struct ThreadPool::Crew {
       for (int k = 0; k < looks && !parts_left(); ++k) pause();
       if (!parts_left()) {
         std::unique_lock lock(mutex);
-        wake.wait(lock, [&] { return ended || parts_left(); });
+        sleep_until(wake, lock, [&] { return ended || parts_left(); });
         if (ended) return;
       }
       take_parts(worker);
@@ -139,7 +146,7 @@ struct ThreadPool::Crew {
     take_parts(0);
     for (int k = 0; k < looks && unfinished.load(std::memory_order_acquire) > 0; ++k) pause();
     std::unique_lock lock(mutex);
-    done.wait(lock, [&] { return unfinished.load(std::memory_order_acquire) == 0; });
+    sleep_until(done, lock, [&] { return unfinished.load(std::memory_order_acquire) == 0; });
     if (const std::exception_ptr thrown = std::exchange(error, nullptr)) std::rethrow_exception(thrown);
   }
 

@@ -11,6 +11,7 @@ thread (OMP_NUM_THREADS=1, OPENBLAS_NUM_THREADS=1, before Python starts), as `li
 
 from __future__ import annotations
 
+from linkwork.benchmark.ensembles import SUBJECTS, Lanes, measure_lanes
 from linkwork.benchmark.machine import machine
 from linkwork.benchmark.right_hand_side import Comparison, Measured, Refused, compare_solvers
 from linkwork.benchmark.scaling import Growth, Missing, Size, growth
@@ -18,6 +19,6 @@ from linkwork.benchmark.stepping import LONG_RUNS, Run, Steps, long_run, time_st
 from linkwork.benchmark.subject import Subject
 
 __all__ = [
-    "LONG_RUNS", "Comparison", "Growth", "Measured", "Missing", "Refused", "Run", "Size", "Steps",
-    "Subject", "compare_solvers", "growth", "long_run", "machine", "time_steps",
+    "LONG_RUNS", "SUBJECTS", "Comparison", "Growth", "Lanes", "Measured", "Missing", "Refused", "Run", "Size",
+    "Steps", "Subject", "compare_solvers", "growth", "long_run", "machine", "measure_lanes", "time_steps",
 ]  # fmt: skip

@@ -19,6 +19,7 @@ def bench() -> None:
     linkwork bench rhs --mechanism net --bodies 1740       right-hand sides by every linear solver
     linkwork bench scaling --bodies 1000,10000,100000      time and memory against the size
     linkwork bench step                                    steps of every mechanism, runs of 10 s
+    linkwork bench ensemble                                many mechanisms in the lanes of the processor
 
     Times are wall times, medians over rounds in which all take their turn; let nothing else run meanwhile.
     """
@@ -168,3 +169,31 @@ def step(**values: Any) -> None:
     from linkwork.cli import benchmarking
 
     benchmarking.step(**values)
+
+
+@bench.command()
+@_options(
+    click.option(
+        "--mechanism", "mechanisms", default="all", show_default=True, metavar="NAME,...",
+        help="Mechanisms of `linkwork list`; all: a chain, a ladder of four-bars, three with loops in space.",
+    ),
+    _repeats(9),
+    click.option(
+        "--threads", default="1,2", show_default=True, metavar="N,...",
+        help="Threads, each with a pack of its own.",
+    ),
+    JSON,
+)  # fmt: skip
+def ensemble(**values: Any) -> None:
+    """Time right-hand sides of many equal mechanisms in the lanes of the processor.
+
+    \b
+    linkwork bench ensemble
+    linkwork bench ensemble --mechanism chain,bricard --threads 1,4 --json
+
+    Beside that of one mechanism by itself, and beside MuJoCo's rollout of the chain where MuJoCo is
+    installed. Accelerations are compared first: other ones are an error.
+    """
+    from linkwork.cli import benchmarking
+
+    benchmarking.ensemble(**values)

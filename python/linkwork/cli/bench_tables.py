@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from linkwork import benchmark
-from linkwork.benchmark import Comparison, Growth, Measured, Missing, Refused, Run, Size, Steps
+from linkwork.benchmark import Comparison, Growth, Lanes, Measured, Missing, Refused, Run, Size, Steps
 from linkwork.cli import output as out
 from linkwork.errors import counted
 
@@ -69,6 +69,27 @@ def show_steps(steps: Sequence[Steps], runs: Sequence[Run]) -> None:
     if runs:
         title = f"Runs of {runs[0].t_end:g} s through simulate"
         out.print_table(RUNS, [_run_cells(run) for run in runs], title=title, left=2)
+    _show_machine()
+
+
+def show_lanes(found: Sequence[Lanes]) -> None:
+    """Of one body, and of one mechanism."""
+    threads = list(found[0].packed)
+    columns: tuple[str, ...] = ("mechanism", "bodies", "by itself", "deterministic")
+    columns += tuple(f"lanes, {counted(it, 'thread')}" for it in threads)
+    columns += ("times", "whole [us]", "MuJoCo rollout", "difference")
+    rows = []
+    for it in found:
+        packed = [it.packed[count] for count in threads]
+        each = [f"{ns / it.bodies:,.0f}" for ns in (it.single, it.deterministic, *packed)]
+        steps = ", ".join(f"{ns / it.bodies:,.0f}" for ns in it.mujoco.values())
+        rows.append((it.mechanism, f"{it.bodies}", *each, f"{it.single / packed[0]:.1f}",
+                     f"{packed[0] / 1e3:.2f}", steps, f"{it.difference:.0e}"))  # fmt: skip
+    title = (
+        f"One right-hand side with reactions, ns per body of all {found[0].lanes} lanes (times: as fast as "
+        "by itself, on one thread; MuJoCo: a step of Euler's method)"
+    )
+    out.print_table(columns, rows, title=title, left=1)
     _show_machine()
 
 

@@ -68,6 +68,19 @@ def scaling(
         bench_tables.show_growth(found)
 
 
+def ensemble(mechanisms: str, repeats: int, threads: str, as_json: bool) -> None:
+    """`linkwork bench ensemble`."""
+    known = dict(benchmark.SUBJECTS)
+    names = list(known) if mechanisms == "all" else mechanisms.split(",")
+    found = benchmark.measure_lanes(
+        [(name, known.get(name)) for name in names], threads=_whole_numbers(threads), rounds=repeats
+    )
+    if as_json:
+        _print_json("ensemble", {"mechanisms": [asdict(it) for it in found]})
+    else:
+        bench_tables.show_lanes(found)
+
+
 def step(mechanisms: str, repeats: int, runs: bool, as_json: bool) -> None:
     """`linkwork bench step`."""
     names = list(MECHANISMS) if mechanisms == "all" else mechanisms.split(",")

@@ -21,9 +21,9 @@ from linkwork.importers.description import (
     Description,
     Imported,
     JointDescription,
-    LinkDescription,
 )
 from linkwork.importers.frames import Frame
+from linkwork.importers.groups import Group, check_light, grouped, moments_of, real_inertia
 from linkwork.importers.stops import Stops
 from linkwork.importers.tree import LinkState, joint_values, link_states
 from linkwork.modeling.elements import KINDS
@@ -36,9 +36,6 @@ __all__ = ["Options", "build", "check_options"]
 
 #: Cosines of the angle between two axes that are perpendicular, up to the digits of a file.
 PERPENDICULAR = 1e-6
-
-#: Second moments of mass, relative to the largest principal moment, that are negative by rounding.
-NEGATIVE = 1e-9
 
 #: Coulomb friction is regularized below these speeds [rad/s], [m/s].
 TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}
@@ -79,22 +76,6 @@ class Options(TypedDict, total=False):
     merge_fixed: bool
 
 
-@dataclass
-class _Group:
-    """Links that are rigid with each other; its frame is that of its main link."""
-
-    links: list[str]
-    main: str
-    mass: float
-    center: Floats  #: in the main link's frame
-    inertia: Floats  #: about the center, main link's axes
-
-    @property
-    def is_light(self) -> bool:
-        """It cannot move by itself: no mass, or no inertia."""
-        return self.mass == 0 or not self.inertia.any()
-
-
 #: Options that are yes or no.
 SWITCHES = ("keep_massless", "repair_inertia", "inertia_as_is", "shapes", "couple", "merge_fixed")
 
@@ -129,9 +110,9 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     align_axes(description, options.get("align_axes"))
     coordinates = options.get("coordinates") or {}
     states = link_states(description, coordinates, options.get("velocities") or {})
-    groups = _grouped(description, states, options.get("merge_fixed", False))
+    groups = grouped(description, states, options.get("merge_fixed", False))
     faults: list[Fault] = []
-    _check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
+    check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
     model = Model(description.gravity if gravity is None else gravity, description.name)
     stops = Stops(description, model, joint_values(description, coordinates))
@@ -167,138 +148,6 @@ def _collect(
         faults.append(Fault(lines.get(f"{kind} {name}", 1), f"{kind} '{name}'", reason))
 
 
-# --- rigid groups -------------------------------------------------------------------------------------------
-
-
-# Long: what merges two groups closes over the same three tables.
-def _grouped(
-    description: Description, states: Mapping[str, LinkState], merge_fixed: bool
-) -> dict[str, _Group]:
-    """The group of every link and of the world."""
-    groups = {name: _group(link) for name, link in description.links.items()}
-    groups[WORLD] = _Group([WORLD], WORLD, np.inf, np.zeros(3), np.eye(3))
-    leader = {name: name for name in groups}  # toward the link that has the group in `groups`
-
-    def find(name: str) -> str:
-        while leader[name] != name:
-            leader[name] = name = leader[leader[name]]
-        return name
-
-    def merge(one: str, other: str) -> None:
-        one, other = find(one), find(other)
-        if one != other:
-            groups[one] = _merged(groups[one], groups.pop(other), states)
-            leader[other] = one
-
-    carried = {joint.child for joint in description.joints if not joint.closes_loop}
-    for name in description.links:
-        if name in description.grounded and name not in carried and name != WORLD:
-            merge(WORLD, name)
-            description.note("base", f"link '{name}'", "the base is the ground")
-    fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
-    at_link: dict[str, list[JointDescription]] = {name: [] for name in leader}
-
-    def fasten(joint: JointDescription) -> None:
-        """Make one body of what the joint fixes, where one is the world or cannot move by itself."""
-        pair = groups[find(joint.parent)], groups[find(joint.child)]
-        world = groups[find(WORLD)]
-        ends = [group for group in pair if group is world or group.is_light]
-        if pair[0] is not pair[1] and (ends or merge_fixed):
-            _note_merger(description, pair, world, joint)
-            merge(joint.parent, joint.child)
-
-    for joint in fixed:
-        fasten(joint)
-        for link in (joint.parent, joint.child):
-            at_link[link].append(joint)
-    # No group becomes light by merging: what is not one by now becomes so only where it reaches the world.
-    reached = groups[find(WORLD)].links
-    for link in reached:  # which grows meanwhile
-        for joint in at_link[link]:
-            fasten(joint)
-    return {name: groups[find(name)] for name in leader}
-
-
-def _note_merger(
-    description: Description, pair: tuple[_Group, _Group], world: _Group, joint: JointDescription
-) -> None:
-    parent, child = pair
-    if world in pair:
-        other = child if parent is world else parent
-        if other.mass:
-            description.note(
-                "merged", f"link '{other.main}'", f"is fixed to the ground by joint '{joint.name}'"
-            )
-        return
-    light, heavy = (parent, child) if parent.is_light and not child.is_light else (child, parent)
-    what = "massless link" if light.mass == 0 else "link"
-    description.note(
-        "merged", f"{what} '{light.main}'", f"is a part of '{heavy.main}', by joint '{joint.name}'"
-    )
-
-
-def _group(link: LinkDescription) -> _Group:
-    return _Group([link.name], link.name, link.mass, link.center, link.inertia)
-
-
-# Steiner: about the common center, J = sum J_k + m_k (d_k.d_k I - d_k d_k^T),  d_k = c_k - c
-def _merged(first: _Group, second: _Group, states: Mapping[str, LinkState]) -> _Group:
-    """Both in the frame of the heavier one's main link; the world stays the world."""
-    if second.mass and not first.mass or second.main == WORLD:
-        first, second = second, first
-    links = first.links  # at its end, or merging many to one would take the square of their number
-    links.extend(second.links)
-    if first.main == WORLD:
-        return _Group(links, first.main, first.mass, first.center, first.inertia)
-    step = states[first.main].frame.inverse @ states[second.main].frame
-    mass = first.mass + second.mass
-    parts = ((first.mass, first.center, first.inertia),
-             (second.mass, step.point(second.center), step.A @ second.inertia @ step.A.T))  # fmt: skip
-    center = sum(m * c for m, c, _ in parts) / mass if mass else first.center
-    inertia = sum(J + m * ((c - center) @ (c - center) * np.eye(3) - np.outer(c - center, c - center))
-                  for m, c, J in parts)  # fmt: skip
-    return _Group(links, first.main, mass, np.asarray(center), np.asarray(inertia))
-
-
-def _check_light(
-    description: Description,
-    groups: Mapping[str, _Group],
-    keep: bool,
-    lines: Mapping[str, int],
-    faults: list[Fault],
-) -> None:
-    for name in description.links:
-        group = groups[name]
-        if group.main != name or group is groups[WORLD] or not group.is_light:
-            continue
-        lack = "mass" if group.mass == 0 else "moment of inertia"
-        if keep:
-            description.note("massless", f"link '{name}'", f"moves without {lack}: a massless body")
-            continue
-        reason = (
-            f"moves but has no {lack}: give its inertial, or import with keep_massless (then joints must "
-            "hold it)"
-        )
-        faults.append(Fault(lines.get(f"link {name}", 1), f"link '{name}'", reason))
-
-
-# The principal moments J_k of a body follow from its second moments of mass s_k = sum m x_k^2 >= 0 along the
-# principal axes: J_1 = s_2 + s_3, ..., so s_k = (J_1 + J_2 + J_3) / 2 - J_k. Where one is negative, it is
-# made zero.
-def _real_inertia(J: Floats) -> tuple[Floats, str | None]:
-    """An inertia that a body can have, and the moments (text) of the one given where it had to be another."""
-    moments, axes = np.linalg.eigh(J)
-    spread = moments.sum() / 2 - moments
-    if (spread >= -NEGATIVE * np.abs(moments).max()).all():
-        return J, None
-    spread = np.maximum(spread, 0.0)
-    return axes @ np.diag(spread.sum() - spread) @ axes.T, _moments(J)
-
-
-def _moments(J: Floats) -> str:
-    return "(" + ", ".join(f"{moment:.6g}" for moment in np.linalg.eigvalsh(J)) + ")"
-
-
 # --- bodies and joints --------------------------------------------------------------------------------------
 
 
@@ -324,7 +173,7 @@ class _Builder:
         description: Description,
         model: Model,
         states: Mapping[str, LinkState],
-        groups: Mapping[str, _Group],
+        groups: Mapping[str, Group],
         stops: Stops,
         options: Options,
     ) -> None:
@@ -337,13 +186,13 @@ class _Builder:
         self.moving = [groups[name] for name in description.links if groups[name].main == name]
         self.moving = [group for group in self.moving if group is not groups[WORLD]]
 
-    def add_body(self, group: _Group) -> None:
+    def add_body(self, group: Group) -> None:
         state = self._states[group.main]
         position = state.frame.point(group.center)
         J = (group.inertia + group.inertia.T) / 2
-        real, moments = _real_inertia(J)
+        real, moments = real_inertia(J)
         if moments is not None and (self._repair_inertia or self._inertia_as_is):
-            what = f"made {_moments(real)}" if self._repair_inertia else "taken as they are"
+            what = f"made {moments_of(real)}" if self._repair_inertia else "taken as they are"
             text = f"principal moments {moments} kg m2 are those of no real body: {what}"
             self._description.note("inertia", f"link '{group.main}'", text)
             J = real if self._repair_inertia else J
@@ -377,7 +226,7 @@ class _Builder:
             yield from (shape.moved(frame.r, frame.A) for shape in link.shapes)
 
     # -c m g in the link's center of mass
-    def _lift(self, name: str, group: _Group) -> None:
+    def _lift(self, name: str, group: Group) -> None:
         """Take from a link the share of its weight that its file takes from it."""
         link = self._description.links[name]
         force = -link.weightless * link.mass * np.asarray(self._model.compiled().gravity)

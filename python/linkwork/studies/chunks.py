@@ -74,7 +74,7 @@ def run_cases(
 
 
 def chunked(cases: Sequence[Case], seconds: float, workers: int, pack: int = 1) -> list[Chunk]:
-    """Of so many that a task takes TASK_SECONDS, where a case takes `seconds`, if it can be of whole packs."""
+    """Of so many that a task takes TASK_SECONDS where a case takes `seconds`; of whole packs if it can."""
     size = max(1, min(int(TASK_SECONDS / max(seconds, 1e-6)), math.ceil(len(cases) / (TASKS_EACH * workers))))
     size = max(size, math.ceil(len(cases) / FILES))
     size = math.ceil(size / pack) * pack if size >= pack / 2 else size

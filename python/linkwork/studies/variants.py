@@ -141,11 +141,24 @@ class Changed:
         return changed
 
     def model(self, case: Mapping[str, Any]) -> Model:
-        record = copy.deepcopy(self.record)
+        record = self._copy()
         order = sorted(self.addresses, key=lambda name: self.addresses[name].where[:1] != ("bodies",))
         for name in order:
             _put(record, self.addresses[name], plain(case[name]))
         return built(Model(name=record.get("name", "")), record)
+
+    def _copy(self) -> Record:
+        """Of what is to be changed; the rest is that of every case."""
+        record = {**self.record}
+        for it in self.addresses.values():
+            if not it.where:
+                record[it.field] = copy.deepcopy(record[it.field])
+                continue
+            section, place = it.where
+            if record[section] is self.record[section]:
+                record[section] = [*record[section]]
+            record[section][place] = copy.deepcopy(self.record[section][place])
+        return record
 
     def value(self, name: str) -> Any:
         """Of the model as it was given. OptionError: it is none that can be varied."""

@@ -18,8 +18,8 @@ struct Revolute {
   }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Rows<Real, rows> out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                                          const BodyState<Real>& j, Rows<Real, rows> out) {
     coincident<Real>(i, j, at.s_i, at.s_j, out.template slice<0, 3>());
     parallel<Real>(i, j, at.z_i(), at.x_j(), at.y_j(), out.template slice<3, 2>());
   }

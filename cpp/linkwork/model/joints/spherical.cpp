@@ -15,8 +15,8 @@ struct Spherical {
   }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Rows<Real, rows> out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                                          const BodyState<Real>& j, Rows<Real, rows> out) {
     coincident<Real>(i, j, at.s_i, at.s_j, out);
   }
 };
