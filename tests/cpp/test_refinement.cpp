@@ -31,7 +31,7 @@ struct Problem {
 
   /// Solves with another mass matrix.
   Refinement::Nearby nearby(const MatrixXd& mass) const {
-    return [this, lu = kkt(mass).lu()](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
+    return [lu = kkt(mass).lu()](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
                                        MutableVector dlambda) {
       VectorXd right(r_1.size() + r_2.size());
       right << r_1, r_2;

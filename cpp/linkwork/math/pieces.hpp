@@ -11,6 +11,7 @@ namespace linkwork {
 template <class Part>
 void in_pieces(ThreadPool& threads, std::ptrdiff_t size, const Part& part) {
   constexpr std::ptrdiff_t piece = 16384;
+  if (size <= piece) return part(0, size);
   threads.run(static_cast<int>((size + piece - 1) / piece), [&](int k, int) {
     const std::ptrdiff_t first = k * piece;
     part(first, std::min(piece, size - first));

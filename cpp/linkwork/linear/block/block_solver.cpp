@@ -116,11 +116,12 @@ class BlockSolver final : public SaddleSolver {
   /// The sweep of each task; the smallest pivot of all, as if the stages were done one after the other.
   template <class Sweep>
   SmallestPivot run(const WorkPlan& plan, const Sweep& sweep) {
+    if (plan.is_empty()) return {};
+    if (plan.is_one_task()) return sweep(data_, plan.stages[0][0]);
     SmallestPivot smallest;
     for (const Stage& stage : plan.stages) {
       found_.assign(stage.size(), {});
-      run_stage(stage, plan.shared,
-                [&](const Data& data, std::size_t task) { found_[task] = sweep(data, stage[task]); });
+      run_stage(stage, [&](const Data& data, std::size_t task) { found_[task] = sweep(data, stage[task]); });
       for (const SmallestPivot& found : found_)
         if (found.ratio < smallest.ratio && !(smallest.ratio < data_.breakdown)) smallest = found;
     }
@@ -129,18 +130,18 @@ class BlockSolver final : public SaddleSolver {
 
   template <class Sweep>
   void run_back(const WorkPlan& plan, const Sweep& sweep) {
+    if (plan.is_empty()) return;
+    if (plan.is_one_task()) return sweep(data_, plan.stages[0][0]);
     for (auto stage = plan.stages.rbegin(); stage != plan.stages.rend(); ++stage)
-      run_stage(*stage, plan.shared, [&](const Data& data, std::size_t task) { sweep(data, (*stage)[task]); });
+      run_stage(*stage, [&](const Data& data, std::size_t task) { sweep(data, (*stage)[task]); });
   }
 
   /// Tasks at the same time; where there are few, one after the other, and all threads at each large front.
   template <class Sweep>
-  void run_stage(const Stage& stage, bool shared, const Sweep& sweep) {
+  void run_stage(const Stage& stage, const Sweep& sweep) {
     ThreadPool& threads = system_->threads();
     if (stage.size() == 1 || (2 * static_cast<int>(stage.size()) <= threads.threads() && is_divisible(stage))) {
-      Data data = data_for(0);
-      if (shared) data.helpers = {.pool = &threads, .run = &help, .scratch = scratch_places_.data()};
-      for (std::size_t task = 0; task < stage.size(); ++task) sweep(data, task);
+      for (std::size_t task = 0; task < stage.size(); ++task) sweep(data_, task);
       return;
     }
     threads.run(static_cast<int>(stage.size()),
@@ -160,9 +161,10 @@ class BlockSolver final : public SaddleSolver {
     static_cast<ThreadPool*>(pool)->run(count, [&](int k, int worker) { part(context, k, worker); });
   }
 
-  /// With scratch memory that is the worker's own.
+  /// With scratch memory that is the worker's own, and without helpers.
   Data data_for(int worker) const {
     Data data = data_;
+    data.helpers = {};
     data.scratch = scratch_places_[worker];
     data.pivots = pivots_places_[worker];
     return data;
@@ -293,6 +295,7 @@ class BlockSolver final : public SaddleSolver {
              .large = factors_.size() + panels_.size() > cached,
              .breakdown = s.hubs.empty() ? singular_pivot : small_pivot,
              .helpers = {}};
+    if (split_) data_.helpers = {.pool = &system_->threads(), .run = &help, .scratch = scratch_places_.data()};
   }
 
   /// Whether rows that are not dropped have a compliance.

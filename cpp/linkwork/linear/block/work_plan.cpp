@@ -16,6 +16,7 @@ class Planner {
       : tree_(tree), n_(static_cast<int>(tree.parent.size())), below_(tree.work), first_(tree.parent.size()) {}
 
   WorkPlan plan(bool for_threads) {
+    if (n_ == 0) return {};
     const double total = std::accumulate(tree_.work.begin(), tree_.work.end(), 0.0);
     const bool shared = total >= worth_sharing;
     if (!shared || !for_threads || !add_up_subtrees())

@@ -22,6 +22,8 @@ using Stage = std::vector<Task>;
 struct WorkPlan {
   std::vector<Stage> stages;
   bool shared = false;  ///< there is enough work for several threads
+  bool is_empty() const { return stages.empty(); }
+  bool is_one_task() const { return stages.size() == 1 && stages[0].size() == 1; }
 };
 
 /// What is eliminated, in an order where the subtree of each stands right before it, and children of one parent
