@@ -29,8 +29,7 @@ def flyball_governor() -> Model:
 
         model = lw.mechanisms.flyball_governor()
     """
-    model = Model(gravity=(0, 0, -9.81), name="flyball_governor")
-    turn = np.array([0.0, 0.0, SPEED])
+    model, turn = Model(gravity=(0, 0, -9.81), name="flyball_governor"), np.array([0.0, 0.0, SPEED])
     rod, cube = square_rod(ROD, length=1.0, side=0.01), square_rod(SLIDER, length=0.1, side=0.1)
     upright = from_axes(x=(0, 0, 1), y=(0, 1, 0))
     shaft = model.body(
