@@ -29,8 +29,7 @@ def flyball_governor() -> Model:
 
         model = lw.mechanisms.flyball_governor()
     """
-    model = Model(gravity=(0, 0, -9.81), name="flyball_governor")
-    turn = np.array([0.0, 0.0, SPEED])
+    model, turn = Model(gravity=(0, 0, -9.81), name="flyball_governor"), np.array([0.0, 0.0, SPEED])
     rod, cube = square_rod(ROD, length=1.0, side=0.01), square_rod(SLIDER, length=0.1, side=0.1)
     upright = from_axes(x=(0, 0, 1), y=(0, 1, 0))
     shaft = model.body(
@@ -57,9 +56,7 @@ def flyball_governor() -> Model:
             velocity=np.cross(turn, center),
             omega=matrix(orientation).T @ turn,
         )
-        arm.shape(
-            Rod((-out, 0, 0), (1 - out, 0, 0), 0.012), Sphere(0.07, position=(1 - out, 0, 0), color="#c9a227")
-        )
+        arm.shape(*_rod_and_ball(out))
         model.revolute(shaft, arm, at=hinge, axis=(0, 1, 0), name=f"{name} hinge")
         model.spring_damper(
             slider,
@@ -71,6 +68,12 @@ def flyball_governor() -> Model:
             name=f"{name} spring",
         )
     return model
+
+
+def _rod_and_ball(out: float) -> tuple[Rod, Sphere]:
+    """An arm as it looks; its center is so far out [m]."""
+    ball = Sphere(0.07, position=(1 - out, 0, 0), color="#c9a227")
+    return Rod((-out, 0, 0), (1 - out, 0, 0), 0.012), ball
 
 
 FLYBALL_GOVERNOR = Mechanism(flyball_governor, t_end=10.0, step=1e-4)
