@@ -85,8 +85,9 @@ def _measured(name: str, model: Model, threads: Sequence[int], rounds: int) -> L
         for count, pack in packs.items():
             seconds, _found = _core.time_lanes(pack, repetitions, count)
             samples[count].append(1e9 * seconds / (count * lanes))
+    alone, deterministic = (1e9 * it.seconds["whole"] for it in timings)
     return Lanes(
-        name, model.body_count, lanes, *(1e9 * it.seconds["whole"] for it in timings),
+        name, model.body_count, lanes, alone, deterministic,
         {count: statistics.median(times) for count, times in samples.items()}, difference,
         {count: 1e9 * seconds for count, seconds in rollouts.items() if seconds is not None},
     )  # fmt: skip
