@@ -43,12 +43,14 @@ __all__ = [
     "formulations",
     "instruction_set",
     "joint_kinds",
+    "lane_count",
     "lane_refusal",
     "linear_solvers",
     "options",
     "run_ensemble",
     "special_joint_kinds",
     "stabilizations",
+    "time_lanes",
     "time_sampling",
 ]
 
@@ -1212,6 +1214,11 @@ def instruction_set() -> str:
     """
 
 def joint_kinds() -> list[KindInfo]: ...
+def lane_count() -> int:
+    """
+    Mechanisms that fill a pack here.
+    """
+
 def lane_refusal(dynamics: Dynamics) -> str:
     """
     Why lanes cannot run this, in words that end a sentence; empty where they can.
@@ -1242,6 +1249,15 @@ def special_joint_kinds() -> list[KindInfo]:
     """
 
 def stabilizations() -> list[StabilizationInfo]: ...
+def time_lanes(
+    dynamics: collections.abc.Sequence[Dynamics],
+    repetitions: typing.SupportsInt | typing.SupportsIndex,
+    threads: typing.SupportsInt | typing.SupportsIndex,
+) -> tuple:
+    """
+    (wall time [s] of one right-hand side with reactions of all of them, in full packs, one a thread; their v_dot (6n,)).
+    """
+
 def time_sampling(dynamics: Dynamics, steps: typing.SupportsInt | typing.SupportsIndex) -> float:
     """
     Time that a run of so many steps spends on following them for its verdict [s].

@@ -318,5 +318,6 @@ def test_a_mechanism_that_lanes_refuse_is_no_benchmark_of_lanes() -> None:
 
 
 def test_command_prints_lanes(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["bench", "ensemble", "--mechanism", "chain", "--repeats", "1", "--threads", "1"]) == 0
+    arguments = ["--mechanism", "chain", "--repeats", "1", "--threads", "1"]
+    assert run(["bench", "ensemble", *arguments], debug=False) == 0
     assert "lanes, 1 thread" in capsys.readouterr().out

@@ -55,7 +55,7 @@ def measure_lanes(
     """Time each of the mechanisms alone and in full packs, one a thread, in alternation.
 
     Before a time counts, lanes must give the bits of the deterministic run, and the accelerations of the
-    usual one. LinkworkError: they do not. OptionError: lanes cannot run a mechanism; a name that does not exist.
+    usual one. LinkworkError: they do not. OptionError: lanes cannot run a mechanism, or there is none.
     """
     whole(rounds, 1, "rounds")
     found = []
@@ -70,17 +70,14 @@ def measure_lanes(
 def _measured(name: str, model: Model, threads: Sequence[int], rounds: int) -> Lanes:
     lanes, core = _core.lane_count(), model.compiled()
     y = np.concatenate([core.q0, core.v0])
-    turning = System(model).compiled().derivative(0.0, y)[7 * model.body_count : 13 * model.body_count].reshape(-1, 6)[:, 4]
-    rollouts = {
-        count: rollout_seconds(model, turning, count) if name == "chain" else None for count in threads
-    }
+    peers = threads if name == "chain" else ()
+    rollouts = {count: rollout_seconds(model, _turning(model, y), count) for count in peers}
     single, exact = System(model), System(model, deterministic=True)
     timings = [Timing(single, 0.0, y, rounds), Timing(exact, 0.0, y, rounds)]
     packs = {count: _packs(model, count * lanes) for count in threads}
     difference = max(_difference(name, model, y, it, count) for count, it in packs.items())
-    repetitions = max(
-        1, round(WINDOW_SECONDS / max(_core.time_lanes(packs[threads[0]], 3, threads[0])[0], 1e-7))
-    )
+    once = _core.time_lanes(packs[threads[0]], 3, threads[0])[0]
+    repetitions = max(1, round(WINDOW_SECONDS / max(once, 1e-7)))
     samples: dict[int, list[float]] = {count: [] for count in threads}
     for _ in range(rounds):
         for timing in timings:
@@ -88,11 +85,18 @@ def _measured(name: str, model: Model, threads: Sequence[int], rounds: int) -> L
         for count, pack in packs.items():
             seconds, _found = _core.time_lanes(pack, repetitions, count)
             samples[count].append(1e9 * seconds / (count * lanes))
+    alone, deterministic = (1e9 * it.seconds["whole"] for it in timings)
     return Lanes(
-        name, model.body_count, lanes, *(1e9 * it.seconds["whole"] for it in timings),
+        name, model.body_count, lanes, alone, deterministic,
         {count: statistics.median(times) for count, times in samples.items()}, difference,
         {count: 1e9 * seconds for count, seconds in rollouts.items() if seconds is not None},
     )  # fmt: skip
+
+
+def _turning(model: Model, y: Any) -> Any:
+    """Angular accelerations about y [rad/s2]."""
+    v_dot = System(model).compiled().derivative(0.0, y)[7 * model.body_count :]
+    return v_dot[: 6 * model.body_count].reshape(-1, 6)[:, 4]
 
 
 def _packs(model: Model, count: int) -> list[Any]:

@@ -17,7 +17,6 @@ from linkwork import memory
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import processor_count
-from linkwork.ensemble.members import Member, Method, method_of, run_members
 from linkwork.ensemble.outcome import TRAJECTORIES, EnsembleResult, whole_number
 from linkwork.errors import LinkworkError, LinkworkWarning, OptionError
 from linkwork.modeling.model import Model, check_model
@@ -26,6 +25,7 @@ from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
 from linkwork.running.manifest import platform_facts
+from linkwork.running.members import Member, Method, method_of, run_members
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted

@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-import threading
 import time
-import warnings
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from linkwork import _core
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
-from linkwork.errors import LinkworkError, OptionError
+from linkwork.errors import OptionError
 from linkwork.results.result import Result
 from linkwork.running.manifest import platform_facts
+from linkwork.running.members import facts_of, remarked
 from linkwork.running.simulation import simulate
 from linkwork.studies.outputs import Output
 from linkwork.studies.variants import Source
 
-__all__ = ["Answer", "Case", "Run", "Runner", "facts_of", "machine", "remarked"]
+__all__ = ["Answer", "Case", "Run", "Runner", "machine"]
 
 #: Characters of remarks that are kept of a case.
 REMARKS = 300
@@ -68,22 +66,17 @@ class Answer:
 
 @dataclass(frozen=True)
 class Runner:
-    """Everything that the cases have in common; it goes to other processes. `lanes`: they run in those of
-    ensembles, where they can, see `studies.lanes`.
-    """
+    """Everything that the cases have in common; it goes to other processes."""
 
     source: Source
     t_end: float
     options: Mapping[str, Any]
     outputs: Sequence[Output]
     times: Floats | None
-    lanes: bool = False
+
+    lanes: ClassVar[bool] = False  #: whether they run in those of ensembles
 
     def __call__(self, cases: Sequence[Case]) -> Answer:
-        if self.lanes:
-            from linkwork.studies.lanes import run_in_lanes
-
-            return Answer(machine(), run_in_lanes(self, cases))
         return Answer(machine(), [self.run(case) for case in cases])
 
     def run(self, case: Case) -> Run:
@@ -114,38 +107,9 @@ class Runner:
         return simulate(self.source.model(values), self.t_end, progress=False, **options)
 
 
-def facts_of(error: BaseException) -> dict[str, Any]:
-    """Class, code, message, and the simulated time that was reached [s]."""
-    found: dict[str, Any] = {
-        "type": type(error).__name__,
-        "code": "",
-        "message": " ".join(str(error).split()),
-    }
-    if isinstance(error, LinkworkError):
-        found["code"] = error.code
-        reached = error.time
-        if reached is None and error.result is not None and len(error.result):
-            reached = float(error.result.t[-1])
-        found["reached"] = None if reached is None else float(reached)
-    return found
-
-
 def machine() -> dict[str, str]:
     """Where numbers come from: bits may differ between instruction sets."""
     return {"cpu": str(platform_facts()["cpu"]), "instruction_set": _core.instruction_set()}
-
-
-@contextmanager
-def remarked() -> Iterator[list[str]]:
-    """Warnings go to the case. In threads, which share what becomes of warnings, they go where they go."""
-    texts: list[str] = []
-    if threading.current_thread() is not threading.main_thread():
-        yield texts
-        return
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        yield texts
-        texts.extend(dict.fromkeys(str(it.message) for it in caught))
 
 
 def _verdict(result: Result) -> dict[str, Any]:

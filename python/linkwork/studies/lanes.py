@@ -9,15 +9,16 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
 
 from linkwork.errors import LinkworkError
 from linkwork.modeling.model import Model
 from linkwork.running.estimation import apply_policy
-from linkwork.studies.cases import Case, Run, Runner, facts_of, remarked
+from linkwork.running.members import Method, facts_of, method_of, refusal, remarked, run_members
+from linkwork.studies.cases import Answer, Case, Run, Runner, machine
 
-__all__ = ["PACK", "fits", "run_in_lanes", "with_lanes"]
+__all__ = ["PACK", "fits", "with_lanes"]
 
 #: Members of the widest pack; tasks have a multiple of it.
 PACK = 8
@@ -32,6 +33,17 @@ FRAMES = 50
 ALONE = ("events", "verify", "threads")
 
 
+@dataclass(frozen=True)
+class LaneRunner(Runner):
+    """Several cases at once, in the lanes of an ensemble."""
+
+    lanes: ClassVar[bool] = True
+
+    def __call__(self, cases: Sequence[Case]) -> Answer:
+        return Answer(machine(), [run for start in range(0, len(cases), AT_ONCE)
+                                  for run in _at_once(self, cases[start : start + AT_ONCE])])  # fmt: skip
+
+
 def with_lanes(runner: Runner, given: Mapping[str, Any]) -> Runner | None:
     """The same in lanes; None: they cannot have what it asks for, or the `given` options forbid it."""
     if given.get("deterministic") is False or given.get("on_inaccurate") == "stop":
@@ -41,28 +53,18 @@ def with_lanes(runner: Runner, given: Mapping[str, Any]) -> Runner | None:
     options = {**runner.options, "deterministic": True}
     if runner.times is None and given.get("record_every") is None and all(it.at_end for it in runner.outputs):
         options["record_every"] = math.ceil(runner.t_end / given["step"] / FRAMES) if given.get("step") else 1
-    return replace(runner, options=options, lanes=True)
+    return LaneRunner(runner.source, runner.t_end, options, runner.outputs, runner.times)
 
 
 def fits(runner: Runner, example: Model) -> bool:
     """Whether lanes can run a model of the study: else none of it is worth the slower arithmetic."""
-    from linkwork.ensemble.members import refusal
-
     try:
         return not refusal(example, _method(runner, example))
     except LinkworkError:
         return False
 
 
-def run_in_lanes(runner: Runner, cases: Sequence[Case]) -> list[Run]:
-    """Whatever they raise, they are Runs, in order."""
-    return [run for start in range(0, len(cases), AT_ONCE)
-            for run in _at_once(runner, cases[start : start + AT_ONCE])]  # fmt: skip
-
-
 def _at_once(runner: Runner, cases: Sequence[Case]) -> list[Run]:
-    from linkwork.ensemble.members import run_members
-
     started = time.perf_counter()
     models = [_model_or_error(runner, case) for case in cases]
     example = next((it for it in models if isinstance(it, Model)), None)
@@ -91,7 +93,5 @@ def _model_or_error(runner: Runner, case: Case) -> Model | Exception:
         return error
 
 
-def _method(runner: Runner, example: Model) -> Any:
-    from linkwork.ensemble.members import method_of
-
+def _method(runner: Runner, example: Model) -> Method:
     return method_of(example, runner.t_end, {**runner.options, "threads": 1}, 1, judged=True)

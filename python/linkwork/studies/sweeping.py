@@ -116,9 +116,10 @@ def sweep(
     options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
                 recorded, so that nothing between frames is missed; on_inaccurate is "pass": see Study.verdict
 
-    A case gives the bits that `simulate` gives, whatever runs beside it. One that fails is kept as failed; a
-    process that dies takes no case with it but the one that ended it. Ctrl-C keeps in `directory` what is
-    done, but for tasks of a few seconds under way, and says how many cases that are.
+    A case has the same bits whatever runs beside it: those of `simulate`, or where lanes of ensembles have
+    all that is asked for (`Study.manifest["lanes"]`), of `simulate` with deterministic=True. One that fails
+    is kept as failed; a process that dies takes no case with it but the one that ended it. Ctrl-C keeps in
+    `directory` what is done, but for tasks of a few seconds under way, and says how many cases that are.
 
     OptionError, ModelError: a parameter or output that does not exist, a value of another shape, no cases, a
     sampler without seed, an option that cannot be: before the first case. FileError: `directory` belongs to

@@ -154,7 +154,7 @@ class Changed:
             if not it.where:
                 record[it.field] = copy.deepcopy(record[it.field])
                 continue
-            section, place = it.where
+            section, place = str(it.where[0]), it.where[1]
             if record[section] is self.record[section]:
                 record[section] = [*record[section]]
             record[section][place] = copy.deepcopy(self.record[section][place])

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import threading
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -18,9 +21,8 @@ from linkwork.running import checks, estimation, recording, schedule
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.simulation import Stepped, simulate, what_steps
-from linkwork.studies.cases import facts_of, remarked
 
-__all__ = ["Member", "Method", "method_of", "refusal", "run_members"]
+__all__ = ["Member", "Method", "facts_of", "method_of", "refusal", "remarked", "run_members"]
 
 
 @dataclass(frozen=True)
@@ -212,3 +214,32 @@ def _alone(model: Model, method: Method, reason: str, remarks: Sequence[str] = (
         except Exception as error:
             return Member(None, reason, facts_of(error), [*remarks, *more])
     return Member(result, reason, remarks=list(dict.fromkeys([*remarks, *more])))
+
+
+def facts_of(error: BaseException) -> dict[str, Any]:
+    """Class, code, message, and the simulated time that was reached [s]."""
+    found: dict[str, Any] = {
+        "type": type(error).__name__,
+        "code": "",
+        "message": " ".join(str(error).split()),
+    }
+    if isinstance(error, LinkworkError):
+        found["code"] = error.code
+        reached = error.time
+        if reached is None and error.result is not None and len(error.result):
+            reached = float(error.result.t[-1])
+        found["reached"] = None if reached is None else float(reached)
+    return found
+
+
+@contextmanager
+def remarked() -> Iterator[list[str]]:
+    """Warnings go to the case. In threads, which share what becomes of warnings, they go where they go."""
+    texts: list[str] = []
+    if threading.current_thread() is not threading.main_thread():
+        yield texts
+        return
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield texts
+        texts.extend(dict.fromkeys(str(it.message) for it in caught))
