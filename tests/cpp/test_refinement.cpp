@@ -31,14 +31,14 @@ struct Problem {
 
   /// Solves with another mass matrix.
   Refinement::Nearby nearby(const MatrixXd& mass) const {
-    return [lu = kkt(mass).lu()](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
-                                       MutableVector dlambda) {
-      VectorXd right(r_1.size() + r_2.size());
-      right << r_1, r_2;
-      const VectorXd out = lu.solve(right);
-      dx = out.head(r_1.size());
-      dlambda = -out.tail(r_2.size());
-    };
+    return
+        [lu = kkt(mass).lu()](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx, MutableVector dlambda) {
+          VectorXd right(r_1.size() + r_2.size());
+          right << r_1, r_2;
+          const VectorXd out = lu.solve(right);
+          dx = out.head(r_1.size());
+          dlambda = -out.tail(r_2.size());
+        };
   }
 };
 
