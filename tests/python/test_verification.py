@@ -126,3 +126,21 @@ def test_a_function_of_time_that_remembers_is_not_run_twice() -> None:
 def test_verify_is_true_or_false() -> None:
     with pytest.raises(lw.OptionError, match="verify 'yes' is not True or False"):
         lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, verify="yes", progress=False)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("size", [1e-2, 1.0, 100.0])
+@pytest.mark.parametrize("how", [{"step": 1e-3}, {"step": 1e-2}, {"rtol": 1e-6}], ids=str)
+def test_a_mechanism_at_rest_is_as_it_is(how: dict[str, float], size: float) -> None:
+    """Rods that hang straight down, along no axis: what moves is rounding, and no other motion."""
+    down = np.array([0.3, -0.7, -0.64]) / np.linalg.norm([0.3, -0.7, -0.64])
+    model = lw.Model(gravity=9.81 * down)
+    above = model.ground
+    for k in range(3):
+        rod = model.body(
+            f"rod {k}", mass=1, inertia=np.full(3, 0.1 * size**2), position=(k + 0.5) * size * down
+        )
+        model.spherical(above, rod, at=k * size * down, name=f"pin {k}")
+        above = rod
+    verdict = quick(model, 2.0, verify=True, **how).verdict
+    assert verdict is not None
+    assert verdict.error <= 1e-4

@@ -59,6 +59,10 @@ class Sampled:
         return Sampled(*values), np.flatnonzero(near)
 
 
+#: Of the length, over the whole run: what moves less is at rest, and what is left of it is rounding.
+STILL = 1e-6
+
+
 @dataclass(frozen=True)
 class Scales:
     """What the errors are divided by; 1 where nothing moves or pulls."""
@@ -76,6 +80,8 @@ class Scales:
         diagonal = float(np.linalg.norm(np.ptp(r, axis=(0, 1)))) if r.size else 0.0
         length = max(diagonal / 2, longest_arm) or 1.0
         speed = max(_largest(motion.v[:, :, :3]), length * _largest(motion.v[:, :, 3:]))
+        duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
+        speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0)
         force = max(_largest(motion.force), _largest(motion.torque) / length)
         return cls(length, speed or 1.0, force or 1.0)
 
