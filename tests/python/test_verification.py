@@ -128,7 +128,7 @@ def test_verify_is_true_or_false() -> None:
         lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, verify="yes", progress=False)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("size", [1e-2, 1.0, 100.0])
+@pytest.mark.parametrize("size", [1.0, 100.0])
 @pytest.mark.parametrize("how", [{"step": 1e-3}, {"step": 1e-2}, {"rtol": 1e-6}], ids=str)
 def test_a_mechanism_at_rest_is_as_it_is(how: dict[str, float], size: float) -> None:
     """Rods that hang straight down, along no axis: what moves is rounding, and no other motion."""
