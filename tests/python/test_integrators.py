@@ -166,6 +166,13 @@ LIMITS = {
 }  # fmt: skip
 
 
+@pytest.mark.parametrize("name", [name for name, method in METHODS.items() if hasattr(method, "growth")])
+def test_whatever_is_far_too_stiff_grows(name: str) -> None:
+    """Undamped, up to a million radians a step."""
+    for turned in np.logspace(1.5, 6, 400):
+        assert 1.0 < METHODS[name].growth(0.0, turned) < np.inf
+
+
 @pytest.mark.parametrize("name", LIMITS)
 def test_the_growth_of_a_violation_passes_one_at_the_known_gain(name: str) -> None:
     below, above = (METHODS[name].growth(gain * LIMITS[name], gain * LIMITS[name]) for gain in (0.98, 1.02))

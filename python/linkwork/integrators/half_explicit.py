@@ -10,7 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.growth import damped_roots
+from linkwork.integrators.growth import damped_roots, stability
 
 
 @dataclass(frozen=True)
@@ -57,12 +57,7 @@ class HalfExplicit:
         There the last row of A_bar has the weights of a Runge-Kutta method: R(z) = 1 + z b^T (1 - z A)^-1 1.
         """
         A, A_bar = self.matrices
-        one = np.ones(len(A))
-        stability = [
-            1 + z * (A_bar[-1] @ np.linalg.solve(np.eye(len(A)) - z * A, one))
-            for z in damped_roots(alpha_h, beta_h)
-        ]
-        return float(np.max(np.abs(stability)))
+        return float(np.max(np.abs([stability(A, A_bar[-1], z) for z in damped_roots(alpha_h, beta_h)])))
 
     def compiled(self) -> _core.HalfExplicit:
         """The same method in the compiled module."""

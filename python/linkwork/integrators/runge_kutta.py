@@ -10,7 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.growth import damped_roots
+from linkwork.integrators.growth import damped_roots, stability
 
 
 @dataclass(frozen=True)
@@ -57,8 +57,5 @@ class ButcherTableau:
 
         R(z) = 1 + z b^T (1 - z A)^-1 1, the stability function, at z = h s for s^2 + 2 alpha s + beta^2 = 0.
         """
-        A, b, one = self.matrix, np.array(self.b), np.ones(len(self.b))
-        stability = [
-            1 + z * (b @ np.linalg.solve(np.eye(len(b)) - z * A, one)) for z in damped_roots(alpha_h, beta_h)
-        ]
-        return float(np.max(np.abs(stability)))
+        A, b = self.matrix, np.array(self.b)
+        return float(np.max(np.abs([stability(A, b, z) for z in damped_roots(alpha_h, beta_h)])))
