@@ -104,7 +104,7 @@ def test_no_step_ends_in_a_pose_that_was_foreseen_badly(
 ) -> None:
     """A pose may be nearer than the least singular values and pivots say from far."""
     found = singular_poses.run(singular_poses.Case(branch, method, size, speed, pose_at, t_end, 0))
-    assert found.right and not found.unstable, found
+    assert found.right and not found.sensitivity, found
     assert found.energy <= 10 * size
 
 

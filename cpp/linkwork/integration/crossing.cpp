@@ -480,7 +480,7 @@ void Crossing::look_into_leap(double until) {
       poses_.list(leap_.t + pose, y_);
     }
   step_.state_at(until - leap_.t, y_);
-  poses_.restart();
+  poses_.restart(until > poses_.last_listed() + same_pose * leap_.h);
   poses_.pass(until, poses_.value_at(until, y_), y_);
 }
 

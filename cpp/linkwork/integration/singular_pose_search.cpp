@@ -94,9 +94,9 @@ std::vector<SingularValueAt> zeros_around(const SingularValueAt& zero, const Sin
   return zeros;
 }
 
-void SingularPoseSearch::restart() {
+void SingularPoseSearch::restart(bool away) {
   count_ = 0;
-  highest_ = 0.0;
+  highest_ = away ? INFINITY : 0.0;
 }
 
 bool SingularPoseSearch::worth_a_search(double value) const {

@@ -35,8 +35,8 @@ class SingularPoseSearch {
  public:
   explicit SingularPoseSearch(Dynamics& dynamics) : dynamics_(dynamics) {}
 
-  /// The motion begins anew.
-  void restart();
+  /// The motion begins anew; `away`: not in a pose that is listed already, however near.
+  void restart(bool away = false);
   /// A state of the motion with its least singular value; on the way to it as many parts are looked at. True where
   /// `dynamics` was evaluated somewhere else.
   bool pass(double t, double value, const VectorXd& y, int parts = 1);
