@@ -7,9 +7,9 @@ within 1e-12 .. 1e-6 s of the end or a stage of a step; steps of 1e-3 .. 1e-5 s,
 Errors are those of the total energy, relative to the largest kinetic energy, and of positions, relative to
 the size of the mechanism, against the motion along the same branch in minimal coordinates. Positions may be
 ten times as far off as by the same method (Runge-Kutta at 1e-3 s, a pair of the same order at the tolerance)
-in minimal coordinates, or as far as the energy. Motions that turn beside an unstable equilibrium multiply any
-error by hundreds or thousands: where that is not enough, they may be as far off as the exact motion whose energy
-is off at the start by what is asked of the energy. The table counts these runs as "unstable".
+in minimal coordinates, or as far as the energy. Motions that turn beside an unstable equilibrium multiply
+any error by hundreds or thousands: where that is not enough, they may be as far off as the exact motion whose
+energy is off at the start by what is asked of the energy. The table counts these runs as "unstable".
 """
 
 from __future__ import annotations
