@@ -31,7 +31,7 @@ constexpr double part_of_foreseen = 0.5;           // way to a pose that usual s
 constexpr double most_of_way = 0.75;               // that they may have gone where it was not foreseen
 constexpr double short_steps = 4.0;                // of which a leap beside the pose is worth so many
 constexpr double least_beside = 0.4;               // of a usual leap
-constexpr double least_margin = 0.012;             // the same, where nothing better is found
+constexpr double least_margin = 0.006;             // the same, where nothing better is found
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
@@ -129,22 +129,27 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
 bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
   const System& system = dynamics_.system();
   const Unwatched unwatched(dynamics_);
-  VectorXd way = y.segment(system.q_size(), system.v_size()), ahead = y;
-  double changed = 0.0;
+  VectorXd way = y.segment(system.q_size(), system.v_size());
+  bool changes = false;
   try {
     if (!(largest_rate(way) > 0.0)) {
       VectorXd lambda(system.row_count());
       dynamics_.accelerations(way, lambda);
     }
     if (const double rate = largest_rate(way); rate > 0.0) way *= way_at_start / rate;
-    displace(system, way, ahead);
-    dynamics_.evaluate(t, ahead);
-    dynamics_.factorize();
-    changed = dynamics_.formulation().root_of_pivot();
+    for (const double part : {0.3, 1.0}) {  // one of them may be as far beyond the pose as the start is before it
+      VectorXd ahead = y;
+      displace(system, part * way, ahead);
+      dynamics_.evaluate(t, ahead);
+      dynamics_.factorize();
+      const double changed = dynamics_.formulation().root_of_pivot();
+      changes = changes || std::abs(changed - root) > change_at_start * std::max(changed, root);
+    }
   } catch (const SingularSystemError&) {
+    changes = true;
   }
   dynamics_.evaluate(t, y);
-  return std::abs(changed - root) > change_at_start * std::max(changed, root);
+  return changes;
 }
 
 /// Of the components of all motions [rad/s].
