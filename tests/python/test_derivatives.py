@@ -99,6 +99,16 @@ def smooth(draw: Callable[..., float]) -> tuple[Function, Function]:
     return f, df
 
 
+@pytest.mark.parametrize("period", [1.0, 0.5, 0.25, 1 / 16, 2 * math.pi / 100, 1.006, 0.618, 2.0])
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_wrong_derivatives_of_waves_are_refused(mistake: str, period: float) -> None:
+    """Over a period a wave changes by nothing, and so does whatever wrong wave."""
+    w = 2 * math.pi / period
+    derivative = MISTAKES[mistake](lambda t: w * math.cos(w * t))
+    assert disagreement(lambda t: math.sin(w * t), derivative) is not None
+    assert disagreement(lambda t: math.sin(w * t), lambda t: w * math.cos(w * t)) is None
+
+
 @examples(60)
 @given(motion=smooth())
 def test_any_smooth_function_goes_with_its_derivative_and_no_other(motion: tuple[Function, Function]) -> None:

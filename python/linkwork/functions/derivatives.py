@@ -21,6 +21,9 @@ Function = Callable[[float], float]
 #: Where intervals begin, and how long they are at most and at least [s].
 STARTS, LONGEST, SHORTEST = (0.0, 0.173, 1.31, 4.7), 1.0, 1e-7
 
+#: Of an interval, which is looked at, too: over whole periods everything adds up to nothing.
+PART = 0.6180339887498949
+
 #: By which a derivative may miss the change of the function, as a part of its own integral of |f'|.
 AGREE = 1e-3
 
@@ -70,10 +73,12 @@ def disagreement(f: Function, derivative: Function) -> Disagreement | None:
     for start in STARTS:
         length = LONGEST
         while length >= SHORTEST:
-            found = _interval(f, derivative, start, start + length)
-            if found is not None and found.error <= CONVERGED * found.size:
-                if found.wrong and _everywhere(f, derivative, start, start + length, found.miss):
-                    return Disagreement(start, start + length, found.change, found.integral)
+            whole = _interval(f, derivative, start, start + length)
+            if whole is not None and whole.error <= CONVERGED * whole.size:
+                for end in (start + length, start + PART * length):
+                    found = _interval(f, derivative, start, end)
+                    if found and found.wrong and _everywhere(f, derivative, start, end, found.miss):
+                        return Disagreement(start, end, found.change, found.integral)
                 break
             length /= 4
     return None
@@ -113,4 +118,5 @@ def _everywhere(f: Function, derivative: Function, a: float, b: float, miss: flo
         left, wrong, (a, b) = max(known, key=lambda it: it[0])
         if not wrong or left < CONCENTRATED * miss:
             return wrong
+        miss = max(miss, left)  # in the whole some of it may cancel
     return False
