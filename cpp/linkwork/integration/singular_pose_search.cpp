@@ -96,12 +96,13 @@ std::vector<SingularValueAt> zeros_around(const SingularValueAt& zero, const Sin
 
 void SingularPoseSearch::restart(bool away) {
   count_ = 0;
-  highest_ = away ? INFINITY : 0.0;
+  highest_ = 0.0;
+  away_ = away;
 }
 
 bool SingularPoseSearch::worth_a_search(double value) const {
   const double level = dynamics_.watch().root_of_level();
-  return value < passed * level && highest_ > away * level;
+  return value < passed * level && (highest_ > away * level || (away_ && count_ == 2));
 }
 
 bool SingularPoseSearch::pass(double t, double value, const VectorXd& y, int parts) {

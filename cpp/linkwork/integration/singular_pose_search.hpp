@@ -53,7 +53,7 @@ class SingularPoseSearch {
   /// The least singular value. Leaves `dynamics` evaluated there.
   double value_at(double t, const VectorXd& y);
 
-  void keep(Archive& archive) { archive(earlier_, marks_, count_, highest_, last_listed_); }
+  void keep(Archive& archive) { archive(earlier_, marks_, count_, highest_, away_, last_listed_); }
 
  private:
   struct Mark {
@@ -80,6 +80,7 @@ class SingularPoseSearch {
   Mark earlier_;               ///< the one before them
   int count_ = 0;              ///< of all four
   double highest_ = 0.0;       ///< value since the last pose that was listed
+  bool away_ = false;          ///< the motion begins anew outside of the last pose
   double last_listed_ = -INFINITY;
   VectorXd y_;
 };
