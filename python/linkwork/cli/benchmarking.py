@@ -72,8 +72,9 @@ def ensemble(mechanisms: str, repeats: int, threads: str, as_json: bool) -> None
     """`linkwork bench ensemble`."""
     known = dict(benchmark.SUBJECTS)
     names = list(known) if mechanisms == "all" else mechanisms.split(",")
+    counts = _whole_numbers(threads, "threads")
     found = benchmark.measure_lanes(
-        [(name, known.get(name)) for name in names], threads=_whole_numbers(threads), rounds=repeats
+        [(name, known.get(name)) for name in names], threads=counts, rounds=repeats
     )
     if as_json:
         _print_json("ensemble", {"mechanisms": [asdict(it) for it in found]})
@@ -113,12 +114,12 @@ def _converted(name: str, value: str, kind: type) -> Any:
         raise OptionError(f"{name}={value}: give a value of type {kind.__name__}", code="parameter") from None
 
 
-def _whole_numbers(words: str) -> list[int]:
+def _whole_numbers(words: str, what: str = "bodies") -> list[int]:
     try:
         return [int(word) for word in words.split(",")]
     except ValueError:
-        message = f"bodies '{words}' are not whole numbers with commas between"
-        raise OptionError(message, code="bodies") from None
+        message = f"{what} '{words}' are not whole numbers with commas between"
+        raise OptionError(message, code=what) from None
 
 
 def _print_json(name: str, found: dict[str, Any]) -> None:
