@@ -14,10 +14,6 @@ namespace {
 constexpr std::size_t most_parameters = 8;  // of a special joint
 constexpr int chunk_of_forces = 1024;       // that a thread works on at a time
 
-BlockRange range(const std::vector<int>& list, const std::vector<int>& begin, int k) {
-  return {list.data() + begin[k], list.data() + begin[k + 1]};
-}
-
 }  // namespace
 
 VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVector& v) const {
@@ -254,8 +250,5 @@ BodyState<double> System::moving(int body, const ConstVector& q, const ConstVect
   state.omega = v.segment<3>(velocity_size * body + 3);
   return state;
 }
-
-BlockRange System::joint_blocks(int joint) const { return range(joint_block_list_, joint_block_begin_, joint); }
-BlockRange System::body_blocks(int body) const { return range(body_block_list_, body_block_begin_, body); }
 
 }  // namespace linkwork

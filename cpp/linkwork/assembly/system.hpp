@@ -144,8 +144,8 @@ class System {
 
   // The constraint matrix.
   const std::vector<ConstraintBlock>& blocks() const { return blocks_; }
-  BlockRange joint_blocks(int joint) const;
-  BlockRange body_blocks(int body) const;
+  BlockRange joint_blocks(int joint) const { return range(joint_block_list_, joint_block_begin_, joint); }
+  BlockRange body_blocks(int body) const { return range(body_block_list_, body_block_begin_, body); }
   void multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const;             ///< y = D x
   void add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const;  ///< y += D^T lambda
   /// diag(D M^-1 D^T): how strongly each row accelerates under its own multiplier.
@@ -199,6 +199,10 @@ class System {
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
   void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;
   void add_wrenches(const ForceArrays& arrays, Evaluation& out) const;
+
+  static BlockRange range(const std::vector<int>& list, const std::vector<int>& begin, int k) {
+    return {list.data() + begin[k], list.data() + begin[k + 1]};
+  }
 
   Model model_;
   InstructionSet instructions_;

@@ -35,6 +35,7 @@ class ThreadPool {
   /// the same as if they were done one after the other.
   template <class Part>
   void run(int count, const Part& part) {
+    if (count == 1) return part(0, 0);
     run({[](const void* context, int k, int worker) { (*static_cast<const Part*>(context))(k, worker); }, &part,
          count});
   }

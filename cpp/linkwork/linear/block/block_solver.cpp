@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/aligned.hpp"
@@ -210,6 +211,7 @@ class BlockSolver final : public SaddleSolver {
     look_for_interruption();
     place_scratch();
     factorize_masses();
+    collect_data();
   }
 
   void factorize_masses() {
@@ -243,13 +245,14 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
-    if (e_.size() != e.size() || e_ != e) {
+    if (e_.size() != e.size() || std::memcmp(e_.data(), e.data(), sizeof(double) * e.size()) != 0) {
       e_ = e;
-      compliant_ = compliant();
+      data_.e = e_.data();
+      data_.compliant = compliant();
     }
     at_ = &at;
+    data_.D = at.D.data();
     meter_.add(system_->body_count());
-    collect_data(at);
     const SmallestPivot smallest = sweep(a, b);
     smallest_pivot_ = {smallest.ratio, smallest.row};
     if (smallest.ratio < data_.breakdown && (split() || (std::isfinite(smallest.ratio) && delay_pivot(smallest.row))))
@@ -268,7 +271,7 @@ class BlockSolver final : public SaddleSolver {
     return found.ratio < smallest.ratio && !(smallest.ratio < data_.breakdown) ? found : smallest;
   }
 
-  void collect_data(const Evaluation& at) {
+  void collect_data() {
     const SymbolicFactorization& s = *symbolic_;
     data_ = {.steps = s.steps.data(),
              .fronts = s.fronts.data(),
@@ -283,9 +286,9 @@ class BlockSolver final : public SaddleSolver {
              .unknowns = s.unknowns.data(),
              .mass = system_->mass_blocks().data(),
              .mass_factors = mass_factors_.data(),
-             .D = at.D.data(),
+             .D = data_.D,
              .e = e_.data(),
-             .compliant = compliant_,
+             .compliant = data_.compliant,
              .factors = factors_.data(),
              .articulated_inertias = articulated_inertias_.data(),
              .panels = panels_.data(),
@@ -315,7 +318,7 @@ class BlockSolver final : public SaddleSolver {
   std::vector<SmallestPivot> found_;                     ///< by the tasks of a stage
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
-  bool refined_ = false, compliant_ = false, split_ = false;
+  bool refined_ = false, split_ = false;
   VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
   InterruptionMeter meter_;

@@ -42,13 +42,17 @@ LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - 
 
 /// Zeros where children and bodies add: the lower triangle, from the vector on that holds the diagonal.
 void clear(const Front& front, const Data& data) {
-  for (int c = 0; c < front.size; ++c) {
-    const int position = c < front.width ? c : c - front.width + front.top;
-    double* column = column_of(front, data, position);
-    for (int p = position / lanes * lanes; p < front.stride(); p += lanes) store(column + p, splat(0.0));
-  }
+  const std::ptrdiff_t end = front.stride();
+  const auto clear_columns = [&](int first, int last) {
+    const std::ptrdiff_t stride = column_stride(front, first);
+    double* column = column_of(front, data, first);
+    for (std::ptrdiff_t c = first; c < last; ++c, column += stride)
+      for (std::ptrdiff_t p = c / lanes * lanes; p < end; p += lanes) store(column + p, splat(0.0));
+  };
+  clear_columns(0, front.width);
+  clear_columns(front.top, front.top + front.size - front.width);
   double* right = right_hand_side_of(front, data);
-  for (int p = 0; p < 2 * front.stride(); p += lanes) store(right + p, splat(0.0));
+  for (std::ptrdiff_t p = 0; p < 2 * end; p += lanes) store(right + p, splat(0.0));
 }
 
 /// C(:, w) = C(:, w) +- sum_k A(:, k) B(k, w) for `columns` columns, `vectors` vectors of rows at the places `at`.
