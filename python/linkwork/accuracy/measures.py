@@ -59,7 +59,8 @@ class Sampled:
         return Sampled(*values), np.flatnonzero(near)
 
 
-#: Of the length, over the whole run: what moves less is at rest, and what is left of it is rounding.
+#: What moves less is at rest, and what is left of it is rounding: of the length over the whole run, and of the
+#: speed that the largest reaction gives to all masses along it.
 STILL = 1e-6
 
 
@@ -74,15 +75,22 @@ class Scales:
     force: float  #: F_max: largest of |F| and |T| / L of the unique reactions [N]
 
     @classmethod
-    def of(cls, motion: Sampled, longest_arm: float) -> Scales:
-        """`longest_arm` [m]: from a center of mass to a joint."""
+    def of(
+        cls, motion: Sampled, longest_arm: float, mass: float = np.inf, tolerance: float | None = None
+    ) -> Scales:
+        """`longest_arm` [m]: from a center of mass to a joint. `mass` [kg]: of all bodies, where known.
+
+        `tolerance`: rtol of a run that follows it, which may leave as much where nothing moves.
+        """
         r = motion.q[:, :, :3]
         diagonal = float(np.linalg.norm(np.ptp(r, axis=(0, 1)))) if r.size else 0.0
         length = max(diagonal / 2, longest_arm) or 1.0
         speed = max(_largest(motion.v[:, :, :3]), length * _largest(motion.v[:, :, 3:]))
-        duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
-        speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0)
         force = max(_largest(motion.force), _largest(motion.torque) / length)
+        duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
+        natural = np.sqrt(force * length / mass) if mass > 0.0 else 0.0
+        speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0,
+                    max(STILL, tolerance or 0.0) * natural)  # fmt: skip
         return cls(length, speed or 1.0, force or 1.0)
 
 

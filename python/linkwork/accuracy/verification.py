@@ -67,5 +67,6 @@ def state_error(first: Result, finer: Finer) -> float:
     """Largest error of poses and velocities, relative as those of linkwork.accuracy.measures."""
     exact = Sampled.of(finer.result)
     differences = Differences.between(Sampled.of(first), exact)
-    state = differences.state(Scales.of(exact, longest_arm(finer.result)))
+    mass, rtol = float(first.header.mass.sum()), first.manifest["options"].get("rtol")
+    state = differences.state(Scales.of(exact, longest_arm(finer.result), mass, rtol))
     return float(finer.factor * state.max(initial=0.0))
