@@ -77,7 +77,7 @@ TEST_CASE("refinement goes on to roundoff, however wrong the inertias of its sol
     VectorXd x(problem.x.size()), lambda(problem.lambda.size());
     nearby(problem.a, problem.b, x, lambda);
     REQUIRE(relative_error(x, problem.x) > 1e-3);
-    CHECK(refinement.refine(problem.at, problem.a, problem.b, x, lambda, nearby, Refinement::Cause::inertia));
+    CHECK(refinement.refine(problem.at, problem.a, problem.b, x, lambda, nearby, Inexactness::inertia));
     CHECK(relative_error(x, problem.x) < 1e-11);
     CHECK(relative_error(lambda, problem.lambda) < 1e-10);
   }

@@ -84,7 +84,7 @@ TEST_CASE("refinement leads from regularized inertias to the solution of the equ
     const auto nearby = [&](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx, MutableVector dlambda) {
       saddle->solve(r_1, r_2, dx, dlambda);
     };
-    REQUIRE(refinement.refine(at, a, b, x, lambda, nearby, Refinement::Cause::inertia));
+    REQUIRE(refinement.refine(at, a, b, x, lambda, nearby, Inexactness::inertia));
     const MatrixXd D = dense_D(system, at), M = dense_M(system.model());
     CHECK((M * x - D.transpose() * lambda - a).norm() <=
           1e-13 * (M * x).norm() + 1e-13 * (D.transpose() * lambda).norm());

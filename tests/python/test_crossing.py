@@ -160,8 +160,10 @@ def test_a_start_beside_a_pose_asks_a_users_load_only_where_the_motion_goes(thet
         return 0.0
 
     model.joint_force("revolute 1", load)
-    lw.simulate(model, 1e-3, step=1e-5, progress=False)
+    result = lw.simulate(model, 1e-3, step=1e-5, progress=False)
     assert np.ptp(asked) == pytest.approx(1.5e-3, abs=1e-6)
+    expected = lw.System(model).accelerations(0.0, result.q[0], result.v[0])[0]
+    assert result.recorded("vdot")[0].ravel() == pytest.approx(np.ravel(expected), abs=1e-12)
 
 
 @pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 5e-3}, {"rtol": 1e-4}, {"rtol": 1e-8}], ids=str)

@@ -1,6 +1,7 @@
 // Sums over bodies and blocks of D: products with M, D and their like.
 #include <algorithm>
 
+#include "linkwork/assembly/saddle_products.hpp"
 #include "linkwork/assembly/system.hpp"
 #include "linkwork/math/rotation.hpp"
 
@@ -25,11 +26,8 @@ void System::normalize(MutableVector q) const {
 
 void System::multiply_mass(const ConstVector& x, MutableVector y) const {
   threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
-    for (int b = first; b < last; ++b) {
-      const int k = velocity_size * b;
-      y.segment<3>(k) = mass(b) * x.segment<3>(k);
-      y.segment<3>(k + 3).noalias() = inertia(b) * x.segment<3>(k + 3);
-    }
+    for (int b = first; b < last; ++b)
+      saddle_products::multiply_mass<saddle_products::Doubles>(b, &mass_.front().m, x.data(), y.data());
   });
 }
 
@@ -57,18 +55,14 @@ void System::multiply_D(const Evaluation& at, const ConstVector& x, MutableVecto
   threads_->in_chunks(joint_count(), chunk, [&](int first, int last) {
     const std::vector<int>& row = model_.joint_rows();
     y.segment(row[first], row[last] - row[first]).setZero();
-    for (int k = joint_block_begin_[first]; k < joint_block_begin_[last]; ++k) {
-      const ConstraintBlock& block = blocks_[joint_block_list_[k]];
-      y.segment(block.row, block.rows).noalias() +=
-          block_of(at, block) * x.segment<velocity_size>(velocity_size * block.body);
-    }
+    for (int k = joint_block_begin_[first]; k < joint_block_begin_[last]; ++k)
+      saddle_products::add_D<saddle_products::Doubles>(blocks_[joint_block_list_[k]], at.D.data(), x.data(), y.data());
   });
 }
 
 void System::add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const {
   const auto add = [&](const ConstraintBlock& block) {
-    y.segment<velocity_size>(velocity_size * block.body).noalias() +=
-        block_of(at, block).transpose() * lambda.segment(block.row, block.rows);
+    saddle_products::add_D_transposed<saddle_products::Doubles>(block, at.D.data(), lambda.data(), y.data());
   };
   if (threads_->threads() == 1) {
     for (const ConstraintBlock& block : blocks_) add(block);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/assembly/saddle_products.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -14,6 +16,22 @@ constexpr double slow = 0.1;  // conjugate gradients need fewer
 constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
 
 }  // namespace
+
+Corrections::Corrections(Inexactness cause, double free_motion)
+    : cause_(cause), free_motion_(free_motion), enough_(cause == Inexactness::roundoff ? second_order : exact) {}
+
+Corrections::Progress Corrections::judge(double solution, double correction) {
+  const bool inertia = cause_ == Inexactness::inertia;
+  const double size = solution + free_motion_;
+  count_ += 1;
+  if (correction <= enough_ * size) return Progress::converged;
+  if (!std::isfinite(correction)) return Progress::diverged;
+  if (inertia && correction > slow * last_) return Progress::slow;
+  if (!inertia && correction > shrinking * last_ && correction <= roundoff * size) return Progress::converged;
+  last_ = correction;
+  enough_ = exact;
+  return count_ < most_corrections ? Progress::going_on : Progress::diverged;
+}
 
 Refinement::Refinement(const System& system, const VectorXd& lengths) : system_(&system), lengths_(lengths) {
   for (VectorXd* velocities : {&r_1_, &dx_, &p_, &Mp_}) velocities->setZero(system.v_size());
@@ -38,21 +56,17 @@ void Refinement::correct(const Evaluation& at, const ConstVector& a, const Const
 }
 
 bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                        MutableVector lambda, const Nearby& nearby, Cause cause) {
-  const bool inertia = cause == Cause::inertia;
+                        MutableVector lambda, const Nearby& nearby, Inexactness cause) {
+  using Progress = Corrections::Progress;
   const double free = size_of_free_motion(a);
-  double last = INFINITY, enough = cause == Cause::roundoff ? second_order : exact;
-  for (int k = 0; k < most_corrections; ++k) {
+  Corrections corrections(cause, free);
+  for (;;) {
     correct(at, a, b, x, lambda, nearby);
-    const double size = size_of(x) + free, change = size_of(dx_);
-    if (change <= enough * size) return true;
-    if (!std::isfinite(change)) return false;
-    if (inertia && change > slow * last) return accelerate(at, a, b, x, lambda, nearby, size);
-    if (!inertia && change > shrinking * last && change <= roundoff * size) return true;
-    last = change;
-    enough = exact;
+    const double size = size_of(x);
+    const Progress progress = corrections.judge(size, size_of(dx_));
+    if (progress == Progress::slow) return accelerate(at, a, b, x, lambda, nearby, size + free);
+    if (progress != Progress::going_on) return progress == Progress::converged;
   }
-  return false;
 }
 
 /// From a solution with r_2 = 0 but for roundoff: then r_1 . dx is the square of the residual in the norm of M^-1 on
@@ -88,7 +102,7 @@ bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const Co
 }
 
 double Refinement::size_of_body(const ConstVector& x, int body) const {
-  return x.segment<3>(6 * body).norm() + lengths_[body] * x.segment<3>(6 * body + 3).norm();
+  return saddle_products::size<saddle_products::Doubles>(body, lengths_.data(), x.data());
 }
 
 double Refinement::size_of(const ConstVector& x) const {
@@ -100,9 +114,10 @@ double Refinement::size_of(const ConstVector& x) const {
 /// M^-1 a, bodies without inertia taken for what their lengths make of their masses.
 double Refinement::size_of_free_motion(const ConstVector& a) const {
   double out = 0.0;
+  const double* mass = &system_->mass_blocks().front().m;
   for (int body = 0; body < system_->body_count(); ++body)
-    if (const double m = system_->mass(body); m > 0.0)
-      out = std::max(out, (a.segment<3>(6 * body).norm() + a.segment<3>(6 * body + 3).norm() / lengths_[body]) / m);
+    if (system_->mass(body) > 0.0)
+      out = std::max(out, saddle_products::size_of_free_motion<saddle_products::Doubles>(body, lengths_.data(), mass, a.data()));
   return out;
 }
 

@@ -1,10 +1,31 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 
 #include "linkwork/assembly/system.hpp"
 
 namespace linkwork {
+
+/// What makes nearby solutions inexact: other inertias, roundoff alone, or roundoff near a singular pose.
+enum class Inexactness { inertia, roundoff, singular_pose };
+
+/// When corrections are enough.
+class Corrections {
+ public:
+  /// `free_motion`: size of M^-1 a.
+  Corrections(Inexactness cause, double free_motion);
+
+  /// `slow`: other inertias are so far away that it takes conjugate gradients.
+  enum class Progress { going_on, converged, diverged, slow };
+  /// After one of this size, which led to a solution of that size.
+  Progress judge(double solution, double correction);
+
+ private:
+  Inexactness cause_;
+  double free_motion_, last_ = INFINITY, enough_;
+  int count_ = 0;
+};
 
 /// THE iterative refinement of solutions of
 ///   M x - D^T lambda = a,   D x = b:
@@ -32,13 +53,10 @@ class Refinement {
   const VectorXd& r_2() const { return r_2_; }  ///< before the last correction
   const VectorXd& dx() const { return dx_; }    ///< the last correction
 
-  /// What makes nearby solutions inexact: other inertias, roundoff alone, or roundoff near a singular pose.
-  enum class Cause { inertia, roundoff, singular_pose };
-
   /// Corrections until they are roundoff of `x` and M^-1 a. Only other inertias may be so far away that it takes
   /// conjugate gradients. False: they do not converge.
   bool refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda,
-              const Nearby& nearby, Cause cause);
+              const Nearby& nearby, Inexactness cause);
 
   /// The body that the last correction changed most.
   int least_certain_body() const;

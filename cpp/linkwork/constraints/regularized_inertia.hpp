@@ -28,6 +28,8 @@ class RegularizedInertia {
   double smallest_moment() const { return smallest_; }
   /// Whether roundoff by small moments would show in solutions with relative errors of `accuracy`.
   bool shows(double accuracy) const;
+  /// Whether solutions of `system()` are to be refined for such errors.
+  bool refined(double accuracy) const { return regularized() || shows(accuracy); }
 
   /// Size that makes rotations of a body comparable with its translations [m], one per body.
   const VectorXd& lengths() const { return lengths_; }

@@ -1,4 +1,5 @@
 // Compiled once per instruction set with LINKWORK_ISA = v2, v3, v4; see CMakeLists.txt.
+#include "linkwork/assembly/saddle_products.hpp"
 #include "linkwork/ensemble/lane_elimination.hpp"
 #include "linkwork/math/pack.hpp"
 #include "linkwork/math/rotation.hpp"
@@ -111,13 +112,56 @@ void largest(int count, const double* x, double* out) {
   put(out, 0, doubtful == Native{} ? most : splat_native(__builtin_inf()));
 }
 
+struct Lanes {
+  using Number = Native;
+  static LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return linkwork::get(from, k); }
+  static LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { linkwork::put(to, k, x); }
+  static LINKWORK_INLINE Native root(Native x) { return sqrt(Pack(x)).v; }
+};
+
+void residuals(const LaneEquations& at, const double* a, const double* b, const double* x, const double* lambda,
+               double* r_1, double* r_2) {
+  for (int body = 0; body < at.bodies; ++body) saddle_products::multiply_mass<Lanes>(body, at.mass, x, r_1);
+  for (int k = 0; k < 6 * at.bodies; ++k) put(r_1, k, get(a, k) - get(r_1, k));
+  for (int k = 0; k < at.rows; ++k) put(r_2, k, Native{});
+  for (const LaneBlock* block = at.blocks; block < at.blocks + at.block_count; ++block) {
+    saddle_products::add_D_transposed<Lanes>(*block, at.D, lambda, r_1);
+    saddle_products::add_D<Lanes>(*block, at.D, x, r_2);
+  }
+  for (int k = 0; k < at.rows; ++k) put(r_2, k, get(b, k) - get(r_2, k));
+}
+
+void motion(const LaneEquations& at, const double* x, double* out) {
+  Native most{};
+  for (int body = 0; body < at.bodies; ++body) {
+    const Native size = saddle_products::size<Lanes>(body, at.lengths, x);
+    most = most < size ? size : most;
+  }
+  put(out, 0, most);
+}
+
+void free_motion(const LaneEquations& at, const double* a, double* out) {
+  Native most{};
+  for (int body = 0; body < at.bodies; ++body) {
+    const Native size = saddle_products::size_of_free_motion<Lanes>(body, at.lengths, at.mass, a);
+    most = (get(at.mass, 10l * body) > Native{}) & (most < size) ? size : most;
+  }
+  put(out, 0, most);
+}
+
+void add(int count, const double* chosen, const double* dx, double* x) {
+  const NativeIndex mask = get(chosen, 0) != Native{};
+  for (int k = 0; k < count; ++k) put(x, k, mask ? get(x, k) + get(dx, k) : get(x, k));
+}
+
 }  // namespace
 
 #define LINKWORK_JOIN(A, B) A##B
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_kernels_, ISA)
 
 extern const LaneKernels LINKWORK_NAME(LINKWORK_ISA);
-const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {width,      &states,  &body_forces, &rates,
-                                                 &normalize, &combine, &weigh,       &largest};
+const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {
+    width,    &states,  &body_forces, &rates,  &normalize,   &combine,
+    &weigh,   &largest, &residuals,   &motion, &free_motion, &add};
 
 }  // namespace linkwork

@@ -25,7 +25,8 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       width_(kernels_.width),
       lanes_(std::move(lanes)),
       tableau_(tableau),
-      steps_(steps) {
+      steps_(steps),
+      refinement_(structure, kernels_, lanes_) {
   for (const Lane* it : lanes_) {
     watches_ = watches_ || it->watches();
     judged_ = judged_ || it->judged();
@@ -87,15 +88,19 @@ void LanePack::load_numbers() {
 
 void LanePack::load_masses() {
   gravity_.assign(3 * width_, 0.0);
-  mass_.assign(std::ptrdiff_t{10} * structure_.bodies * width_, 0.0);
+  for (Numbers* all : {&mass_, &nearby_mass_}) all->assign(std::ptrdiff_t{10} * structure_.bodies * width_, 0.0);
   mass_factors_.assign(std::ptrdiff_t{9} * structure_.symbolic.mass_factor_count * width_, 0.0);
   for (int l = 0; l < width_; ++l) {
-    const System& system = lanes_[std::min<std::size_t>(l, lanes_.size() - 1)]->dynamics().system();
+    const Dynamics& dynamics = lanes_[std::min<std::size_t>(l, lanes_.size() - 1)]->dynamics();
+    const System &system = dynamics.system(), &nearby = dynamics.formulation().inertia().system();
     give(system.model().gravity().data(), 3, l, gravity_, 0);
-    for (int body = 0; body < structure_.bodies; ++body) give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
+    for (int body = 0; body < structure_.bodies; ++body) {
+      give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
+      give(&nearby.mass_blocks()[body].m, 10, l, nearby_mass_, 10l * body);
+    }
     for (const block::CoreBody& body : structure_.symbolic.bodies) {
       if (body.mass_factor < 0) continue;
-      const block::MassFactor factor = block::mass_factor(system, body.body);
+      const block::MassFactor factor = block::mass_factor(nearby, body.body);
       give(&factor.L43, 9, l, mass_factors_, 9l * body.mass_factor);
     }
   }
@@ -135,7 +140,7 @@ LaneData LanePack::data() {
           .row_positions = structure_.row_positions.data(),
           .unknowns = s.unknowns.data(),
           .compliance = structure_.compliance.data(),
-          .mass = mass_.data(),
+          .mass = nearby_mass_.data(),
           .mass_factors = mass_factors_.data(),
           .D = D_.data(),
           .factors = factors_.data(),
@@ -387,6 +392,9 @@ void LanePack::solve(double t, bool first) {
     looked = looked || (first && lane.looked());
   });
   if (looked) solve_as_looked();
+  if (refinement_.needed())
+    refinement_.refine({t, mass_.data(), D_.data(), g_.data(), b_.data(), v_dot_.data(), lambda_.data()}, elimination_,
+                       at);
 }
 
 /// Lanes that were looked at ahead have factors already there, where a single run substitutes in another order.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linkwork/ensemble/lane.hpp"
+#include "linkwork/ensemble/lane_refinement.hpp"
 #include "linkwork/ensemble/lane_structure.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/math/aligned.hpp"
@@ -65,7 +66,9 @@ class LanePack {
   const FixedSteps& steps_;
   bool rest_ = false, watches_ = false, judged_ = false;
 
-  Numbers mass_, mass_factors_, gravity_, states_;
+  LaneRefinement refinement_;
+
+  Numbers mass_, nearby_mass_, mass_factors_, gravity_, states_;
   std::vector<Numbers> attachments_, parameters_;  ///< by kind
   Numbers D_, Phi_, Phi_t_, Phi_dot_, gamma_, g_, b_, u_, v_dot_, lambda_, smallest_, power_, potential_;
   Numbers looked_v_dot_, looked_lambda_, largest_;

@@ -38,6 +38,7 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       blocks_(dynamics.system().blocks()) {
   find_positions(dynamics.system());
   list_joints(dynamics.system());
+  for (const ConstraintBlock& block : blocks_) blocks.push_back({block.row, block.rows, block.body, block.offset});
   for (const int row : dropped) {
     compliance[row] = 1.0;
     for (const ConstraintBlock& block : blocks_)
@@ -96,10 +97,8 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   for (const double limit : options.violation_limit)
     if (std::isfinite(limit)) return "lanes do not watch a violation_limit";
   if (system.row_count() == 0) return "it has no joints";
-  if (!system.massless_bodies().empty()) return "it has bodies without mass or inertia";
-  if (block::masses_far_apart(system)) return "its masses are far apart, which takes refinement";
-  const RegularizedInertia& inertia = dynamics.formulation().inertia();
-  if (inertia.regularized() || inertia.shows(INFINITY)) return "it has very small inertias, which take refinement";
+  if (block::masses_far_apart(dynamics.formulation().inertia().system()))
+    return "its masses are far apart, which takes refinement";
   if (!system.model().user_forces().empty()) return "it has forces that are functions of Python";
   return "";
 }

@@ -34,6 +34,7 @@ class LaneStructure {
   bool time_dependent;  ///< constraints, of any
   block::SymbolicFactorization symbolic;
   std::vector<int> row_positions;  ///< of symbolic.rows in their fronts
+  std::vector<LaneBlock> blocks;   ///< of D
   std::vector<Joints> joints;
   std::vector<int> special;               ///< special joints
   std::vector<double> compliance;         ///< of each row

@@ -32,6 +32,22 @@ struct LaneData {
   double* scratch;  ///< 12 of the most rows of a body; 8 of the highest front; 1 of the widest
 };
 
+/// Rows of D that belong to a body, as a ConstraintBlock.
+struct LaneBlock {
+  int row, rows, body;
+  std::ptrdiff_t offset;
+};
+
+/// The equations M x - D^T lambda = a, D x = b as refinement sees them.
+struct LaneEquations {
+  int bodies, rows;
+  const LaneBlock* blocks;
+  std::ptrdiff_t block_count;
+  const double* mass;     ///< 10 a body
+  const double* lengths;  ///< one a body: make rotations comparable with translations
+  const double* D;
+};
+
 /// y = (q, v, work), 13 n + 1 numbers.
 struct LaneKernels {
   int width;
@@ -51,6 +67,14 @@ struct LaneKernels {
   void (*weigh)(int count, double f, const double* x, double g, const double* z, double* out);
   /// The largest amount of all numbers in each lane; infinite where one is no number.
   void (*largest)(int count, const double* x, double* out);
+  /// r_1 = a - M x + D^T lambda, r_2 = b - D x.
+  void (*residuals)(const LaneEquations& at, const double* a, const double* b, const double* x, const double* lambda,
+                    double* r_1, double* r_2);
+  /// The largest motion of a body in x; in M^-1 a.
+  void (*motion)(const LaneEquations& at, const double* x, double* out);
+  void (*free_motion)(const LaneEquations& at, const double* a, double* out);
+  /// x += dx in the lanes where `chosen` is not zero.
+  void (*add)(int count, const double* chosen, const double* dx, double* x);
 };
 
 /// In the order of operations of the block solver by the instructions that every processor has.

@@ -211,6 +211,7 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
 }
 
 Evaluation& Dynamics::begin_elsewhere(double t, const ConstVector& y) {
+  observe_now();
   now_.t = t;
   now_.stage = 1;
   now_.y = y;

@@ -54,7 +54,7 @@ void RankTolerant::solve(const ConstVector& a, const ConstVector& b, MutableVect
   const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx, MutableVector dlambda) {
     solver_.solve(r_1, r_2, dx, dlambda);
   };
-  const auto cause = inertia_.regularized() ? Refinement::Cause::inertia : Refinement::Cause::singular_pose;
+  const auto cause = inertia_.regularized() ? Inexactness::inertia : Inexactness::singular_pose;
   if (refinement_.refine(at_, a, b_, v_dot, lambda, nearby, cause)) return;
   if (corrects(a, b)) return;
   throw NotConvergedError("singular_pose",

@@ -28,7 +28,7 @@ class Standard final : public DirectFormulation {
   }
   void require_accuracy(double relative) override {
     accuracy_ = relative;
-    refined_ = inertia_->regularized() || inertia_->shows(accuracy_);
+    refined_ = inertia_->refined(accuracy_);
     if (refined_) refinement_ = Refinement(*system_, inertia_->lengths());
   }
 
@@ -37,7 +37,7 @@ class Standard final : public DirectFormulation {
     if (!refined_) return;
     const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx,
                                MutableVector dlambda) { saddle_->solve(r_1, r_2, dx, dlambda); };
-    const auto cause = inertia_->regularized() ? Refinement::Cause::inertia : Refinement::Cause::roundoff;
+    const auto cause = inertia_->regularized() ? Inexactness::inertia : Inexactness::roundoff;
     const bool converged = refinement_.refine(*at_, a, b, v_dot, lambda, nearby, cause);
     if (!converged && inertia_->regularized()) throw_free_motion();
   }

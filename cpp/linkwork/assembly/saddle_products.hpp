@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+
+/// Products with M and D block by block, and sizes of motions, of one mechanism or of one in each lane of a register:
+/// in one order of operations, so that both have the same bits. `Access` says what a number is, and how number k of a
+/// list is read and written: `Number`, `get(from, k)`, `put(to, k, x)`, `root(x)`. A block of D is like a
+/// ConstraintBlock.
+namespace linkwork::saddle_products {
+
+/// One mechanism.
+struct Doubles {
+  using Number = double;
+  static double get(const double* from, std::ptrdiff_t k) { return from[k]; }
+  static void put(double* to, std::ptrdiff_t k, double x) { to[k] = x; }
+  static double root(double x) { return __builtin_sqrt(x); }
+};
+
+/// y = M x of one body; `mass`: 10 numbers a body, m and J row by row.
+template <class Access>
+inline void multiply_mass(int body, const double* mass, const double* x, double* y) {
+  const std::ptrdiff_t M = 10 * std::ptrdiff_t{body}, first = 6 * std::ptrdiff_t{body};
+  typename Access::Number in[6];
+  for (int k = 0; k < 6; ++k) in[k] = Access::get(x, first + k);
+  const auto m = Access::get(mass, M);
+  for (int k = 0; k < 3; ++k) Access::put(y, first + k, m * in[k]);
+  for (int k = 0; k < 3; ++k)
+    Access::put(y, first + 3 + k,
+                Access::get(mass, M + 1 + 3 * k) * in[3] + Access::get(mass, M + 2 + 3 * k) * in[4] +
+                    Access::get(mass, M + 3 + 3 * k) * in[5]);
+}
+
+/// y += D_b x_b in the rows of a block.
+template <class Access, class Block>
+inline void add_D(const Block& block, const double* D, const double* x, double* y) {
+  typename Access::Number in[6];
+  for (int k = 0; k < 6; ++k) in[k] = Access::get(x, 6 * std::ptrdiff_t{block.body} + k);
+  for (int r = 0; r < block.rows; ++r) {
+    const std::ptrdiff_t first = block.offset + 6 * r;
+    const auto even = Access::get(D, first) * in[0] + Access::get(D, first + 2) * in[2] + Access::get(D, first + 4) * in[4];
+    const auto odd =
+        Access::get(D, first + 1) * in[1] + Access::get(D, first + 3) * in[3] + Access::get(D, first + 5) * in[5];
+    Access::put(y, block.row + r, Access::get(y, block.row + r) + (even + odd));
+  }
+}
+
+/// y_b += D_b^T lambda of the rows of a block.
+template <class Access, class Block>
+inline void add_D_transposed(const Block& block, const double* D, const double* lambda, double* y) {
+  const std::ptrdiff_t first = 6 * std::ptrdiff_t{block.body};
+  typename Access::Number sum[6];
+  for (int k = 0; k < 6; ++k) sum[k] = Access::get(y, first + k);
+  for (int r = 0; r < block.rows; ++r) {
+    const auto factor = Access::get(lambda, block.row + r);
+    for (int k = 0; k < 6; ++k) sum[k] = sum[k] + Access::get(D, block.offset + 6 * r + k) * factor;
+  }
+  for (int k = 0; k < 6; ++k) Access::put(y, first + k, sum[k]);
+}
+
+template <class Access>
+inline auto length(const double* x, std::ptrdiff_t first) {
+  const auto a = Access::get(x, first), b = Access::get(x, first + 1), c = Access::get(x, first + 2);
+  return Access::root(a * a + b * b + c * c);
+}
+
+/// Of a body's translation and rotation; `lengths`, one a body, make them comparable.
+template <class Access>
+inline auto size(int body, const double* lengths, const double* x) {
+  const std::ptrdiff_t first = 6 * std::ptrdiff_t{body};
+  return length<Access>(x, first) + Access::get(lengths, body) * length<Access>(x, first + 3);
+}
+
+/// M^-1 a of a body with mass, its inertia taken for what its length makes of it.
+template <class Access>
+inline auto size_of_free_motion(int body, const double* lengths, const double* mass, const double* a) {
+  const std::ptrdiff_t first = 6 * std::ptrdiff_t{body};
+  return (length<Access>(a, first) + length<Access>(a, first + 3) / Access::get(lengths, body)) /
+         Access::get(mass, 10 * std::ptrdiff_t{body});
+}
+
+}  // namespace linkwork::saddle_products

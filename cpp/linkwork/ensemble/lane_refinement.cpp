@@ -1,0 +1,70 @@
+#include "linkwork/ensemble/lane_refinement.hpp"
+
+#include <algorithm>
+
+#include "linkwork/ensemble/lane_structure.hpp"
+
+namespace linkwork {
+
+LaneRefinement::LaneRefinement(const LaneStructure& structure, const LaneKernels& kernels,
+                               const std::vector<Lane*>& lanes)
+    : structure_(structure), kernels_(kernels), lanes_(lanes) {
+  const auto inertia_of = [&](std::size_t lane) -> const RegularizedInertia& {
+    return lanes[lane]->dynamics().formulation().inertia();
+  };
+  for (std::size_t l = 0; l < lanes.size(); ++l) refined_.push_back(inertia_of(l).refined(INFINITY));
+  needed_ = std::find(refined_.begin(), refined_.end(), true) != refined_.end();
+  if (!needed_) return;
+  const std::ptrdiff_t width = kernels.width;
+  for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure.bodies * width, 0.0);
+  for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure.rows * width, 0.0);
+  for (AlignedDoubles* one : {&going_on_, &size_, &correction_}) one->assign(width, 0.0);
+  lengths_.assign(structure.bodies * width, 1.0);
+  for (std::size_t l = 0; l < lanes.size(); ++l)
+    for (std::ptrdiff_t body = 0; body < structure.bodies; ++body)
+      lengths_[body * width + static_cast<std::ptrdiff_t>(l)] = inertia_of(l).lengths()[body];
+}
+
+void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby) {
+  const LaneEquations equations{.bodies = structure_.bodies,
+                                .rows = structure_.rows,
+                                .blocks = structure_.blocks.data(),
+                                .block_count = std::ssize(structure_.blocks),
+                                .mass = problem.mass,
+                                .lengths = lengths_.data(),
+                                .D = problem.D};
+  kernels_.free_motion(equations, problem.a, size_.data());
+  std::vector<Corrections> corrections;
+  for (std::size_t l = 0; l < lanes_.size(); ++l) {
+    const bool other = lanes_[l]->dynamics().formulation().inertia().regularized();
+    corrections.emplace_back(other ? Inexactness::inertia : Inexactness::roundoff, size_[l]);
+    going_on_[l] = lanes_[l]->alive() && refined_[l];
+  }
+  while (std::any_of(going_on_.begin(), going_on_.end(), [](double chosen) { return chosen != 0.0; })) {
+    kernels_.residuals(equations, problem.a, problem.b, problem.x, problem.lambda, r_1_.data(), r_2_.data());
+    elimination.forward(nearby, r_1_.data(), r_2_.data());
+    for (const int row : structure_.dropped)
+      std::fill_n(dlambda_.begin() + std::ptrdiff_t{row} * kernels_.width, kernels_.width, 0.0);
+    elimination.backward(nearby, r_1_.data(), dx_.data(), dlambda_.data());
+    kernels_.add(velocity_size * structure_.bodies, going_on_.data(), dx_.data(), problem.x);
+    kernels_.add(structure_.rows, going_on_.data(), dlambda_.data(), problem.lambda);
+    kernels_.motion(equations, problem.x, size_.data());
+    kernels_.motion(equations, dx_.data(), correction_.data());
+    judge(problem.t, corrections);
+  }
+}
+
+void LaneRefinement::judge(double t, std::vector<Corrections>& corrections) {
+  using Progress = Corrections::Progress;
+  for (std::size_t l = 0; l < lanes_.size(); ++l) {
+    if (going_on_[l] == 0.0) continue;
+    const Progress progress = corrections[l].judge(size_[l], correction_[l]);
+    if (progress == Progress::going_on) continue;
+    going_on_[l] = 0.0;
+    const bool other = lanes_[l]->dynamics().formulation().inertia().regularized();
+    if (progress == Progress::slow) lanes_[l]->leave(t, "very small inertias, which take conjugate gradients");
+    if (progress == Progress::diverged && other) lanes_[l]->leave(t, "a motion without inertia");
+  }
+}
+
+}  // namespace linkwork

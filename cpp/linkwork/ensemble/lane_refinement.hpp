@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwork/constraints/refinement.hpp"
+#include "linkwork/ensemble/lane.hpp"
+#include "linkwork/ensemble/lanes.hpp"
+#include "linkwork/math/aligned.hpp"
+
+namespace linkwork {
+
+class LaneStructure;
+
+/// Refinement of the solutions of several mechanisms at once, each with as many corrections as by itself. Those that
+/// would go on with conjugate gradients, or do not converge, leave.
+class LaneRefinement {
+ public:
+  LaneRefinement(const LaneStructure& structure, const LaneKernels& kernels, const std::vector<Lane*>& lanes);
+
+  /// Whether any lane needs it.
+  bool needed() const { return needed_; }
+
+  /// Of x and lambda where nothing else than a, b, M and D decides; `elimination` has factors of nearby equations.
+  struct Problem {
+    double t;
+    const double *mass, *D, *a, *b;
+    double *x, *lambda;
+  };
+  void refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby);
+
+ private:
+  void judge(double t, std::vector<Corrections>& corrections);
+
+  const LaneStructure& structure_;
+  const LaneKernels& kernels_;
+  const std::vector<Lane*>& lanes_;
+  bool needed_ = false;
+  std::vector<char> refined_;
+  AlignedDoubles lengths_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;
+};
+
+}  // namespace linkwork
