@@ -36,25 +36,28 @@ inline void add_D(const Block& block, const double* D, const double* x, double* 
   typename Access::Number in[6];
   for (int k = 0; k < 6; ++k) in[k] = Access::get(x, 6 * std::ptrdiff_t{block.body} + k);
   for (int r = 0; r < block.rows; ++r) {
-    const std::ptrdiff_t first = block.offset + 6 * r;
-    const auto even = Access::get(D, first) * in[0] + Access::get(D, first + 2) * in[2] + Access::get(D, first + 4) * in[4];
-    const auto odd =
-        Access::get(D, first + 1) * in[1] + Access::get(D, first + 3) * in[3] + Access::get(D, first + 5) * in[5];
-    Access::put(y, block.row + r, Access::get(y, block.row + r) + (even + odd));
+    const auto term = [&](int k) { return Access::get(D, block.offset + 6 * r + k) * in[k]; };
+    const auto translation = term(0) + term(1) + term(2), rotation = term(3) + term(4) + term(5);
+    Access::put(y, block.row + r, Access::get(y, block.row + r) + (translation + rotation));
   }
 }
 
-/// y_b += D_b^T lambda of the rows of a block.
+/// y_b += D_b^T lambda of the rows of a block. These are added up by themselves: where they cancel each other, y_b
+/// keeps its digits.
 template <class Access, class Block>
 inline void add_D_transposed(const Block& block, const double* D, const double* lambda, double* y) {
-  const std::ptrdiff_t first = 6 * std::ptrdiff_t{block.body};
   typename Access::Number sum[6];
-  for (int k = 0; k < 6; ++k) sum[k] = Access::get(y, first + k);
   for (int r = 0; r < block.rows; ++r) {
     const auto factor = Access::get(lambda, block.row + r);
-    for (int k = 0; k < 6; ++k) sum[k] = sum[k] + Access::get(D, block.offset + 6 * r + k) * factor;
+    for (int k = 0; k < 6; ++k) {
+      const auto term = Access::get(D, block.offset + 6 * r + k) * factor;
+      sum[k] = r == 0 ? term : sum[k] + term;
+    }
   }
-  for (int k = 0; k < 6; ++k) Access::put(y, first + k, sum[k]);
+  for (int k = 0; k < 6 && block.rows > 0; ++k) {
+    const std::ptrdiff_t place = 6 * std::ptrdiff_t{block.body} + k;
+    Access::put(y, place, Access::get(y, place) + sum[k]);
+  }
 }
 
 template <class Access>

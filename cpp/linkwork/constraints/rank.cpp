@@ -1,6 +1,7 @@
 #include "linkwork/constraints/rank.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "linkwork/constraints/closed_loops.hpp"
@@ -164,21 +165,25 @@ std::string describe(const Model& model, const DependentGroup& group) {
 }
 
 // ker M and ker D meet iff D K has dependent columns, K a basis of ker M: per massless body the directions without
-// inertia.
+// inertia. What an equation feels of one is nothing where it is roundoff of its lever arms.
 std::vector<int> free_massless_bodies(const System& system, const Evaluation& at, double tolerance) {
   std::vector<int> owner;
   std::vector<Entry> entries;
+  const VectorXd lengths = characteristic_lengths(system), of_rows = row_lengths(system, at);
+  using Vec6 = Eigen::Matrix<double, 6, 1>;
   for (const int body : system.massless_bodies()) {
     const MatrixXd kernel = system.massless_directions(body);
     for (Eigen::Index c = 0; c < kernel.cols(); ++c) {
       const int column = static_cast<int>(owner.size());
       owner.push_back(body);
+      const Vec6 motion = kernel.col(c);
+      const double natural = motion.head<3>().norm() / lengths[body] + motion.tail<3>().norm();
       for (const int index : system.body_blocks(body)) {
         const ConstraintBlock& block = system.blocks()[index];
         for (int k = 0; k < block.rows; ++k) {
-          const double value = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(at.D.data() + block.offset + 6 * k)
-                                   .dot(kernel.col(c).transpose());
-          if (value != 0.0) entries.push_back({block.row + k, column, value});
+          const double felt = Eigen::Map<const Vec6>(at.D.data() + block.offset + 6 * k).dot(motion);
+          if (std::abs(felt) > tolerance * natural * of_rows[block.row + k])
+            entries.push_back({block.row + k, column, felt});
         }
       }
     }
