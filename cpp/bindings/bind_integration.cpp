@@ -215,7 +215,7 @@ void bind_lane_runs(py::module_& module) {
           [](LaneRun& run, std::vector<double> times) { run.sampling.expect_breaks(std::move(times)); },
           py::arg("times"))
       .def_property_readonly("t", [](const LaneRun& run) { return run.t; })
-      .def_property_readonly("steps_done", [](const LaneRun& run) { return run.sampling.steps(); })
+      .def_property_readonly("steps_done", [](const LaneRun& run) { return run.steps; })
       .def_property_readonly("energies", [](const LaneRun& run) { return to_python(run.sampling.energies()); })
       .def("relative_violation", exclusive(&relative_violation_of_lane))
       .def("judge", exclusive(&judge_lane), py::arg("dynamics"), py::arg("method"), py::arg("other") = false);

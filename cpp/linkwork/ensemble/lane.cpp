@@ -1,5 +1,6 @@
 #include "linkwork/ensemble/lane.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "linkwork/math/error.hpp"
@@ -36,7 +37,8 @@ Lane::Lane(Dynamics& dynamics, LaneRun* run)
       redundancy_(dynamics.system(), dynamics.initial_y().head(dynamics.system().q_size())),
       turns_(dynamics),
       divergence_(dynamics.system()),
-      run_(run) {}
+      run_(run),
+      stops_(dynamics.options().on_singular == "stop") {}
 
 void Lane::leave(double t, std::string reason) {
   if (!alive_) return;
@@ -74,8 +76,11 @@ void Lane::record(double t, double frame_t, const VectorXd& y, bool last) {
   dynamics_.formulation().look(true);
   guarded(t, [&] {
     dynamics_.evaluate(t, y);
-    if (!last) dynamics_.factorize();
-    recorder_.record(frame_t, y);
+    if (!last && !leapt_) dynamics_.factorize();
+    if (!leapt_) return recorder_.record(frame_t, y);
+    VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+    crossing_.interpolate(crossing_.theta(frame_t), v_dot, lambda);
+    recorder_.record(frame_t, y, v_dot, lambda);
   });
   dynamics_.formulation().look(false);
 }
@@ -88,26 +93,50 @@ void Lane::sample(double t, const VectorXd& y, double potential) {
 }
 
 void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new) {
-  if (run_) run_->sampling.after(t, h, y, y_new);
+  if (!run_) return;
+  run_->sampling.after(t, h, y, y_new);
+  run_->steps += 1;
 }
 
-/// As Simulation begins a leap over a pose; most of what may be one is none, and is not leapt over.
+/// As Simulation does.
 void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& y) {
-  const double t = steps.time(at), h = steps.size(at), step = steps.step();
+  const double t = steps.time(at), h = steps.size(at);
   const double most = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
     if (at == 0) dynamics_.evaluate(t, y);
     else dynamics_.begin_elsewhere(t, y);
     if (crossing_.due(t, h, y, false)) {
-      const bool leaps = crossing_.leap(t, h, step, most, y);
-      if (leaps) leave(t, "a singular pose is ahead");
+      leaping_ = crossing_.leap(t, h, steps.step(), most, y);
+      if (leaping_) begin_leap(t, steps, y);
       else dynamics_.evaluate(t, y);
     }
     if (dynamics_.watch().row_changes() != changes) leave(t, "other equations became the redundant ones");
-    if (dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
-    looked_ = dynamics_.formulation().factorized();
+    if (!leaping_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
+    looked_ = !leaping_ && dynamics_.formulation().factorized();
   });
+}
+
+void Lane::begin_leap(double t, const FixedSteps& steps, const VectorXd& y) {
+  if (stops_) return leave(t, "a singular pose is ahead");
+  if (run_) run_->sampling.correct(y, crossing_.last().y);
+  if (crossing_.last().end() > steps.t_end()) crossing_.cut(steps.t_end() - t);
+  crossing_.look_into_leap(std::min(crossing_.last().end(), steps.t_end()));
+}
+
+void Lane::follow_leap(double t, double step, VectorXd& y) {
+  if (run_) {
+    run_->sampling.pass_over();
+    run_->steps += 1;
+  }
+  leapt_ = true;
+  leaping_ = t < crossing_.last().end() - same_time * step;
+  if (!leaping_) {
+    y = crossing_.last().y_new;
+    return;
+  }
+  crossing_.interpolate(dynamics_.system(), crossing_.theta(t), y);
+  guarded(t, [&] { dynamics_.evaluate(t, y); });
 }
 
 void Lane::note(double t, double pivot, bool first_stage) {
@@ -121,7 +150,7 @@ void Lane::note(double t, double pivot, bool first_stage) {
 void Lane::look_back(double t, double h, const VectorXd& y) {
   const std::int64_t poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.look_back(t, h, y); });
-  if (dynamics_.watch().singular_poses() != poses) leave(t, "a singular pose was passed");
+  if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "a singular pose was passed");
 }
 
 void Lane::check(double t, double h, const VectorXd& y) {
@@ -131,7 +160,7 @@ void Lane::check(double t, double h, const VectorXd& y) {
 void Lane::end(double t, const VectorXd& y) {
   const std::int64_t poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.end(t, y); });
-  if (dynamics_.watch().singular_poses() != poses) leave(t, "the motion ends in a singular pose");
+  if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion ends in a singular pose");
 }
 
 }  // namespace linkwork

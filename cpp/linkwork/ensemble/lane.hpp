@@ -45,6 +45,7 @@ struct LaneRun {
   StepSampling sampling;
   double t = 0.0;
   VectorXd y;  ///< at t, the end
+  std::int64_t steps = 0;
 };
 
 /// One mechanism of an ensemble: what watches it, as a single run is watched, and what is recorded of it. Whatever a
@@ -64,6 +65,10 @@ class Lane {
   bool watches() const { return crossing_.watches(); }
   /// Whether the stage that comes was looked at ahead, and is factorized there already.
   bool looked() const { return looked_; }
+  /// Over a singular pose: what the pack makes of the lane meanwhile is nothing.
+  bool leaping() const { return leaping_; }
+  /// In the pack's steps.
+  bool steps() const { return alive_ && !leaping_; }
   double power() const { return power_; }
   void set_power(double power) { power_ = power; }
 
@@ -74,13 +79,15 @@ class Lane {
   /// Of Phi and Phi_dot, where rows are redundant.
   void watch_redundant_rows(double t, const VectorXd& y);
   void record(double t, double frame_t, const VectorXd& y, bool last);
+  /// One step of a leap, to its state at t, or to where it ends.
+  void follow_leap(double t, double step, VectorXd& y);
   bool judged() const { return run_ != nullptr; }
   /// For the verdict.
   void sample(double t, const VectorXd& y, double potential);
   void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new);
   /// Singular poses ahead of a step from the state y.
   void look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& y);
-  void expect_nothing() { looked_ = false; }
+  void expect_nothing() { looked_ = leapt_ = false; }
 
   /// The smallest pivot of a stage at t.
   void note(double t, double pivot, bool first_stage);
@@ -100,7 +107,10 @@ class Lane {
   TurnGuard turns_;
   Divergence divergence_;
   LaneRun* run_;
-  bool alive_ = true, looked_ = false;
+  void begin_leap(double t, const FixedSteps& steps, const VectorXd& y);
+
+  bool alive_ = true, looked_ = false, stops_;
+  bool leaping_ = false, leapt_ = false;  ///< as in Simulation
   double power_ = 0.0, left_at_ = NAN;
   std::string reason_;
 };

@@ -68,6 +68,13 @@ void LanePack::each_lane(Action action) {
     if (lanes_[l]->alive()) action(l, *lanes_[l]);
 }
 
+/// But those that leap.
+template <class Action>
+void LanePack::each_stepping(Action action) {
+  for (int l = 0; l < static_cast<int>(lanes_.size()); ++l)
+    if (lanes_[l]->steps()) action(l, *lanes_[l]);
+}
+
 bool LanePack::any_lane() const {
   return std::any_of(lanes_.begin(), lanes_.end(), [](const Lane* lane) { return lane->alive(); });
 }
@@ -178,12 +185,17 @@ VectorXd LanePack::accelerations(int l) {
 
 void LanePack::begin_step(std::int64_t step) {
   const double t = steps_.time(step);
+  each_lane([&](int l, Lane& lane) {
+    lane.expect_nothing();
+    if (!lane.leaping()) return;
+    lane.follow_leap(steps_.frame_time(step), steps_.step(), state_);
+    give(state_.data(), state_.size(), l, y_, 0);
+  });
   evaluate(t, y_);
   const bool records = steps_.records(step),
              needs_state = records || watches_ || judged_ || !structure_.dropped.empty();
   each_lane([&](int l, Lane& lane) {
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
-    lane.expect_nothing();
     if (needs_state && lane.alive()) begin_lane(l, step);
   });
 }
@@ -193,21 +205,21 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   const double t = steps_.time(step);
   const bool last = step == steps_.count();
   take(y_, l, 0, state_);
-  if (!structure_.dropped.empty()) {
+  if (!structure_.dropped.empty() && !lane.leaping()) {
     Evaluation& at = lane.begin(t, state_);
     take(Phi_, l, 0, at.Phi);
     take(Phi_dot_, l, 0, at.Phi_dot);
     lane.watch_redundant_rows(t, state_);
   }
   if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), state_, last);
-  if (!lane.alive()) return;
+  if (!lane.steps()) return;
   const double potential = *this->lane(potential_, 0, l);
   if (last) {
     lane.sample(steps_.t_end(), state_, potential);
     if (lane.watches()) lane.end(steps_.t_end(), state_);
   } else {
     if (lane.watches()) lane.look_ahead(step, steps_, state_);
-    lane.sample(t, state_, potential);
+    if (lane.steps()) lane.sample(t, state_, potential);
   }
 }
 
@@ -256,7 +268,7 @@ void LanePack::finish_step(std::int64_t step) {
   kernels_.normalize(structure_.bodies, y_.data());
   if (!watches_ && !judged_) return;
   const double t = steps_.time(step), h = steps_.size(step);
-  each_lane([&](int l, Lane& lane) {
+  each_stepping([&](int l, Lane& lane) {
     take(before_, l, 0, state_);
     if (lane.judged()) {
       take(y_, l, 0, new_state_);
@@ -271,11 +283,11 @@ void LanePack::check_size(std::int64_t step) {
   const double t = steps_.time(step + 1), h = steps_.size(step);
   const int q_size = position_size * structure_.bodies;
   kernels_.largest(structure_.y_size(), y_.data(), largest_.data());
-  each_lane([&](int l, Lane& lane) {
+  each_stepping([&](int l, Lane& lane) {
     if (!std::isfinite(*this->lane(largest_, 0, l))) lane.leave(t, "a number is not finite");
   });
   kernels_.largest(velocity_size * structure_.bodies, y_.data() + q_size * width_, largest_.data());
-  each_lane([&](int l, Lane& lane) {
+  each_stepping([&](int l, Lane& lane) {
     if (*this->lane(largest_, 0, l) * h < restless) return;
     take(y_, l, 0, state_);
     lane.check(t, h, state_);
@@ -292,7 +304,7 @@ void LanePack::check_size(std::int64_t step) {
 void LanePack::evaluate(double t, const Numbers& y) {
   kernels_.states(structure_.bodies, y.data(), states_.data());
   kernels_.body_forces(structure_.bodies, mass_.data(), gravity_.data(), y.data(), g_.data(), potential_.data());
-  if (rest_) each_lane([&](int l, Lane&) { evaluate_rest(l, t, y); });
+  if (rest_) each_stepping([&](int l, Lane&) { evaluate_rest(l, t, y); });
   evaluate_joints();
   leave_out_rows();
 }
@@ -387,7 +399,7 @@ void LanePack::solve(double t, bool first) {
   for (const int row : structure_.dropped) std::fill_n(lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
   elimination_.backward(at, g_.data(), v_dot_.data(), lambda_.data());
   bool looked = false;
-  each_lane([&](int l, Lane& lane) {
+  each_stepping([&](int l, Lane& lane) {
     lane.note(t, *this->lane(smallest_, 0, l), first);
     looked = looked || (first && lane.looked());
   });
@@ -404,7 +416,7 @@ void LanePack::solve_as_looked() {
   for (const int row : structure_.dropped)
     std::fill_n(looked_lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
   elimination_.backward(at, g_.data(), looked_v_dot_.data(), looked_lambda_.data());
-  each_lane([&](int l, Lane& lane) {
+  each_stepping([&](int l, Lane& lane) {
     if (!lane.looked()) return;
     for (std::size_t k = l; k < v_dot_.size(); k += width_) v_dot_[k] = looked_v_dot_[k];
     for (std::size_t k = l; k < lambda_.size(); k += width_) lambda_[k] = looked_lambda_[k];
@@ -415,7 +427,7 @@ void LanePack::solve_as_looked() {
 void LanePack::find_rates(const Numbers& y, Numbers& y_dot) {
   kernels_.rates(structure_.bodies, y.data(), v_dot_.data(), y_dot.data());
   if (!rest_) return;
-  each_lane([&](int l, Lane&) {
+  each_stepping([&](int l, Lane&) {
     double power = *lane(power_, 0, l);
     if (structure_.time_dependent) {
       take(lambda_, l, 0, rows_);

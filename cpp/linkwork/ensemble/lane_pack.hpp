@@ -40,6 +40,8 @@ class LanePack {
   void give(const double* from, std::ptrdiff_t count, int l, Numbers& to, std::ptrdiff_t first) const;
   template <class Action>
   void each_lane(Action action);
+  template <class Action>
+  void each_stepping(Action action);
   bool any_lane() const;
 
   void begin_step(std::int64_t step);

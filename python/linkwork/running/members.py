@@ -190,16 +190,30 @@ def _result(it: _Ready, frames: Mapping[str, Any], method: Method) -> Result:
     header = Header.of(
         it.model.compiled(), it.system.compiled(), facts, None, it.model.shapes, it.model.curves
     )
-    return Result(frames, header, {"lane": True, **_judged(it, frames, method)})
+    poses = _singular_poses(it)
+    return Result(frames, header, {"lane": True, **poses, **_judged(it, frames, method, poses)})
 
 
-def _judged(it: _Ready, frames: Mapping[str, Any], method: Method) -> dict[str, Any]:
+def _singular_poses(it: _Ready) -> dict[str, Any]:
+    """Statistics of those that were passed; LinkworkWarning as asked for."""
+    found = it.system.compiled().statistics()
+    if it.system.options["on_singular"] == "warn":
+        with remarked() as remarks:
+            recording.warn_of_singular_poses(found, 0)
+        it.remarks.extend(remarks)
+    return {name: found[name] for name in ("singular_poses", "row_changes", "singularity_crossings")}
+
+
+def _judged(
+    it: _Ready, frames: Mapping[str, Any], method: Method, poses: Mapping[str, Any]
+) -> dict[str, Any]:
     """Statistics with the verdict: as of the run by itself."""
     if it.run is None or it.estimator is None:
         return {}
     with _core.OnePath(method.options.get("deterministic") is True):
         it.estimator.look(frames)
         counts: dict[str, Any] = {
+            **poses,
             "steps": it.run.steps_done,
             **method.plan.steps_with_breaks(it.stepped.breaks, 0.0),
         }

@@ -202,7 +202,7 @@ def record(
             violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
         report(run.t, run.steps_done, violation)
         if warns:
-            warned = _warn_of_singular_poses(run.statistics(), warned)
+            warned = warn_of_singular_poses(run.statistics(), warned)
         before = time.perf_counter()
     return spent
 
@@ -237,7 +237,7 @@ def _abandon(
             error.add_note(f"linkwork: in the step after t = {run.t:.6g} s")
 
 
-def _warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
+def warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
     """How many there have been; LinkworkWarning: more than `warned`."""
     count: int = statistics["singular_poses"]
     if count > warned:
