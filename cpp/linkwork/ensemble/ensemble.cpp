@@ -49,6 +49,28 @@ Ensemble::Ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau&
     }
 }
 
+void Ensemble::run_pack(const LaneStructure& structure, const std::vector<Lane*>& lanes,
+                        const std::function<void()>& look) {
+  const InstructionSet fitting = instruction_set_for(static_cast<int>(lanes.size()), widest_);
+  LanePack pack(structure, fitting, lanes, tableau_, steps_);
+  pack.run(look);
+}
+
+/// Lanes whose redundant equations are other ones now, and the same for all of them.
+void Ensemble::run_moved(const std::vector<Lane*>& lanes, const std::function<void()>& look) {
+  Lane& first = **std::find_if(lanes.begin(), lanes.end(), [](const Lane* lane) { return lane->moves(); });
+  if (std::string why = LaneStructure::refusal(first.dynamics()); !why.empty())
+    return first.leave(steps_.time(first.joins_at()), why);
+  const LaneStructure structure(first.dynamics());
+  std::vector<Lane*> moved;
+  for (Lane* lane : lanes)
+    if (lane->moves() && structure.same(lane->dynamics())) {
+      lane->wait();
+      moved.push_back(lane);
+    }
+  run_pack(structure, moved, look);
+}
+
 void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   std::vector<std::unique_ptr<Lane>> lanes;
   std::vector<Lane*> alive;
@@ -64,9 +86,9 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
     alive.push_back(lanes.back().get());
   }
   if (alive.empty()) return;
-  const InstructionSet fitting = instruction_set_for(static_cast<int>(alive.size()), widest_);
-  LanePack pack(task.group->structure, fitting, alive, tableau_, steps_);
-  pack.run(look);
+  run_pack(task.group->structure, alive, look);
+  while (std::any_of(alive.begin(), alive.end(), [](const Lane* lane) { return lane->moves(); }))
+    run_moved(alive, look);
   for (std::size_t k = 0; k < members.size(); ++k)
     members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "linkwork/math/error.hpp"
 
@@ -71,16 +72,25 @@ void Lane::watch_redundant_rows(double t, const VectorXd& y) {
     leave(t, "redundant equations are violated more than the others");
 }
 
-/// As a run records in the course of a step: by solving once more with the factors of the step.
 void Lane::record(double t, double frame_t, const VectorXd& y, bool last) {
-  dynamics_.formulation().look(true);
   guarded(t, [&] {
     dynamics_.evaluate(t, y);
-    if (!last && !leapt_) dynamics_.factorize();
+    recording_ = !last && !leapt_;
+    if (recording_) return recorder_.record_in_step(frame_t, y);
     if (!leapt_) return recorder_.record(frame_t, y);
     VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
     crossing_.interpolate(crossing_.theta(frame_t), v_dot, lambda);
     recorder_.record(frame_t, y, v_dot, lambda);
+  });
+}
+
+/// As a run records in the course of a step: by solving once more with the factors of the step.
+void Lane::finish_record(double t) {
+  if (!std::exchange(recording_, false)) return;
+  dynamics_.formulation().look(true);
+  guarded(t, [&] {
+    if (!leaping_) dynamics_.factorize();
+    dynamics_.observe_now();
   });
   dynamics_.formulation().look(false);
 }
@@ -104,17 +114,27 @@ void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& 
   const double most = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
-    if (at == 0) dynamics_.evaluate(t, y);
-    else dynamics_.begin_elsewhere(t, y);
+    if (at == 0 && !recording_) dynamics_.evaluate(t, y);
+    else if (!recording_) dynamics_.begin_elsewhere(t, y);
     if (crossing_.due(t, h, y, false)) {
       leaping_ = crossing_.leap(t, h, steps.step(), most, y);
       if (leaping_) begin_leap(t, steps, y);
       else dynamics_.evaluate(t, y);
     }
-    if (dynamics_.watch().row_changes() != changes) leave(t, "other equations became the redundant ones");
+    moves_ = dynamics_.watch().row_changes() != changes;
     if (!leaping_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
     looked_ = !leaping_ && dynamics_.formulation().factorized();
   });
+}
+
+void Lane::move(std::int64_t step, const VectorXd& y) {
+  joins_at_ = step;
+  joining_state_ = y;
+}
+
+void Lane::wait() {
+  moves_ = false;
+  waits_ = true;
 }
 
 void Lane::begin_leap(double t, const FixedSteps& steps, const VectorXd& y) {

@@ -56,7 +56,7 @@ class Lane {
   explicit Lane(Dynamics& dynamics, LaneRun* run = nullptr);
 
   Dynamics& dynamics() { return dynamics_; }
-  bool alive() const { return alive_; }
+  bool alive() const { return alive_ && !moves_; }
   /// Why it left, in words; empty where it did not, and when [s].
   const std::string& reason() const { return reason_; }
   double left_at() const { return left_at_; }
@@ -68,7 +68,18 @@ class Lane {
   /// Over a singular pose: what the pack makes of the lane meanwhile is nothing.
   bool leaping() const { return leaping_; }
   /// In the pack's steps.
-  bool steps() const { return alive_ && !leaping_; }
+  bool steps() const { return alive() && !leaping_ && !waits_; }
+
+  // Where other equations became the redundant ones, at a step that had begun, it goes on in a pack of its structure.
+  bool moves() const { return alive_ && moves_; }
+  /// From the state there.
+  void move(std::int64_t step, const VectorXd& y);
+  /// In a pack whose steps have not come so far.
+  void wait();
+  bool waits() const { return waits_; }
+  void join() { waits_ = false; }
+  std::int64_t joins_at() const { return joins_at_; }  ///< -1 before it moved
+  const VectorXd& joining_state() const { return joining_state_; }
   double power() const { return power_; }
   void set_power(double power) { power_ = power; }
 
@@ -78,7 +89,9 @@ class Lane {
   void accept(double t, double last_step);
   /// Of Phi and Phi_dot, where rows are redundant.
   void watch_redundant_rows(double t, const VectorXd& y);
+  /// A frame of a state from which a step goes on waits for what is found ahead of it.
   void record(double t, double frame_t, const VectorXd& y, bool last);
+  void finish_record(double t);
   /// One step of a leap, to its state at t, or to where it ends.
   void follow_leap(double t, double step, VectorXd& y);
   bool judged() const { return run_ != nullptr; }
@@ -111,6 +124,10 @@ class Lane {
 
   bool alive_ = true, looked_ = false, stops_;
   bool leaping_ = false, leapt_ = false;  ///< as in Simulation
+  bool recording_ = false;  ///< evaluated, with a frame that waits
+  bool moves_ = false, waits_ = false;
+  std::int64_t joins_at_ = -1;
+  VectorXd joining_state_;
   double power_ = 0.0, left_at_ = NAN;
   std::string reason_;
 };

@@ -158,13 +158,20 @@ LaneData LanePack::data() {
 }
 
 void LanePack::run(const std::function<void()>& look) {
-  for (std::int64_t step = 0; any_lane(); ++step) {
+  for (std::int64_t step = first_step(); any_lane(); ++step) {
     begin_step(step);
     if (step == steps_.count()) break;
     take_step(step);
     finish_step(step);
     look();
   }
+}
+
+std::int64_t LanePack::first_step() const {
+  const auto starts = [](const Lane* lane) { return std::max<std::int64_t>(lane->joins_at(), 0); };
+  std::int64_t first = starts(lanes_.front());
+  for (const Lane* lane : lanes_) first = std::min(first, starts(lane));
+  return first;
 }
 
 void LanePack::evaluate_start(int times) {
@@ -185,19 +192,30 @@ VectorXd LanePack::accelerations(int l) {
 
 void LanePack::begin_step(std::int64_t step) {
   const double t = steps_.time(step);
-  each_lane([&](int l, Lane& lane) {
-    lane.expect_nothing();
-    if (!lane.leaping()) return;
-    lane.follow_leap(steps_.frame_time(step), steps_.step(), state_);
-    give(state_.data(), state_.size(), l, y_, 0);
-  });
+  each_lane([&](int l, Lane&) { continue_lane(l, step); });
   evaluate(t, y_);
   const bool records = steps_.records(step),
              needs_state = records || watches_ || judged_ || !structure_.dropped.empty();
   each_lane([&](int l, Lane& lane) {
+    if (lane.waits() || lane.joins_at() == step) return;
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
     if (needs_state && lane.alive()) begin_lane(l, step);
   });
+}
+
+/// Those that join, or leap, have a state that is not the pack's.
+void LanePack::continue_lane(int l, std::int64_t step) {
+  Lane& lane = *lanes_[l];
+  if (lane.waits()) {
+    if (lane.joins_at() != step) return;
+    lane.join();
+    state_ = lane.joining_state();
+  } else {
+    lane.expect_nothing();
+    if (!lane.leaping()) return;
+    lane.follow_leap(steps_.frame_time(step), steps_.step(), state_);
+  }
+  give(state_.data(), state_.size(), l, y_, 0);
 }
 
 void LanePack::begin_lane(int l, std::int64_t step) {
@@ -217,10 +235,12 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   if (last) {
     lane.sample(steps_.t_end(), state_, potential);
     if (lane.watches()) lane.end(steps_.t_end(), state_);
-  } else {
-    if (lane.watches()) lane.look_ahead(step, steps_, state_);
-    if (lane.steps()) lane.sample(t, state_, potential);
+    return;
   }
+  if (lane.watches()) lane.look_ahead(step, steps_, state_);
+  lane.finish_record(t);
+  if (lane.steps() || (lane.moves() && !lane.leaping())) lane.sample(t, state_, potential);
+  if (lane.moves()) lane.move(step, state_);
 }
 
 void LanePack::take_step(std::int64_t step) {

@@ -43,8 +43,10 @@ class LanePack {
   template <class Action>
   void each_stepping(Action action);
   bool any_lane() const;
+  std::int64_t first_step() const;
 
   void begin_step(std::int64_t step);
+  void continue_lane(int l, std::int64_t step);
   void begin_lane(int l, std::int64_t step);
   void evaluate(double t, const Numbers& y);
   void evaluate_rest(int l, double t, const Numbers& y);
