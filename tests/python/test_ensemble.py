@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -382,7 +383,7 @@ def test_members_may_differ_in_the_number_of_bodies() -> None:
         ({"output": "run.h5"}, "output"),
         ({"start": None}, "start"),
         ({"deterministic": False}, "deterministic"),
-        ({"on_inaccurate": "stop"}, "verdict"),
+        ({"on_inaccurate": "stop"}, "accuracy"),
         ({"setp": 1e-3}, "setp"),
     ],
 )
@@ -408,7 +409,26 @@ def test_one_member_by_itself_has_the_same_bits_and_a_verdict() -> None:
     found = ensemble.simulate(0.05, 1e-3, progress=False, deterministic=True)
     single = ensemble.single(1, 0.05, 1e-3, progress=False, deterministic=True)
     assert bits(single) == bits(found.member(1))
-    assert single.verdict is not None and found.member(1).verdict is None
+    verdict = found.member(1).verdict
+    assert single.verdict is not None and verdict is not None
+    assert verdict.numbers() == single.verdict.numbers()
+    assert found.accuracy[1] == verdict.error
+
+
+@pytest.mark.filterwarnings("default::linkwork.LinkworkWarning")
+@pytest.mark.parametrize("outputs", [None, ["final"]])
+def test_members_that_are_too_coarse_say_so(outputs: list[str] | None) -> None:
+    """A pendulum by Euler in steps of 10 ms gains a tenth of its energy."""
+    given: dict[str, Any] = {"integrator": "euler", "outputs": outputs, "progress": False}
+    models = [mechanisms.pendulum(), mechanisms.pendulum()]
+    with pytest.warns(lw.LinkworkWarning, match="2 of 2 members are more than 1 % off, the worst is"):
+        coarse = lw.simulate_many(models, None, 1.0, 1e-2, **given)
+    assert (coarse.accuracy > 0.01).all()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        fine = lw.simulate_many(models, None, 1.0, 1e-3, outputs=outputs, progress=False)
+        lw.simulate_many(models, None, 1.0, 1e-2, on_inaccurate="pass", **given)
+    assert (fine.accuracy < 1e-6).all()
 
 
 @pytest.mark.parametrize("threads", [1, 2])

@@ -14,18 +14,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import memory
+from linkwork.accuracy.verdict import Verdict
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import processor_count
 from linkwork.ensemble.outcome import TRAJECTORIES, EnsembleResult, whole_number
-from linkwork.errors import LinkworkError, LinkworkWarning, OptionError
+from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, warn
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import TABLE, check_name, check_number, check_option
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
 from linkwork.running.manifest import platform_facts
-from linkwork.running.members import Member, Method, method_of, run_members
+from linkwork.running.members import FRAMES, Member, Method, method_of, run_members
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
@@ -120,7 +121,7 @@ class Ensemble:
 
     def single(self, number: int, t_end: float, step: float | None = None, **arguments: Any) -> Result:
         """
-        One member by itself, `simulate(model, ..., deterministic=True)`: the same bits, with a verdict.
+        One member by itself, `simulate(model, ..., deterministic=True)`: the same bits.
 
             print(ensemble.single(0, 0.1, step=1e-3).verdict)
         """
@@ -155,14 +156,14 @@ class Ensemble:
 
         Lanes have formulation "standard" by linear solver "block", explicit Runge-Kutta methods with a fixed
         step, stabilization "sampled_baumgarte", "baumgarte" or "none". What they do not have, and members
-        that leave their lane (a singular pose ahead, redundant equations that change), are simulated by
-        themselves from the start: `EnsembleResult.alone` says which and why.
+        that leave their lane (a small pivot that nothing foretold), are simulated by themselves from the
+        start: `EnsembleResult.alone` says which and why.
 
         Either way a member has the bits of its run by itself with deterministic=True, whatever its place, its
         neighbors, `threads` and the processor are. One that fails is kept as failed, and disturbs no other.
 
-        OptionError: an option or output that does not exist or cannot be, before the first member. Ctrl-C
-        ends it.
+        OptionError: an option or output that does not exist or cannot be, before the first member.
+        LinkworkWarning: members are more than 1 % off. Ctrl-C ends it.
         """  # Long: its arguments are fifteen lines.
         started = time.perf_counter()
         check_number("t_end", t_end, positive=True, unit="s")
@@ -170,10 +171,11 @@ class Ensemble:
         count = processor_count() if threads is None else whole(threads, 1, "threads")
         example = self._members.example()
         asked = None if outputs is None else wanted.outputs_of(outputs)
+        warns = options.get("on_inaccurate", "warn") == "warn"
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
                      "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
         wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
-        method = method_of(example, float(t_end), arguments, count)
+        method = method_of(example, float(t_end), arguments, count, judged=True)
         _check_run(self._members, method)
         if asked is not None:
             found = probe(example, arguments)
@@ -190,6 +192,8 @@ class Ensemble:
                     members.keep(number, member)
         about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count,
                  "seconds": time.perf_counter() - started}  # fmt: skip
+        if warns:
+            members.warn_of_inaccurate()
         return members.outcome(self, about)
 
 
@@ -263,9 +267,10 @@ def _check_options(options: Mapping[str, Any]) -> None:
         )
     policy = options.get("on_inaccurate", "pass")
     check_name("on_inaccurate", policy, option_names()["on_inaccurate"])
-    if policy != "pass":
+    if policy == "stop":
         raise OptionError(
-            f"on_inaccurate '{policy}': members have no verdict, which Ensemble.single has", code="option"
+            "on_inaccurate 'stop': members do not wait for each other; look at the result's `accuracy`",
+            code="option",
         )
 
 
@@ -281,7 +286,7 @@ def _recorded(
         del arguments["record_every"]
         at_end = all(it.at_end for it in asked) and arguments["step"] is not None
         if at_end and times is None:
-            arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"])))
+            arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"]) / FRAMES))
     return check_times(times, t_end, arguments)
 
 
@@ -326,9 +331,12 @@ class _Kept:
         self._outputs, self._times = outputs, times
         self._members: list[Member] = []
         self._values: dict[str, dict[int, Floats]] = {it.label: {} for it in outputs or ()}
+        self._verdicts: dict[int, Verdict] = {}
 
     def keep(self, number: int, member: Member) -> None:
         """With outputs instead of the motion, where they were asked for."""
+        if member.result is not None and member.result.verdict is not None:
+            self._verdicts[number] = member.result.verdict
         if self._outputs is not None and member.result is not None:
             try:
                 for it in self._outputs:
@@ -338,6 +346,18 @@ class _Kept:
                 facts = {"type": type(error).__name__, "code": "", "message": str(error)}
                 member = Member(None, member.reason, facts, member.remarks)
         self._members.append(member)
+
+    def warn_of_inaccurate(self) -> None:
+        """LinkworkWarning: members are more than 1 % off."""
+        bad = {k: it for k, it in self._verdicts.items() if it.level != "good"}
+        if not bad:
+            return
+        worst = max(bad, key=lambda k: bad[k].error)
+        count = f"{len(bad)} of {len(self._members)} members are more than 1 % off"
+        warn(
+            f"{count}, the worst is {worst}: {bad[worst].sentence} (the result's `accuracy` tells of each, "
+            "on_inaccurate='pass' nothing)"
+        )
 
     def outcome(self, ensemble: Ensemble, about: Mapping[str, Any]) -> EnsembleResult:
         members = dict(enumerate(self._members))
@@ -351,6 +371,7 @@ class _Kept:
             errors={k: dict(it.error) for k, it in members.items() if it.error},
             alone={k: it.reason for k, it in members.items() if it.reason},
             remarks={k: "; ".join(it.remarks) for k, it in members.items() if it.remarks},
+            accuracy=np.array([self._verdicts[k].error if k in self._verdicts else np.nan for k in members]),
             t=np.asarray(longest),
             trajectories=dict(_trajectories(results, len(members), len(longest))),
             outputs=outputs,

@@ -40,6 +40,7 @@ class EnsembleResult:
     errors        by member: type, code, message of what failed, and `reached`, the simulated time [s]
     alone         by member: why it was simulated by itself and not in a lane
     remarks       by member: warnings
+    accuracy      (n,) estimated relative errors, those of their verdicts; NaN in members that failed
     t             (k,) times of the frames [s]; empty where outputs were asked for
     trajectories  without outputs "q" (n, k, bodies, 7), "v" and "vdot" (n, k, bodies, 6), "lambda"
                   (n, k, rows), "energy" (n, k) [J]: NaN in members that failed
@@ -48,8 +49,8 @@ class EnsembleResult:
     times         (j,) [s] of outputs that are arrays over time
     manifest      what was run
 
-    A member has the bits that `simulate(model, ..., deterministic=True)` gives, whatever runs beside it. It
-    has no verdict: `Ensemble.single` simulates one by itself and has one.
+    A member has the bits and the verdict that `simulate(model, ..., deterministic=True)` gives, whatever runs
+    beside it.
     """
 
     parameters: Mapping[str, NDArray[Any]]
@@ -57,6 +58,7 @@ class EnsembleResult:
     errors: Mapping[int, Mapping[str, Any]]
     alone: Mapping[int, str]
     remarks: Mapping[int, str]
+    accuracy: Floats
     t: Floats
     trajectories: Mapping[str, Floats]
     outputs: Mapping[str, Floats]
@@ -119,6 +121,7 @@ class EnsembleResult:
         package = optional_package("xarray", "xarray", "to_xarray", instead="the arrays need nothing")
         n = len(self)
         coordinates: dict[str, Any] = {"member": np.arange(n), "status": ("member", self.status)}
+        coordinates["accuracy"] = "member", self.accuracy
         coordinates["alone"] = "member", [self.alone.get(k, "") for k in range(n)]
         coordinates["error"] = "member", [self.errors.get(k, {}).get("message", "") for k in range(n)]
         for name, values in self.parameters.items():

@@ -22,7 +22,10 @@ from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.simulation import Stepped, simulate, what_steps
 
-__all__ = ["Member", "Method", "facts_of", "method_of", "refusal", "remarked", "run_members"]
+__all__ = ["FRAMES", "Member", "Method", "facts_of", "method_of", "refusal", "remarked", "run_members"]
+
+#: Of members of which only the last frame is asked for: the verdict looks at the balance of energy over them.
+FRAMES = 50
 
 
 @dataclass(frozen=True)

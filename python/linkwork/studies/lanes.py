@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 from linkwork.errors import LinkworkError
 from linkwork.modeling.model import Model
 from linkwork.running.estimation import apply_policy
-from linkwork.running.members import Method, facts_of, method_of, refusal, remarked, run_members
+from linkwork.running.members import FRAMES, Method, facts_of, method_of, refusal, remarked, run_members
 from linkwork.studies.cases import Answer, Case, Run, Runner, machine
 
 __all__ = ["PACK", "fits", "with_lanes"]
@@ -25,9 +25,6 @@ PACK = 8
 
 #: Cases that are made and simulated at a time: memory does not grow with those of a task.
 AT_ONCE = 4 * PACK
-
-#: Frames of cases of which only the last is asked for: the verdict looks at the balance of energy over them.
-FRAMES = 50
 
 #: Options of `simulate` that lanes do not have.
 ALONE = ("events", "verify", "threads")
