@@ -117,7 +117,8 @@ double Refinement::size_of_free_motion(const ConstVector& a) const {
   const double* mass = &system_->mass_blocks().front().m;
   for (int body = 0; body < system_->body_count(); ++body)
     if (system_->mass(body) > 0.0)
-      out = std::max(out, saddle_products::size_of_free_motion<saddle_products::Doubles>(body, lengths_.data(), mass, a.data()));
+      out = std::max(
+          out, saddle_products::size_of_free_motion<saddle_products::Doubles>(body, lengths_.data(), mass, a.data()));
   return out;
 }
 

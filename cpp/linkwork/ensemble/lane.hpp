@@ -124,7 +124,7 @@ class Lane {
 
   bool alive_ = true, looked_ = false, stops_;
   bool leaping_ = false, leapt_ = false;  ///< as in Simulation
-  bool recording_ = false;  ///< evaluated, with a frame that waits
+  bool recording_ = false;                ///< evaluated, with a frame that waits
   bool moves_ = false, waits_ = false;
   std::int64_t joins_at_ = -1;
   VectorXd joining_state_;

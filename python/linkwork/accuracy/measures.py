@@ -59,8 +59,8 @@ class Sampled:
         return Sampled(*values), np.flatnonzero(near)
 
 
-#: What moves less is at rest, and what is left of it is rounding: of the length over the whole run, and of the
-#: speed that the largest reaction gives to all masses along it.
+#: What moves less is at rest, and what is left of it is rounding: of the length over the whole run, and of
+#: the speed that the largest reaction gives to all masses along it.
 STILL = 1e-6
 
 
