@@ -143,6 +143,7 @@ WRONG = [
     ('<body name="a"><freejoint/><geom size="1"/><site name="s"/></body><site name="t"/>',
      '<tendon><spatial name="cord"><site site="s"/><site site="t"/></spatial></tendon>', "tendon 'cord'"),
     ('<body><joint type="door"/><geom size="1"/></body>', "", "MuJoCo: .*door"),
+    (f'<body name="a">{INERTIAL}</body>', '<equality><connect body1="a" anchor=""/></equality>', "MuJoCo: "),
     ("<body>", "", "is no XML"),
 ]  # fmt: skip
 

@@ -102,7 +102,7 @@ def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
     mujoco.set_mju_user_warning(warnings.append)
     try:
         return mujoco.MjModel.from_xml_path(os.fspath(path)), warnings
-    except (ValueError, mujoco.FatalError) as error:
+    except (ValueError, RuntimeError, mujoco.FatalError) as error:
         found = re.search(r"line (\d+)", str(error))
         reason = " ".join(str(error).split()).removeprefix("Error: ")
         raise ModelFileError(path, [Fault(int(found[1]) if found else 1, "", f"MuJoCo: {reason}")]) from None
