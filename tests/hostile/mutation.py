@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import functools
 import json
 import random
@@ -136,7 +137,7 @@ def mutate_tree(rng: random.Random, tree: Any) -> None:
         (container, key), (other, name) = rng.choice(found), rng.choice(found)
         action = rng.randrange(5)
         if action == 0:
-            container[key] = rng.choice(VALUES)
+            container[key] = copy.deepcopy(rng.choice(VALUES))
         elif action == 1:
             del container[key]
         elif action == 2:
