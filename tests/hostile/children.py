@@ -70,7 +70,12 @@ def guarded(work: Callable[[], object], seconds: int = 60) -> None:
 
 
 def guarded_files(
-    count: int, folder: Path, make: Callable[[Path], Path], read: Callable[[Path], object], seconds: int = 30
+    count: int,
+    folder: Path,
+    make: Callable[[Path], Path],
+    read: Callable[[Path], object],
+    seconds: int = 30,
+    memory: int = MEMORY,
 ) -> None:
     """Makes a file in the folder and reads it, so many times in one fork, each within so many seconds.
 
@@ -86,7 +91,7 @@ def guarded_files(
             path = make(folder)
             size, before = path.stat().st_size, peak(reset=True)
             read(path)
-            if peak() - before > MEMORY_EACH * size + MEMORY:
+            if peak() - before > MEMORY_EACH * size + memory:
                 raise Failure(f"{size} bytes took {(peak() - before) / 1e6:.0f} MB")
             path.unlink()
 

@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import attacks
+import calls
 import files
 import linkwork as lw
 import numpy as np
@@ -155,8 +156,8 @@ def value(rng: random.Random, folder: Path) -> None:
 
 OWN = (resume, interrupt, value)
 OTHERS = (
-    files.damage, files.model_file, files.stores, attacks.kill, attacks.end, attacks.disk, attacks.writers,
-    attacks.allocation, attacks.memory_limit, attacks.cycles, attacks.threads, attacks.fork,
+    calls.call, files.damage, files.model_file, files.stores, attacks.kill, attacks.end, attacks.disk,
+    attacks.writers, attacks.allocation, attacks.memory_limit, attacks.cycles, attacks.threads, attacks.fork,
     attacks.callbacks, attacks.not_a_number,
 )  # fmt: skip
 PARTS: dict[str, Part] = {part.__name__: part for part in (*OWN, *OTHERS)}
