@@ -313,6 +313,13 @@ NO_ARGUMENTS: dict[str, Callable[[], object]] = {
     "half a character of a joint": lambda: FOUR_BAR.drive("\ud800", position=0.0),
     "bodies without a length": lambda: FOUR_BAR.shape(np.array("x")),  # type: ignore[arg-type]
     "names without a length": lambda: run().to_frame(quantities=np.array("x")),  # type: ignore[arg-type]
+    "joints, names without a length": lambda: FOUR_BAR.joints(
+        "spherical",
+        "ground",
+        "rocker",
+        at=(0, 0, 0),
+        name=np.array("x"),  # type: ignore[arg-type]
+    ),
     "a point without a length": lambda: FOUR_BAR.distance("ground", "rocker", at=np.array("x")),
     "inertia as it is, or not": lambda: lw.Model().body(mass=1.0, inertia=(1, 1, 1), inertia_as_is=[]),  # type: ignore[arg-type]
     "a folder with a long name": lambda: lw.import_urdf("arm.urdf", search_path="b" * 5000),

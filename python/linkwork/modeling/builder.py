@@ -602,7 +602,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
 
 def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:
     """ModelError: no sequence of as many names as there are elements, or one is no printable text."""
-    if not isinstance(names, Sequence | np.ndarray):
+    if not isinstance(names, Sequence | np.ndarray) or not arguments.is_iterable(names):
         raise ModelError(f"{who}: name {names!r} is neither a text nor a sequence of names", code="name")
     each = list(names)
     if len(each) != count:
