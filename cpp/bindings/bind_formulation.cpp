@@ -5,6 +5,7 @@
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/formulation.hpp"
+#include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -133,6 +134,7 @@ py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, cons
     const py::gil_scoped_release release;
     dynamics.evaluate(t, y);
     dynamics.accelerations(v_dot, lambda);
+    if (!v_dot.allFinite() || !lambda.allFinite()) throw_not_finite(dynamics.system(), y, t);
   }
   return py::make_tuple(v_dot, lambda);
 }
@@ -147,6 +149,7 @@ VectorXd derivative(Dynamics& dynamics, double t, const ConstVector& y, const Hi
     const py::gil_scoped_release release;
     dynamics.evaluate(t, full);
     dynamics.rates(y_dot);
+    if (!y_dot.allFinite()) throw_not_finite(dynamics.system(), full, t);
   }
   return y_dot.head(y.size());
 }

@@ -13,7 +13,7 @@ import stat
 from collections.abc import Iterable, Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -21,7 +21,8 @@ from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
 __all__ = [
-    "UNREADABLE", "array", "check_new", "check_suffix", "folders", "is_number", "is_one_of", "number",
+    "UNREADABLE", "array", "check_new", "check_suffix", "folders", "is_iterable",
+    "is_number", "is_one_of", "is_text", "number",
     "one_of", "optional_package", "path", "whole",
 ]  # fmt: skip
 
@@ -82,6 +83,17 @@ def whole(given: Any, least: int, what: str, error: type[LinkworkError] = Option
     return int(given)
 
 
+def is_iterable(given: Any) -> TypeGuard[Iterable[Any]]:
+    """Arrays of one number say that they are, and are not."""
+    return isinstance(given, Iterable) and getattr(given, "ndim", 1) != 0
+
+
+def is_text(given: Any) -> TypeGuard[str]:
+    """Not with half of a pair of surrogates, which nothing that is compiled takes."""
+    surrogates = range(0xD800, 0xE000)
+    return isinstance(given, str) and (given.isascii() or not any(ord(it) in surrogates for it in given))
+
+
 def is_one_of(given: Any, known: Iterable[str]) -> bool:
     return isinstance(given, str) and given in list(known)
 
@@ -120,11 +132,16 @@ def _is_encodable(text: str) -> bool:
 def folders(given: Any, what: str) -> list[Path]:
     """Of one path or several, absolute. OptionError: no paths. FileError: one that is no folder."""
     several = [given] if isinstance(given, str | bytes | os.PathLike) else given
-    if not isinstance(several, Iterable):
+    if not is_iterable(several):
         raise OptionError(f"{what} {given!r:.80} is no list of folders", code=what)
-    found = [path(it, what).resolve() for it in several]
-    for folder in found:
-        if not folder.is_dir():
+    found = []
+    for folder in (path(it, what) for it in several):
+        try:
+            found.append(folder.resolve())
+            there = folder.is_dir()
+        except OSError:  # as of a name that is too long
+            there = False
+        if not there:
             raise FileError(f"{what} '{folder}': there is no such folder; check the path", code="not_found")
     return found
 

@@ -23,13 +23,11 @@ from typing import Any
 
 import allocations
 import linkwork as lw
-import mutation
 import numpy as np
 from children import Failure, child, ended, guarded
 from linkwork import mechanisms
 
 SMALL = ("pendulum", "four_bar", "bricard", "heavy_top", "bennett", "watt_six_bar", "spatial_slider_crank")
-BUILT = Path(__file__).resolve().parents[2] / "build" / "hostile"
 
 
 def small(rng: random.Random) -> lw.Model:
@@ -155,68 +153,6 @@ def writers(rng: random.Random, folder: Path) -> int:
     if any(codes) or not check_file(path, model).finished:
         raise Failure(f"exit codes {codes}")
     return 1
-
-
-def zeros(rng: random.Random, folder: Path) -> int:
-    """A result of which parts were lost, ten times each: what is whole, or a FileError, and never a hang."""
-    path, cut = folder / "whole.h5", folder / "cut.h5"
-    quiet(small(rng), 0.05, 1e-3, output=path, record_every=1)
-    whole, q = path.read_bytes(), lw.Result.load(path).q
-    marks = [k for mark in (b"GCOL", b"HEAP", b"TREE", b"SNOD", b"\x89HDF") for k in occurrences(whole, mark)]
-
-    def read() -> None:
-        try:
-            found = lw.Result.load(cut)
-            there = np.asarray(found.q)
-        except lw.FileError:
-            return
-        if not np.array_equal(there, q[: len(there)]) or (found.finished and len(there) < len(q)):
-            raise Failure(f"{len(there)} frames, finished {found.finished}")
-
-    for _ in range(10):
-        content, size = bytearray(whole), rng.choice([8, 16, 64, 256, 1024, 4096])
-        at = max(0, min(len(content) - size, rng.choice(marks) + 8 * rng.randrange(-40, 400)))
-        other = rng.choice(marks)
-        content[at : at + size] = rng.choice(
-            [
-                bytes(size),
-                b"\xff" * size,
-                rng.randbytes(size),
-                bytes(whole[other : other + size].ljust(size, b"\0")),
-            ]
-        )
-        cut.write_bytes(content)
-        try:
-            guarded(read, 30)
-        except Failure:
-            keep(cut)
-            raise
-    return 10
-
-
-def occurrences(content: bytes, mark: bytes) -> Iterator[int]:
-    at = content.find(mark)
-    while at >= 0:
-        yield at
-        at = content.find(mark, at + 1)
-
-
-def keep(path: Path) -> None:
-    """For whoever looks into it."""
-    BUILT.mkdir(parents=True, exist_ok=True)
-    shutil.copy(path, BUILT / f"{os.getpid()}-{time.time_ns()}{path.suffix}")
-
-
-def structure(rng: random.Random, folder: Path) -> int:
-    """Mutated files of all five formats, forty each; what fails is kept in build/hostile."""
-    for _ in range(40):
-        path = mutation.mutated(rng, folder)
-        try:
-            mutation.read_and_run(path)
-        except Exception:
-            keep(path)
-            raise
-    return 40
 
 
 # --- memory -----------------------------------------------------------------------------------------------

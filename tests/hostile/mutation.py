@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import copy
+import functools
 import json
 import random
+import tempfile
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from pathlib import Path
@@ -19,6 +22,12 @@ from linkwork import mechanisms
 VALUES: tuple[Any, ...] = (
     None, True, 0, -1, 1e308, -1e-320, 10**40, 2**63, "", "x", "ground", "1 0 0", "nan", "inf", "0 0 0", [],
     {}, [[]], [0, 0, 0], [1, 1], "\u202e", "a" * 2000, "../x", "file:///dev/zero", float("nan"), float("inf"),
+)  # fmt: skip
+
+#: That mean something in one of the formats.
+PIECES = (
+    b"[", b"{", b"]", b": ", b"\n", b"1e999", b'"', b"\0", b"- ", b"<", b"/>", b"&a;", b"<!--", b"]]>",
+    b"\xff", b"*a", b"!!x ", b"? ", b"---\n", b"\t",
 )  # fmt: skip
 
 URDF = """<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0"
@@ -49,7 +58,19 @@ stiffness="10"/><inertial pos="0 0 0" mass="1" diaginertia=".1 .1 .1"/><site nam
 .1"/></body></body></worldbody><equality><connect body1="b" anchor="0 0 0"/></equality><tendon><fixed
 name="t"><joint joint="j" coef="1"/></fixed></tendon></mujoco>"""
 
-TEXTS = {".urdf": URDF, ".sdf": SDF, ".xml": MJCF}
+#: Of other formats; and files of all of them, with every kind of joint, force and function that there is.
+SUFFIXES = (".yaml", ".json", ".urdf", ".sdf", ".xml")
+TEXTS = {".urdf": [URDF], ".sdf": [SDF], ".xml": [MJCF]}
+OTHERS = Path(__file__).resolve().parents[1] / "python"
+FOLDERS = ("first_release", "robots")
+
+MODELS = (
+    "four_bar", "stewart_platform", "double_wishbone", "planetary_gear", "pendulum", "rolling_disc",
+    "flyball_governor", "heavy_top", "tracked_chain",
+)  # fmt: skip
+
+#: None of it is much longer: what is tried is what can be wrong, not how much [bytes].
+LONGEST = 60_000
 
 
 def importer(path: Path) -> lw.Model:
@@ -59,11 +80,38 @@ def importer(path: Path) -> lw.Model:
     return read(path).model  # type: ignore[no-any-return]
 
 
-def model_text(rng: random.Random, folder: Path, suffix: str) -> str:
-    """Of one of our own files."""
-    path = folder / f"whole{suffix}"
-    rng.choice([mechanisms.four_bar, mechanisms.stewart_platform, mechanisms.double_wishbone])().save(path)
-    return path.read_text()
+@functools.cache
+def texts(suffix: str) -> tuple[str, ...]:
+    """What is mutated, of one format."""
+    others = [path for name in FOLDERS for path in sorted((OTHERS / name).glob(f"*{suffix}"))]
+    found = [*TEXTS.get(suffix, ()), *(path.read_text() for path in others)]
+    if suffix not in TEXTS:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / f"model{suffix}"
+            for name in MODELS:
+                getattr(mechanisms, name)().save(path)
+                found.append(path.read_text())
+    return tuple(text for text in found if len(text) <= LONGEST)
+
+
+@functools.cache
+def packed_tree(suffix: str, number: int) -> str:
+    """Of one of the `texts`, as JSON, from which it is made quickly."""
+    text = texts(suffix)[number]
+    return json.dumps(json.loads(text) if suffix == ".json" else yaml.safe_load(text))
+
+
+@functools.cache
+def read_all() -> None:
+    """What is kept, and imported, before the first file is mutated."""
+    with tempfile.TemporaryDirectory() as folder:
+        for suffix in SUFFIXES:
+            for number, text in enumerate(texts(suffix)):
+                path = Path(folder) / f"whole{suffix}"
+                path.write_text(text)
+                read_and_run(path)
+                if suffix not in TEXTS:
+                    packed_tree(suffix, number)
 
 
 # --- trees ------------------------------------------------------------------------------------------------
@@ -89,7 +137,7 @@ def mutate_tree(rng: random.Random, tree: Any) -> None:
         (container, key), (other, name) = rng.choice(found), rng.choice(found)
         action = rng.randrange(5)
         if action == 0:
-            container[key] = rng.choice(VALUES)
+            container[key] = copy.deepcopy(rng.choice(VALUES))
         elif action == 1:
             del container[key]
         elif action == 2:
@@ -131,24 +179,7 @@ def mutate_bytes(rng: random.Random, content: bytearray) -> None:
         elif action == 1:
             del content[place : place + rng.randrange(1, 40)]
         elif action == 2:
-            content[place:place] = rng.choice(
-                [
-                    b"[",
-                    b"{",
-                    b"]",
-                    b": ",
-                    b"\n",
-                    b"1e999",
-                    b'"',
-                    b"\0",
-                    b"- ",
-                    b"<",
-                    b"/>",
-                    b"&a;",
-                    b"<!--",
-                    b"]]>",
-                ]
-            )
+            content[place:place] = rng.choice(PIECES)
         else:
             piece = content[place : place + rng.randrange(1, 200)]
             content[place:place] = piece * rng.choice([1, 2, 50])
@@ -159,9 +190,9 @@ def mutate_bytes(rng: random.Random, content: bytearray) -> None:
 
 def mutated(rng: random.Random, folder: Path) -> Path:
     """A file that is not what it was."""
-    suffix = rng.choice([".yaml", ".json", ".urdf", ".sdf", ".xml"])
-    path = folder / f"mutated{suffix}"
-    text = TEXTS.get(suffix) or model_text(rng, folder, suffix)
+    suffix = rng.choice(SUFFIXES)
+    path, number = folder / f"mutated{suffix}", rng.randrange(len(texts(suffix)))
+    text = texts(suffix)[number]
     if rng.random() < 0.5:
         content = bytearray(text.encode())
         mutate_bytes(rng, content)
@@ -171,10 +202,15 @@ def mutated(rng: random.Random, folder: Path) -> Path:
         mutate_xml(rng, root)
         path.write_bytes(ET.tostring(root))
     else:
-        tree = json.loads(text) if suffix == ".json" else yaml.safe_load(text)
+        tree = json.loads(packed_tree(suffix, number))
         mutate_tree(rng, tree)
-        path.write_text(json.dumps(tree) if suffix == ".json" else yaml.safe_dump(tree, allow_unicode=True))
+        path.write_text(json.dumps(tree) if suffix == ".json" else as_yaml(tree))
     return path
+
+
+def as_yaml(tree: Any) -> str:
+    dumper = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+    return yaml.dump(tree, Dumper=dumper, allow_unicode=True)  # type: ignore[no-any-return]
 
 
 def read_and_run(path: Path) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import os
 import random
+import resource
 import signal
 import subprocess
 import sys
@@ -21,6 +22,8 @@ from pathlib import Path
 from typing import Any
 
 import attacks
+import calls
+import files
 import linkwork as lw
 import numpy as np
 from children import Failure
@@ -103,56 +106,6 @@ def interrupt(rng: random.Random, folder: Path) -> None:
             raise Failure(f"signal {number}: other bits after {end!r} s")
 
 
-def damage(rng: random.Random, folder: Path) -> None:
-    """A result with another bit or byte says so, or has the numbers that were written."""
-    path = folder / "result.h5"
-    whole = simulate(mechanisms.four_bar(), 0.1, step=1e-3)
-    whole.save(path)
-    content = bytearray(path.read_bytes())
-    for _ in range(rng.choice([1, 1, 4])):
-        place = rng.randrange(len(content))
-        content[place] ^= 1 << rng.randrange(8)
-    if rng.random() < 0.3:
-        del content[rng.randrange(len(content)) :]
-    path.write_bytes(content)
-    try:
-        found = lw.Result.load(path)
-        q = found.q
-    except lw.FileError:
-        return
-    if not np.array_equal(q, whole.q[: len(q)]) or (found.finished and len(q) < len(whole)):
-        raise Failure(f"{len(q)} frames, finished {found.finished}")
-
-
-MODEL = mechanisms.four_bar()
-
-
-def model_file(rng: random.Random, folder: Path) -> None:
-    """A model file with other bytes is read, or refused in words."""
-    path = folder / f"model{rng.choice(['.yaml', '.json'])}"
-    MODEL.save(path)
-    content = bytearray(path.read_bytes())
-    for _ in range(rng.choice([1, 2, 20])):
-        place = rng.randrange(len(content))
-        action = rng.randrange(4)
-        if action == 0:
-            content[place] = rng.randrange(256)
-        elif action == 1:
-            del content[place : place + rng.randrange(1, 40)]
-        elif action == 2:
-            content[place:place] = rng.choice([b"[", b"{", b"]", b": ", b"\n", b"1e999", b'"', b"\0", b"- "])
-        else:
-            piece = content[place : place + rng.randrange(1, 200)]
-            content[place:place] = piece * rng.choice([1, 2, 50])
-        content = content or bytearray(b" ")
-    path.write_bytes(content)
-    try:
-        lw.Model.load(path)
-    except lw.FileError as error:
-        if len(getattr(error, "faults", ())) > 23:
-            raise Failure(f"{len(error.faults)} faults") from error  # type: ignore[attr-defined]
-
-
 HUGE = (
     np.nan,
     np.inf,
@@ -201,10 +154,10 @@ def value(rng: random.Random, folder: Path) -> None:
         raise Failure(f"{where} = {hostile!r}: frames that are not finite")
 
 
-OWN = (resume, interrupt, damage, model_file, value)
+OWN = (resume, interrupt, value)
 OTHERS = (
-    attacks.kill, attacks.end, attacks.disk, attacks.writers, attacks.zeros, attacks.structure,
-    attacks.allocation, attacks.memory_limit, attacks.cycles, attacks.threads, attacks.fork,
+    calls.call, files.damage, files.model_file, files.stores, attacks.kill, attacks.end, attacks.disk,
+    attacks.writers, attacks.allocation, attacks.memory_limit, attacks.cycles, attacks.threads, attacks.fork,
     attacks.callbacks, attacks.not_a_number,
 )  # fmt: skip
 PARTS: dict[str, Part] = {part.__name__: part for part in (*OWN, *OTHERS)}
@@ -223,9 +176,15 @@ def attempt(name: str, seed: int) -> tuple[int, str]:
     return (1 if count is None else count), ""
 
 
-def table(tried: dict[str, int], failed: dict[str, int], seconds: float) -> str:
-    lines = [f"{'part':<12} {'tried':>8} {'failed':>8}"]
-    lines += [f"{name:<12} {tried[name]:>8} {failed[name]:>8}" for name in tried]
+def processor_seconds() -> float:
+    """Of this process and of those that it has waited for."""
+    own, others = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return own.ru_utime + own.ru_stime + others.ru_utime + others.ru_stime
+
+
+def table(tried: dict[str, int], failed: dict[str, int], processor: dict[str, float], seconds: float) -> str:
+    lines = [f"{'part':<12} {'tried':>8} {'failed':>8} {'processor s':>12}"]
+    lines += [f"{it:<12} {tried[it]:>8} {failed[it]:>8} {processor[it]:>12.1f}" for it in tried]
     return "\n".join([*lines, f"{seconds:.0f} s"])
 
 
@@ -241,18 +200,20 @@ def main() -> int:
     names = given.part or list(PARTS)
     tried, failed = dict.fromkeys(names, 0), dict.fromkeys(names, 0)
     spent, turns = dict.fromkeys(names, 0.0), dict.fromkeys(names, 0)
+    processor = dict.fromkeys(names, 0.0)
     begun = time.monotonic()
     while time.monotonic() - begun < 60 * given.minutes and min(turns.values()) < given.trials:
         name = min((it for it in names if turns[it] < given.trials), key=spent.__getitem__)
-        seed, started = given.seed + turns[name], time.monotonic()
+        seed, started, before = given.seed + turns[name], time.monotonic(), processor_seconds()
         count, what = attempt(name, seed)
         spent[name] += time.monotonic() - started
+        processor[name] += processor_seconds() - before
         tried[name] += count
         turns[name] += 1
         if what:
             failed[name] += 1
-            print(f"{name}, seed {seed}: {what:.300}", flush=True)
-    print(table(tried, failed, time.monotonic() - begun))
+            print(f"{name}, seed {seed}: {what:.1000}", flush=True)
+    print(table(tried, failed, processor, time.monotonic() - begun))
     return 1 if any(failed.values()) else 0
 
 

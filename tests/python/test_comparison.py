@@ -27,6 +27,7 @@ from linkwork.arrays import Floats
 from linkwork.cli import run
 from linkwork.comparison import Comparison, text, workers
 from linkwork.comparison.reference import solved_reference
+from linkwork.comparison.store import Store
 from linkwork.validation import Series
 
 STEPS = [1e-2, 5e-3, 2.5e-3]
@@ -334,6 +335,33 @@ def test_a_folder_of_another_comparison_is_refused(tmp_path: Path) -> None:
     quick(resume=tmp_path / "c", integrators=["rk4"])
     with pytest.raises(lw.FileError, match="holds a comparison with t_end 0.2, not 0.3"):
         quick(resume=tmp_path / "c", integrators=["rk4"], t_end=0.3)
+
+
+@pytest.mark.parametrize("content", [b"", b'{"t_end": ', b"[]", b"\xff", b"[" * 100_000])
+def test_a_folder_that_does_not_say_what_it_holds_is_refused(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "comparison.json").write_bytes(content)
+    with pytest.raises(lw.FileError, match=r"its comparison.json is none of a comparison; give another"):
+        quick(resume=tmp_path)
+    assert (tmp_path / "comparison.json").read_bytes() == content
+    (tmp_path / "comparison.json").unlink()
+    (tmp_path / "cells.jsonl").touch()
+    with pytest.raises(lw.FileError, match="comparison.json is not there, beside cells that are"):
+        quick(resume=tmp_path)
+
+
+def test_a_cell_with_another_number_is_run_again(tmp_path: Path) -> None:
+    first = quick(resume=tmp_path / "c", integrators=["rk4"])
+    file = tmp_path / "c" / "cells.jsonl"
+    lines = [json.loads(line) for line in file.read_text().splitlines()]
+    kept, changed, older = lines
+    changed["found"]["pose_error"] = 1.0
+    del older["digest"]  # as in older files
+    damaged = [b"\xff", b"1", b"[" * 100_000]
+    file.write_bytes(b"\n".join([*(json.dumps(line).encode() for line in lines), *damaged]))
+    store = Store(tmp_path / "c", json.loads((tmp_path / "c" / "comparison.json").read_text()))
+    assert list(store.found()) == [kept["key"], older["key"]]
+    second = quick(resume=tmp_path / "c", integrators=["rk4"])
+    assert [it.pose_error for it in second] == [it.pose_error for it in first]
 
 
 def test_a_killed_comparison_keeps_its_finished_cells_and_leaves_no_process(tmp_path: Path) -> None:

@@ -289,3 +289,45 @@ def test_beside_its_dead_center_it_can() -> None:
     model.drive("guide", position=lw.functions.polynomial(0.0, 0.0, -0.1))
     motion = lw.kinematics(model, np.linspace(0, 0.5, 11), on_singular="stop")
     assert motion.coordinate("guide").value[-1] == pytest.approx(-0.025, abs=1e-9)
+
+
+# --- what is no argument ------------------------------------------------------------------------------------
+
+FOUR_BAR = mechanisms.four_bar()
+
+NO_ARGUMENTS: dict[str, Callable[[], object]] = {
+    "assemble, no bodies": lambda: lw.assemble(lw.Model()),
+    "linearize, near is text": lambda: lw.linearize(FOUR_BAR, near="x"),  # type: ignore[arg-type]
+    "linearize, start is text": lambda: lw.linearize(FOUR_BAR, start="x"),  # type: ignore[arg-type]
+    "linearize, another's start": lambda: lw.linearize(
+        mechanisms.pendulum(), start=lw.Snapshot(0.0, np.zeros((3, 7)), np.zeros((3, 6)))
+    ),
+    "equilibrium, stable is empty": lambda: lw.equilibrium(FOUR_BAR, stable=np.array([])),  # type: ignore[arg-type]
+    "inverse dynamics, drivers are a number": lambda: lw.inverse_dynamics(FOUR_BAR, [0.0], drivers=1.0),  # type: ignore[arg-type]
+    "history, y is text": lambda: lw.System(FOUR_BAR).advance_history(0.0, ("x",)),
+    "initial state, history is text": lambda: FOUR_BAR.with_initial_state(
+        FOUR_BAR.compiled().q0, FOUR_BAR.compiled().v0, ("x",)
+    ),
+    "replaced, a list": lambda: FOUR_BAR.replaced(np.array([])),  # type: ignore[arg-type]
+    "half a character of a body": lambda: FOUR_BAR.find("\ud800"),
+    "half a character of a joint": lambda: FOUR_BAR.drive("\ud800", position=0.0),
+    "bodies without a length": lambda: FOUR_BAR.shape(np.array("x")),  # type: ignore[arg-type]
+    "names without a length": lambda: run().to_frame(quantities=np.array("x")),  # type: ignore[arg-type]
+    "joints, names without a length": lambda: FOUR_BAR.joints(
+        "spherical",
+        "ground",
+        "rocker",
+        at=(0, 0, 0),
+        name=np.array("x"),  # type: ignore[arg-type]
+    ),
+    "a point without a length": lambda: FOUR_BAR.distance("ground", "rocker", at=np.array("x")),
+    "inertia as it is, or not": lambda: lw.Model().body(mass=1.0, inertia=(1, 1, 1), inertia_as_is=[]),  # type: ignore[arg-type]
+    "a folder with a long name": lambda: lw.import_urdf("arm.urdf", search_path="b" * 5000),
+    "a builder without a signature": lambda: lw.sweep(int, {"x": [1]}, ["final"], t_end=0.1),  # type: ignore[arg-type]
+}
+
+
+@pytest.mark.parametrize("which", NO_ARGUMENTS)
+def test_what_is_no_argument_is_an_error_of_linkwork(which: str) -> None:
+    with pytest.raises(lw.LinkworkError):
+        NO_ARGUMENTS[which]()

@@ -13,9 +13,10 @@ import run as hostile
 
 #: Trials of each part, of which one takes some seconds.
 TRIALS = {
-    "resume": 12, "interrupt": 2, "damage": 20, "model_file": 60, "value": 60, "kill": 1, "end": 1,
-    "disk": 12, "writers": 3, "zeros": 3, "structure": 3, "allocation": 1, "memory_limit": 1, "cycles": 1,
-    "threads": 10, "fork": 2, "callbacks": 20, "not_a_number": 10,
+    "resume": 12, "interrupt": 2, "value": 60, "call": 2, "damage": 2, "model_file": 2,
+    "stores": 2, "kill": 1, "end": 1,
+    "disk": 12, "writers": 3, "allocation": 1, "memory_limit": 1, "cycles": 1, "threads": 10, "fork": 2,
+    "callbacks": 20, "not_a_number": 10,
 }  # fmt: skip
 
 

@@ -153,6 +153,13 @@ def test_what_cannot_be_is_refused_by_name(body: str, rest: str, message: str, t
         lw.import_mjcf(written(tmp_path, body, rest))
 
 
+def test_a_file_is_read_after_one_that_mujoco_could_not_read(tmp_path: Path) -> None:
+    body = f'<body name="a"><joint type="hinge"/>{INERTIAL}</body>'
+    with pytest.raises(lw.ModelFileError, match="MuJoCo: "):
+        lw.import_mjcf(written(tmp_path, body, '<equality><connect body1="a" anchor=""/></equality>'))
+    assert lw.import_mjcf(written(tmp_path, body)).model.body_count == 1
+
+
 def test_doctype_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "model.xml"
     path.write_text('<!DOCTYPE mujoco [<!ENTITY a "b">]>\n<mujoco/>')

@@ -237,6 +237,9 @@ def test_inertias_of_no_body_are_refused_or_made_the_nearest(tmp_path: Path) -> 
     imported = loaded(tmp_path, body, repair_inertia=True)
     assert np.diag(imported.model.compiled().inertia[0]) == pytest.approx([0.5, 0.4, 0.9])
     assert [note.topic for note in imported.notes].count("inertia") == 1
+    for huge in ("1e308", "1.7e308"):
+        with pytest.raises(lw.ModelFileError, match="link 'arm'"):
+            loaded(tmp_path, body.replace('izz="0.9"', f'izz="{huge}"'))
 
 
 def test_moving_links_without_inertia_are_named(tmp_path: Path) -> None:

@@ -37,6 +37,15 @@ def test_a_force_that_is_not_finite_is_named_with_time_and_stage(integrator: str
     assert not error.result.finished
 
 
+def test_rates_that_are_not_finite_are_none() -> None:
+    system = lw.System(two_rockets(0.5, np.inf))
+    y = system.initial_state()
+    assert np.isfinite(system.derivative(0.4, y)).all()
+    for call in (lambda: system.derivative(0.6, y), lambda: system.accelerations(0.6, y[:14], y[14:])):
+        with pytest.raises(lw.NotFiniteError, match="force 'torn'"):
+            call()
+
+
 def test_a_run_goes_on_from_the_last_good_state() -> None:
     with pytest.raises(lw.NotFiniteError) as caught:
         lw.simulate(two_rockets(0.5123), 1.0, 1e-2, progress=False)

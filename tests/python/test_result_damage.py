@@ -16,10 +16,10 @@ import synthetic
 from linkwork import Result
 from linkwork.cli import run
 from linkwork.errors import FileError
-from linkwork.motion.header import MODEL_NAMES
 from linkwork.motion.records import Occurrence
 from linkwork.results import writing
-from linkwork.results.writing import MODEL_ARRAYS, ResultWriter
+from linkwork.results.writing import ResultWriter
+from recorded import assert_whole_or_says_so
 
 HEADER = synthetic.header(bodies=2, joints=2, expected_frames=60)
 STATISTICS = {"steps": 60, "seconds": 0.25}
@@ -48,29 +48,6 @@ def events(first: int, count: int) -> list[Occurrence]:
         Occurrence(f"event {k}", 0.15 * k, *(rng.random((2, width)) for width in (7, 6, 7, 6)))
         for k in range(first, first + count)
     ]
-
-
-def assert_whole_or_says_so(found: Result, original: Result) -> None:
-    """The header is that of the original, frames and events are its first ones; all, or some are missing."""
-    count = len(found)
-    for name in FIELDS:
-        np.testing.assert_array_equal(found.recorded(name), original.recorded(name)[:count], err_msg=name)
-    for name in MODEL_ARRAYS:
-        np.testing.assert_array_equal(getattr(found.header, name), getattr(original.header, name))
-    for name in MODEL_NAMES:
-        assert list(getattr(found.header, name)) == list(getattr(original.header, name))
-    manifest = {name: value for name, value in found.manifest.items() if name != "missing"}
-    assert manifest == original.manifest
-    for ours, theirs in zip(found.events, original.events, strict=False):
-        assert (ours.name, ours.t) == (theirs.name, theirs.t)
-        np.testing.assert_array_equal(ours.q_before, theirs.q_before)
-        np.testing.assert_array_equal(ours.v_after, theirs.v_after)
-    if found.missing:
-        assert not found.finished
-        assert found.statistics in ({}, original.statistics)
-    else:
-        assert found.finished and found.statistics == original.statistics
-        assert (count, len(found.events)) == (len(original), len(original.events))
 
 
 def in_memory(result: Result) -> Result:

@@ -234,6 +234,17 @@ def test_a_rerun_runs_what_is_missing(tmp_path: Path, monkeypatch: pytest.Monkey
     damaged.write_text(damaged.read_text().replace("finished", "finishes"))
     with pytest.warns(lw.LinkworkWarning, match="is damaged"):
         same(more, lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path))
+    for content in (b"\xff", b"[" * 100_000):
+        damaged.write_bytes(content)
+        with pytest.warns(lw.LinkworkWarning, match="is damaged"):
+            same(more, lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path))
+
+
+@pytest.mark.parametrize("content", [b"{}", b'{"identity": [1]}', b'{"identity": 1}', b"\xff", b"[" * 10**5])
+def test_a_directory_that_does_not_say_what_it_holds_is_refused(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "study.json").write_bytes(content)
+    with pytest.raises(lw.FileError, match="its study.json is none of a study; give another directory"):
+        lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path)
 
 
 def test_a_killed_process_takes_its_case_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

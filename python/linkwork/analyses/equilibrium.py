@@ -13,7 +13,7 @@ from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, NotConvergedError, NotFiniteError, nearest
+from linkwork.errors import ModelError, NotConvergedError, NotFiniteError, OptionError, nearest
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Reaction, Snapshot
 
@@ -129,8 +129,10 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
 
     NotConvergedError: no equilibrium, with the body that is driven most, or that goes round and round, as by
     a motor against friction, which does not hold at rest; the error's `state` is the pose that was reached.
-    SingularSystemError: a singular pose.
+    SingularSystemError: a singular pose. OptionError: `stable` is no truth value.
     """
+    if not isinstance(stable, bool):
+        raise OptionError(f"stable {stable!r:.80} is not True or False", code="stable")
     search = _Search(Equations(model), stable)
     q = search.find()
     return search.described(q)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.analyses.kinematics import kinematics
+from linkwork.arguments import is_iterable
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, nearest
@@ -117,7 +118,7 @@ def inverse_dynamics(
 
 def _check_names(drivers: Sequence[str]) -> None:
     """OptionError: not a list of names."""
-    names = [] if isinstance(drivers, str) else list(drivers)
+    names = [] if isinstance(drivers, str) or not is_iterable(drivers) else list(drivers)
     if not names or not all(isinstance(name, str) for name in names):
         raise OptionError(
             f"inverse_dynamics: drivers {drivers!r:.80} are not a list of names of joints", code="drivers"

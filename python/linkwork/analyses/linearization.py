@@ -12,6 +12,7 @@ from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import displaced, to_inertial_axes
+from linkwork.arguments import is_number
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, NotConvergedError, OptionError
@@ -165,9 +166,12 @@ def linearize(
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
-    if not np.isfinite(near) or near < 0:
+    if not is_number(near) or near < 0:
         raise OptionError(f"near {near!r} rad/s must be a finite number, zero or positive", code="near")
     eq = Equations(model)
+    if start is not None:
+        checks.start_time(start)
+        checks.check_state(model, start)
     at = start if start is not None else Snapshot(0.0, *_initial(model))
     if len(at.history):
         checks.check_history(eq.dynamics, at)

@@ -2,18 +2,19 @@
 
 folder/comparison.json   what is compared: the model's hash, t_end, the reference asked for
 folder/reference.npz     the reference solution, replaced only when a new one is complete
-folder/cells.jsonl       one finished cell a line, brought to the disk at once
+folder/cells.jsonl       one finished cell a line with its digest, brought to the disk at once
 """
 
 from __future__ import annotations
 
 import json
 import os
+import zlib
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile
 
 import numpy as np
 
@@ -22,15 +23,18 @@ from linkwork.comparison.choices import Cell
 from linkwork.comparison.order import OrderStudy, Study
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import Outcome
-from linkwork.errors import FileError, unwritable
+from linkwork.errors import FileError, cause, unwritable
 
 __all__ = ["Store"]
+
+#: What a line raises that is not what was written.
+DAMAGE = (ValueError, LookupError, TypeError, AttributeError, RecursionError)
 
 
 class Store:
     """A folder with the finished cells of one comparison.
 
-    FileError: it cannot be written, or holds a comparison of something else.
+    FileError: it cannot be written or read, or holds a comparison of something else, or of nobody knows what.
     """
 
     def __init__(self, folder: str | os.PathLike[str], identity: Mapping[str, Any]) -> None:
@@ -42,14 +46,14 @@ class Store:
             raise self._unwritable(error) from error
 
     def reference(self) -> Reference | None:
-        """As stored; None where there is none, or half of one."""
+        """As stored; None where there is none, or a damaged one."""
         try:
             with np.load(self.folder / "reference.npz", allow_pickle=False) as arrays:
                 facts = json.loads(str(arrays["facts"]))
                 motion = Sampled(*(arrays[name] for name in ("t", "q", "v", "force", "torque")))
-        except (OSError, ValueError, KeyError, EOFError, BadZipFile):
+            return Reference(**{**facts, "motion": motion, "scales": Scales(**facts["scales"])})
+        except Exception:  # NumPy and zipfile raise whatever they come upon
             return None
-        return Reference(**{**facts, "motion": motion, "scales": Scales(**facts["scales"])})
 
     def keep_reference(self, reference: Reference) -> None:
         facts = {name: value for name, value in vars(reference).items() if name not in ("motion", "scales")}
@@ -62,24 +66,28 @@ class Store:
             raise self._unwritable(error) from error
 
     def found(self) -> dict[str, Outcome | OrderStudy]:
-        """By the key of their cell or study; a line that was cut off with the process does not count."""
+        """By the key of their cell or study; a line that is damaged, or cut off, does not count."""
         found: dict[str, Outcome | OrderStudy] = {}
         try:
-            lines = (self.folder / "cells.jsonl").read_text().splitlines()
+            lines = (self.folder / "cells.jsonl").read_bytes().splitlines()
         except FileNotFoundError:
             return {}
+        except OSError as error:
+            raise FileError(f"folder '{self.folder}': {cause(error)}", code="not_readable") from error
         for line in lines:
-            try:
+            with suppress(*DAMAGE):
                 record = json.loads(line)
-                kept = record["found"]
-                found[record["key"]] = OrderStudy(**kept) if "floors" in kept else Outcome.from_figures(kept)
-            except (ValueError, KeyError, TypeError):
-                continue
+                if "digest" not in record or record.pop("digest") == _digest(record):
+                    kept = record["found"]
+                    found[record["key"]] = (
+                        OrderStudy(**kept) if "floors" in kept else Outcome.from_figures(kept)
+                    )
         return found
 
     def keep(self, item: Cell | Study, found: Outcome | OrderStudy) -> None:
         """FileError: the disk is full, say; what was kept before stays readable."""
-        line = json.dumps({"key": item.key, "found": asdict(found)})
+        record = {"key": item.key, "found": asdict(found)}
+        line = json.dumps({**record, "digest": _digest(record)})
         try:
             with open(self.folder / "cells.jsonl", "a", encoding="utf-8") as file:
                 file.write(("" if self._whole_lines() else "\n") + line + "\n")
@@ -102,10 +110,18 @@ class Store:
     def _claim(self, identity: dict[str, Any]) -> None:
         path = self.folder / "comparison.json"
         try:
-            stored = json.loads(path.read_text())
-        except (FileNotFoundError, ValueError):
-            path.write_text(json.dumps(identity, indent=2) + "\n")
+            stored = json.loads(path.read_bytes())
+        except FileNotFoundError:
+            if any((self.folder / name).exists() for name in ("cells.jsonl", "reference.npz")):
+                raise self._unknown("is not there, beside cells that are") from None
+            beside = path.with_suffix(".part.json")
+            beside.write_text(json.dumps(identity, indent=2) + "\n")
+            os.replace(beside, path)
             return
+        except (ValueError, RecursionError):
+            stored = None
+        if not isinstance(stored, dict):
+            raise self._unknown("is none of a comparison")
         for name, value in identity.items():
             if stored.get(name) != value:
                 raise FileError(
@@ -116,3 +132,13 @@ class Store:
 
     def _unwritable(self, error: OSError) -> FileError:
         return unwritable("folder", self.folder, error)
+
+    def _unknown(self, why: str) -> FileError:
+        return FileError(
+            f"folder '{self.folder}': its comparison.json {why}; give another folder, or remove this one",
+            code="other_comparison",
+        )
+
+
+def _digest(record: Mapping[str, Any]) -> int:
+    return zlib.crc32(json.dumps(record).encode())

@@ -104,11 +104,13 @@ def assemble(
     hold     bodies that keep the position and velocity that they have
     weights  by which the mass of a body counts, 1 where it is not given: a large weight keeps a body in place
 
-    The given model stays as it is. ModelError: a body that does not exist, a weight that is not positive.
-    NotConvergedError: joints contradict each other, in positions or velocities; its `joints` and `residuals`
-    are theirs.
+    The given model stays as it is. ModelError: no bodies, one that does not exist, a weight that is not
+    positive. NotConvergedError: joints contradict each other, in positions or velocities; its `joints` and
+    `residuals` are theirs.
     """
     check_model(model)
+    if not model.body_count:
+        raise ModelError(f"model '{model.name}': has no bodies", code="empty")
     core, held = model.compiled(), model.indices(hold)
     held = held[held >= 0]
     assembler = _core.Assembler(core, _weights(model, {} if weights is None else weights), held.tolist())

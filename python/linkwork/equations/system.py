@@ -110,9 +110,11 @@ class System:
 
         OptionError: another number of variables.
         """
-        state = np.asarray(y, dtype=float)
+        state = _numbers(y, "y", 13, self.model.body_count)
         split = 7 * self.model.body_count
-        advanced: Floats = self._dynamics.advanced_history(t, state[:split], state[split:], _given(history))
+        advanced: Floats = self._dynamics.advanced_history(
+            _time(t), state[:split], state[split:], _given(history)
+        )
         return advanced
 
     def derivative(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:

@@ -189,7 +189,7 @@ class _Builder:
     def add_body(self, group: Group) -> None:
         state = self._states[group.main]
         position = state.frame.point(group.center)
-        J = (group.inertia + group.inertia.T) / 2
+        J = group.inertia / 2 + group.inertia.T / 2
         real, moments = real_inertia(J)
         if moments is not None and (self._repair_inertia or self._inertia_as_is):
             what = f"made {moments_of(real)}" if self._repair_inertia else "taken as they are"

@@ -148,14 +148,21 @@ def check_light(
 # principal axes: J_1 = s_2 + s_3, ..., so s_k = (J_1 + J_2 + J_3) / 2 - J_k. Where one is negative, it is
 # made zero.
 def real_inertia(J: Floats) -> tuple[Floats, str | None]:
-    """An inertia that a body can have, and the moments (text) of the one given where it had to be another."""
-    moments, axes = np.linalg.eigh(J)
+    """An inertia that a body can have, and the moments (text) of the one given where it had to be another.
+
+    One beyond all numbers stays: a body refuses it.
+    """
+    size = np.abs(J).max()
+    if not np.isfinite(size) or size == 0:
+        return J, None
+    moments, axes = np.linalg.eigh(J / size)
     spread = moments.sum() / 2 - moments
     if (spread >= -NEGATIVE * np.abs(moments).max()).all():
         return J, None
     spread = np.maximum(spread, 0.0)
-    return axes @ np.diag(spread.sum() - spread) @ axes.T, moments_of(J)
+    return size * (axes @ np.diag(spread.sum() - spread) @ axes.T), moments_of(J)
 
 
 def moments_of(J: Floats) -> str:
-    return "(" + ", ".join(f"{moment:.6g}" for moment in np.linalg.eigvalsh(J)) + ")"
+    size = np.abs(J).max() or 1.0
+    return "(" + ", ".join(f"{size * moment:.6g}" for moment in np.linalg.eigvalsh(J / size)) + ")"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import warnings
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -64,12 +65,12 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     """
     check_options(options)
     reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
-    model, warnings = _compiled(path)
+    model, said = _compiled(path)
     lines = dict(_lines(reader.root))
     description = _MujocoModel(os.fspath(path), model, lines, options).description()
     _report(reader, description)
     reader.finish()
-    for text in dict.fromkeys(warnings):
+    for text in dict.fromkeys(said):
         description.note("mujoco", "model", f"MuJoCo warns: {text}")
     return build(description, options, lines)
 
@@ -95,14 +96,20 @@ def _report(reader: Reader, description: Description) -> None:
 
 
 def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
-    """With the warnings, which MuJoCo would print, and write to a file in the current folder."""
+    """With the warnings, which MuJoCo would print, and write to a file in the current folder.
+
+    By way of its specification: MjModel.from_xml_path goes on for ever after a file that it could not read.
+    """
     mujoco = optional_package("mujoco", "mjcf", f"'{os.fspath(path)}': MJCF", LinkworkError)
-    warnings: list[str] = []
+    said: list[str] = []
     before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(warnings.append)
+    mujoco.set_mju_user_warning(said.append)
     try:
-        return mujoco.MjModel.from_xml_path(os.fspath(path)), warnings
-    except (ValueError, mujoco.FatalError) as error:
+        with warnings.catch_warnings(record=True) as raised:
+            warnings.simplefilter("always")
+            model = mujoco.MjSpec.from_file(os.fspath(path)).compile()
+        return model, said + [str(it.message) for it in raised]
+    except (ValueError, RuntimeError, mujoco.FatalError) as error:
         found = re.search(r"line (\d+)", str(error))
         reason = " ".join(str(error).split()).removeprefix("Error: ")
         raise ModelFileError(path, [Fault(int(found[1]) if found else 1, "", f"MuJoCo: {reason}")]) from None

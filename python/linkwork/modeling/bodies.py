@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from linkwork import _core, rotation
+from linkwork.arguments import is_iterable, is_text
 from linkwork.arrays import Floats, Indices
 from linkwork.errors import nearest
 from linkwork.modeling.handles import Body, Range
@@ -52,11 +53,12 @@ class Bodies:
             return body.index
         if not isinstance(body, str):
             subject.refuse(0, f"{body!r} is not a body: give its handle or its name", "unknown_body")
-        index = -1 if body == "ground" else int(self._core.find_body(body))
+        known = body != "ground" and is_text(body)
+        index = int(self._core.find_body(body)) if known else -1
         if index < 0 and body != "ground":
             searched = range(min(self._core.body_count, NAMES_SEARCHED))
-            known = ["ground", *map(self._core.body_name, searched)]
-            subject.refuse(0, f"no body named '{body}'{nearest(body, known)}", "unknown_name")
+            names = ["ground", *map(self._core.body_name, searched)]
+            subject.refuse(0, f"no body named '{body}'{nearest(body, names)}", "unknown_name")
         return index
 
     def pair(self, a: Any, b: Any, subject: Subject) -> Indices:
@@ -81,6 +83,6 @@ class Bodies:
             self.index(bodies[0], subject)
             return bodies.indices
         many = [bodies] if isinstance(bodies, Body | str) else bodies
-        if not isinstance(many, Iterable):
+        if not is_iterable(many):
             subject.refuse(0, f"{many!r:.80} are no bodies: give handles or names", "unknown_body")
         return np.array([self.index(body, subject) for body in many], np.int32)

@@ -105,6 +105,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         state["orientation"] = arguments.shaped(orientation, [(4,)], who, "orientation")[None]
         shapes = self._shapes.checked(shape)
         tensor = (np.diag(J) if J.ndim == 1 else J)[None]
+        if not isinstance(inertia_as_is, bool):
+            message = f"{who}: inertia_as_is {inertia_as_is!r:.80} is not True or False"
+            raise ModelError(message, code="inertia_as_is", subject=who, field="inertia_as_is")
         body = self._bodies.add([name], m[None], tensor, [inertia_as_is], **state)[0]
         self._shapes.set(range(body.index, body.index + 1), shapes)
         return body
@@ -376,7 +379,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         Quantities are numbers or functions of time.
         """
         origin = (0.0, 0.0, 0.0)
-        point = at if at is not None else ((origin, origin) if frames == "body" else origin)
+        point = (
+            at if at is not None else ((origin, origin) if arguments.is_one_of(frames, ["body"]) else origin)
+        )
         place = {"at": point, "axis": axis, "x_axis": x_axis}
         own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
         return self._add_force(
@@ -385,7 +390,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
 
     def _joint_named(self, joint: Joint | str, who: str) -> tuple[int, str]:
         text = joint.name if isinstance(joint, Joint) else joint
-        index = self._core.find_joint(text) if isinstance(text, str) else -1
+        index = self._core.find_joint(text) if arguments.is_text(text) else -1
         if isinstance(joint, Joint) and index >= 0 and self._joint(index) != joint:
             raise ModelError(f"{who}: joint '{text}' belongs to another model", code="unknown_joint")
         if index < 0:
@@ -597,7 +602,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
 
 def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:
     """ModelError: no sequence of as many names as there are elements, or one is no printable text."""
-    if not isinstance(names, Sequence | np.ndarray):
+    if not isinstance(names, Sequence | np.ndarray) or not arguments.is_iterable(names):
         raise ModelError(f"{who}: name {names!r} is neither a text nor a sequence of names", code="name")
     each = list(names)
     if len(each) != count:

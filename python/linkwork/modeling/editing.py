@@ -122,6 +122,8 @@ def _record(model: Model) -> Record:
 def _found(model: Model, record: Record, name: object) -> tuple[str, int]:
     """Section and place of the object with a name. ModelError: there is none, or several."""
     text = name.name if isinstance(name, Body | Joint | Force) else name
+    if not isinstance(text, str):
+        raise ModelError(f"{text!r:.80} is no name of a body, joint or force", code="unknown_name")
     if isinstance(name, Body) and name.model is not model:
         raise ModelError(f"body '{text}' belongs to another model", code="unknown_body")
     wanted = {Body: "bodies", Joint: "joints", Force: "forces"}.get(type(name))

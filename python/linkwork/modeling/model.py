@@ -102,7 +102,7 @@ class Model(ModelBuilder):
             arguments.shaped(v, [(n, 6), (6 * n,)], "model", "v"),
         )
         out = Model(self._core.gravity, self.name)
-        past = np.asarray(history, dtype=float).ravel().tolist()
+        past = arguments.array(history, "model: history", ModelError).ravel().tolist()
         out._core = self._core.with_initial_state(q.ravel(), v.ravel(), past)
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()

@@ -83,13 +83,13 @@ class Subject:
 
     def pair(self, value: Any, what: str) -> tuple[Any, Any]:
         """Two things: one for a, one for b."""
-        if isinstance(value, str) or not hasattr(value, "__len__") or len(value) != 2:
+        if _length(value) != 2:
             self.refuse(0, f"{what} must be a pair (for a, for b), not {value!r}", "not_a_pair", what)
         return value[0], value[1]
 
     def components(self, value: Any, what: str) -> dict[str, Any]:
         """The three parts of a vector, of any kind: what_x, what_y, what_z."""
-        if isinstance(value, str) or not hasattr(value, "__len__") or len(value) != 3:
+        if _length(value) != 3:
             self.refuse(0, f"{what} must have three components, not {value!r}", "shape", what)
         return {f"{what}_{axis}": component for axis, component in zip("xyz", value, strict=True)}
 
@@ -366,3 +366,11 @@ def _wrong_angle(z_a: Floats, z_b: Floats) -> str:
     if min(angle, 180 - angle) < 1e-3:
         return f"axes {text(z_a)} and {text(z_b)} are parallel"
     return f"axes {text(z_a)} and {text(z_b)} are at {angle:.6g} degrees to each other, not 90"
+
+
+def _length(value: Any) -> int:
+    """0 of what has none, and of text."""
+    try:
+        return 0 if isinstance(value, str) else len(value)
+    except TypeError:
+        return 0

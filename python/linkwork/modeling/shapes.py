@@ -20,7 +20,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 
 from linkwork import rotation
-from linkwork.arguments import array, is_number, optional_package
+from linkwork.arguments import array, is_iterable, is_number, optional_package
 from linkwork.arrays import Floats, Indices, Number, VectorLike
 from linkwork.errors import FileError, ModelError
 
@@ -248,7 +248,7 @@ class Shapes:
     @staticmethod
     def checked(shapes: ShapesLike) -> tuple[Shape, ...]:
         """One or several as a tuple. ModelError: what is no shape."""
-        several = tuple(shapes) if isinstance(shapes, Iterable) else (shapes,)
+        several = tuple(shapes) if is_iterable(shapes) else (shapes,)
         for shape in several:
             if not isinstance(shape, Shape):
                 raise ModelError(f"shape {shape!r} is no Box, Cylinder, Sphere, Rod or Mesh", code="shape")

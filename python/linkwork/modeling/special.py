@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core, rotation
-from linkwork.arguments import UNREADABLE, is_one_of
+from linkwork.arguments import UNREADABLE, is_one_of, is_text
 from linkwork.arrays import Floats, VectorLike
 from linkwork.errors import ModelError
 from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken
@@ -91,7 +91,7 @@ def _coupled(core: _core.Model, terms: Sequence[Any], who: str) -> tuple[Coupled
         if isinstance(term, str) or not isinstance(term, Sequence) or len(term) not in (2, 3):
             raise ModelError(f"{who}: {term!r} is not {wanted}", code="terms", subject=who)
         name = term[0].name if isinstance(term[0], Joint) else term[0]
-        index = core.find_joint(name) if isinstance(name, str) else -1
+        index = core.find_joint(name) if is_text(name) else -1
         if index < 0:
             raise ModelError(f"{who}: no joint named {name!r:.80}", code="unknown_name", subject=who)
         if isinstance(term[0], Joint) and (index, core.joint_kind(index)) != (term[0].index, term[0].kind):

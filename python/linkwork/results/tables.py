@@ -9,14 +9,14 @@ import csv
 import io
 import json
 import os
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
-from linkwork.arguments import check_new, one_of, optional_package
+from linkwork.arguments import check_new, is_iterable, one_of, optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError, unwritable
 from linkwork.modeling.coordinates import known_coordinates
@@ -103,7 +103,7 @@ class Choice:
 
 def _check_list(what: str, names: object) -> None:
     """OptionError: one name, or none at all, where a list of them is wanted."""
-    if isinstance(names, str) or not isinstance(names, Iterable):
+    if isinstance(names, str) or not is_iterable(names):
         raise OptionError(f"{what} {names!r:.80} is no list of names", code="names")
 
 

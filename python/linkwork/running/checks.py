@@ -200,6 +200,20 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, know
     LinkworkWarning: the joints do not hold in it, unless it is `known` to be that of the run which goes on;
     force elements had more to go on from than the state.
     """
+    check_state(model, start)
+    core = model.compiled()
+    _take_history(core, dynamics, start)
+    if known:
+        return
+    remarks = [
+        _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
+    ]
+    if any(remarks):
+        warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
+
+
+def check_state(model: Model, start: Snapshot) -> None:
+    """OptionError: no finite state of these bodies."""
     core, count = model.compiled(), model.body_count
     q, v = array(start.q, "start: q"), array(start.v, "start: v")
     if q.size != 7 * count or v.size != 6 * count or not (np.isfinite(q).all() and np.isfinite(v).all()):
@@ -217,14 +231,6 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, know
             code="start",
             bodies=[core.body_name(body)],
         )
-    _take_history(core, dynamics, start)
-    if known:
-        return
-    remarks = [
-        _inaccuracy(core, level, SMALL_RESIDUAL, np.inf) for level in residuals(model, dynamics, start)
-    ]
-    if any(remarks):
-        warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
 
 
 def check_history(dynamics: _core.Dynamics, start: Snapshot) -> None:

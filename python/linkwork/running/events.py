@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, is_number
+from linkwork.arguments import UNREADABLE, is_number, is_text
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.handles import Body
@@ -68,7 +68,7 @@ class State:
         ModelError: no such body.
         """
         name = name.name if isinstance(name, Body) else name
-        place = self._model.compiled().find_body(name)
+        place = self._model.compiled().find_body(name) if is_text(name) else -1
         if place < 0:
             self._model.find(name)  # says what is near
             raise ModelError("the ground has no state", code="unknown_name")

@@ -31,6 +31,9 @@ __all__ = ["Store", "stored_identity", "write_whole"]
 #: Of the format.
 VERSION = 1
 
+#: What reading JSON raises that is not what was written.
+DAMAGE = (ValueError, KeyError, TypeError, RecursionError)
+
 
 class Store:
     """A directory with the cases of one study. FileError: it cannot be written, belongs to another, or is not
@@ -57,8 +60,8 @@ class Store:
     def example(self) -> Mapping[str, Any]:
         """Values of a case and the hash of its model, of who began the study; nothing where they are gone."""
         stored = json.loads((self.directory / "study.json").read_text(encoding="utf-8"))
-        found: Mapping[str, Any] = stored.get("example", {})
-        return found
+        found = stored.get("example")
+        return found if isinstance(found, dict) and {"values", "model"} <= found.keys() else {}
 
     def keep(self, answer: Answer) -> None:
         """FileError: the disk is full, say; what was kept before stays readable."""
@@ -97,14 +100,14 @@ class Store:
     def _claim(self, identity: dict[str, Any], about: dict[str, Any]) -> None:
         path = self.directory / "study.json"
         try:
-            stored = json.loads(path.read_text(encoding="utf-8"))["identity"]
+            stored = dict(json.loads(path.read_text(encoding="utf-8"))["identity"])
         except FileNotFoundError:
             self._refuse_strangers()
             self.directory.mkdir(parents=True, exist_ok=True)
             write_whole(path, json.dumps({"linkwork_study": VERSION, "identity": identity, **about},
                                          indent=2, default=str) + "\n")  # fmt: skip
             return
-        except (ValueError, KeyError, TypeError) as error:
+        except DAMAGE as error:
             raise FileError(
                 f"directory '{self.directory}': its study.json is none of a study; give another directory",
                 code="other_study",
@@ -131,7 +134,7 @@ def stored_identity(directory: Any) -> Mapping[str, Any] | None:
     path = arguments.path(directory, "directory") / "study.json"
     try:
         found: Mapping[str, Any] = json.loads(path.read_text(encoding="utf-8"))["identity"]
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, *DAMAGE):
         return None
     return found
 
@@ -142,13 +145,13 @@ def _difference(stored: Any, value: Any) -> str:
 
 
 def _read(file: Path) -> tuple[Mapping[str, Any], Sequence[Run]]:
-    head, _, body = file.read_text(encoding="utf-8").partition("\n")
     try:
+        head, _, body = file.read_text(encoding="utf-8").partition("\n")
         about = json.loads(head)
         if about["linkwork_cases"] != VERSION or about["digest"] != zlib.crc32(body.encode()):
             raise ValueError("digest")
         return about["machine"], [Run(**json.loads(line)) for line in body.splitlines()]
-    except (ValueError, KeyError, TypeError):
+    except DAMAGE:
         warn(f"file '{file}': is damaged: its cases count as not there")
         return {}, []
 

@@ -85,7 +85,7 @@ class Built:
         """OptionError: it does not take these parameters."""
         try:
             inspect.signature(self.build).bind(**dict.fromkeys(names))
-        except TypeError as error:
+        except (TypeError, ValueError) as error:  # ValueError: what has no signature
             raise OptionError(
                 f"parameters {', '.join(names)}: the function {self.name} does not take them ({error})",
                 code="parameters",
