@@ -1,8 +1,10 @@
 #include <doctest/doctest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <set>
 
+#include "dense_algebra.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/error.hpp"
@@ -187,8 +189,8 @@ TEST_CASE("accelerations agree with dense elimination where masses are spread ov
     const Evaluation at = evaluate_initially(system);
     const MatrixXd M = dense_M(scaled), D = dense_D(system, at);
     const VectorXd a = M * random.vector(system.v_size()), b = random.vector(system.row_count());
-    const MatrixXd S = D * M.inverse() * D.transpose();
-    const VectorXd l = S.ldlt().solve(b - D * M.inverse() * a), exact = M.inverse() * (a + D.transpose() * l);
+    const MatrixXd W = dense_inverse(M);
+    const VectorXd l = dense_solution(dense_delassus(M, D), b - D * (W * a)), exact = W * (a + D.transpose() * l);
     VectorXd x(a.size()), lambda(b.size());
     solver.analyze(system, at);
     solver.factorize_and_solve(at, VectorXd::Zero(b.size()), a, b, x, lambda);
@@ -449,13 +451,15 @@ VectorXd extended_accelerations(const System& system, const Evaluation& at, cons
   using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
   const Matrix D = dense_D(system, at).cast<long double>();
-  Matrix M_inverse = Matrix::Zero(a.size(), a.size());
+  Matrix G = D.transpose();             // M^-1 D^T
+  Vector free = a.cast<long double>();  // M^-1 a
   for (int body = 0; body < system.body_count(); ++body) {
-    M_inverse.block<3, 3>(6 * body, 6 * body).diagonal().setConstant(1.0L / system.mass(body));
-    M_inverse.block<3, 3>(6 * body + 3, 6 * body + 3) = system.inertia(body).cast<long double>().inverse();
+    const Eigen::Matrix<long double, 3, 3> J_inverse = system.inertia(body).cast<long double>().inverse();
+    G.middleRows<3>(6 * body) /= system.mass(body);
+    G.middleRows<3>(6 * body + 3) = (J_inverse * G.middleRows<3>(6 * body + 3)).eval();
+    free.segment<3>(6 * body) /= system.mass(body);
+    free.segment<3>(6 * body + 3) = (J_inverse * free.segment<3>(6 * body + 3)).eval();
   }
-  const Matrix G = M_inverse * D.transpose();
-  const Vector free = M_inverse * a.cast<long double>();
   const Vector lambda = (D * G).ldlt().solve(b.cast<long double>() - D * free);
   return (free + G * lambda).cast<double>();
 }

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 
+#include "dense_algebra.hpp"
 #include "linkwork/linear/column_rank.hpp"
 #include "spqr_rank.hpp"
 #include "support.hpp"
@@ -21,16 +21,10 @@ std::vector<int> dependent(const MatrixXd& A) {
   return dependent_columns(static_cast<int>(A.rows()), static_cast<int>(A.cols()), entries, tolerance);
 }
 
-int rank(const MatrixXd& A) {
-  if (A.size() == 0) return 0;
-  const VectorXd sigma = Eigen::BDCSVD<MatrixXd>(A).singularValues();
-  return static_cast<int>((sigma.array() > tolerance * sigma[0]).count());
-}
-
 /// As many as columns less rank, ascending, and the others are independent.
 void check_dependent(const MatrixXd& A) {
   const std::vector<int> columns = dependent(A);
-  const int expected = rank(A);
+  const int expected = dense_rank(A, tolerance);
   CHECK(static_cast<int>(A.cols()) - static_cast<int>(columns.size()) == expected);
   CHECK(std::is_sorted(columns.begin(), columns.end()));
   MatrixXd rest(A.rows(), 0);
@@ -39,7 +33,7 @@ void check_dependent(const MatrixXd& A) {
       rest.conservativeResize(Eigen::NoChange, rest.cols() + 1);
       rest.rightCols<1>() = A.col(column);
     }
-  CHECK(rank(rest) == expected);
+  CHECK(dense_rank(rest, tolerance) == expected);
 }
 
 /// Random with most entries zero.

@@ -1,7 +1,6 @@
 #include "linkwork/constraints/refinement.hpp"
 
-#include <Eigen/LU>
-
+#include "dense_algebra.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 #include "mechanisms.hpp"
 
@@ -23,7 +22,7 @@ struct Problem {
     b = random.vector(system.row_count());
     VectorXd right(a.size() + b.size());
     right << a, b;
-    const VectorXd solution = kkt(M).lu().solve(right);
+    const VectorXd solution = dense_solution(kkt(M), right);
     x = solution.head(a.size());
     lambda = -solution.tail(b.size());
   }
@@ -31,14 +30,13 @@ struct Problem {
 
   /// Solves with another mass matrix.
   Refinement::Nearby nearby(const MatrixXd& mass) const {
-    return
-        [lu = kkt(mass).lu()](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx, MutableVector dlambda) {
-          VectorXd right(r_1.size() + r_2.size());
-          right << r_1, r_2;
-          const VectorXd out = lu.solve(right);
-          dx = out.head(r_1.size());
-          dlambda = -out.tail(r_2.size());
-        };
+    return [K = kkt(mass)](const ConstVector& r_1, const ConstVector& r_2, MutableVector dx, MutableVector dlambda) {
+      VectorXd right(r_1.size() + r_2.size());
+      right << r_1, r_2;
+      const VectorXd out = dense_solution(K, right);
+      dx = out.head(r_1.size());
+      dlambda = -out.tail(r_2.size());
+    };
   }
 };
 

@@ -1,7 +1,6 @@
 #include "linkwork/constraints/row_selection.hpp"
 
-#include <Eigen/SVD>
-
+#include "dense_algebra.hpp"
 #include "linkwork/constraints/rank.hpp"
 #include "mechanisms.hpp"
 
@@ -19,7 +18,7 @@ MatrixXd without(const MatrixXd& D, const Places& left_out) {
 }
 
 double condition(const MatrixXd& D) {
-  const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(D).singularValues();
+  const VectorXd sigma = singular_values(D);
   return sigma.tail<1>()[0] / sigma[0];
 }
 

@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <Eigen/LU>
-
+#include "dense_algebra.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 #include "linkwork/math/error.hpp"
 #include "support.hpp"
@@ -27,7 +26,7 @@ struct Problem {
     K << M, D.transpose(), D, -MatrixXd(e.asDiagonal());
     VectorXd right(n + m);
     right << a, b;
-    const VectorXd x = K.fullPivLu().solve(right);
+    const VectorXd x = dense_solution(K, right);
     return {x.head(n), -x.tail(m)};
   }
 

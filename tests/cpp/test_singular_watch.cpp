@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <Eigen/SVD>
-
+#include "dense_algebra.hpp"
 #include "linkwork/constraints/rank.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
@@ -18,7 +17,7 @@ double condition(const System& system, const std::vector<int>& without) {
   Eigen::Index next = 0;
   for (int row = 0; row < D.rows(); ++row)
     if (!std::binary_search(without.begin(), without.end(), row)) kept.row(next++) = D.row(row);
-  const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(kept).singularValues();
+  const VectorXd sigma = singular_values(kept);
   return sigma.tail<1>()[0] / sigma[0];
 }
 

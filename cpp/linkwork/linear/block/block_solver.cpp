@@ -245,7 +245,7 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
-    if (e_.size() != e.size() || std::memcmp(e_.data(), e.data(), sizeof(double) * e.size()) != 0) {
+    if (e_.size() != e.size() || (e.size() > 0 && std::memcmp(e_.data(), e.data(), sizeof(double) * e.size()) != 0)) {
       e_ = e;
       data_.e = e_.data();
       data_.compliant = compliant();
