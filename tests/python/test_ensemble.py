@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 import random_mechanisms
 from hypothesis import given
+from light_mechanisms import light_mechanisms
 from linkwork import _core, mechanisms
 from linkwork.modeling.files import record_of
 from linkwork.studies.variants import Changed
@@ -133,6 +134,17 @@ def test_random_mechanisms_with_all_joints_and_forces_have_them(mechanism: Any) 
         return
     found = many(models, 1.2e-3, 2e-4, threads=1, **options)
     assert bits(found.member(0)) == bits(found.member(1)) == bits(single)
+
+
+@random_mechanisms.examples(12)
+@given(light=light_mechanisms(most=10, forces=()))
+def test_random_mechanisms_with_thin_rods_and_points_have_them_and_the_verdict(light: Any) -> None:
+    model = light.mechanism.model
+    options: dict[str, Any] = {"record_every": 2, "assemble": False}
+    found = many([model, model], 1.2e-3, 2e-4, threads=1, **options)
+    single = alone(model, 1.2e-3, 2e-4, **options)
+    assert bits(found.member(0)) == bits(found.member(1)) == bits(single)
+    assert found.member(0).verdict == single.verdict
 
 
 def with_functions(amplitude: float, stiffness: float) -> lw.Model:
