@@ -202,15 +202,19 @@ def test_a_spin_that_only_a_tiny_moment_decides_has_its_closed_form(moment: floa
 
 
 @pytest.mark.parametrize("off", [0.0, 1e-16, 1e-13])
-@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
-def test_a_line_between_two_balls_is_refused_by_name_and_direction(off: float, size: float) -> None:
-    """Though they are beside it by roundoff."""
+@pytest.mark.parametrize(("size", "away"), [(1e-3, 0.0), (1.0, 0.0), (1e3, 0.0), (1.0, 1e6), (1.0, 1e9)])
+def test_a_line_between_two_balls_is_refused_by_name_and_direction(
+    off: float, size: float, away: float
+) -> None:
+    """Though they are beside it by roundoff, of which there is more far from the origin."""
     model = lw.Model()
-    J = size**2 / 12
-    rod = model.body("rod", mass=1.0, inertia=(0, J, J), position=(size / 2, 0, 0))
-    arm = model.body("arm", mass=1.0, inertia=(J, J, J), position=(size, size / 2, 0))
-    model.spherical("ground", rod, at=(0, 0, off * size))
-    model.spherical(rod, arm, at=(size, 0, 0))
+    J, x = size**2 / 12, np.array([1.0, 2.0, 2.0]) / 3
+    y, foot = np.array([2.0, -2.0, 1.0]) / 3, away * np.array([1.0, 0.7, 0.3])
+    along = lw.rotation.from_axes(x=x, y=y)
+    rod = model.body("rod", mass=1.0, inertia=(0, J, J), position=foot + size / 2 * x, orientation=along)
+    arm = model.body("arm", mass=1.0, inertia=(J, J, J), position=foot + size * (x + y / 2))
+    model.spherical("ground", rod, at=foot + off * size * y)
+    model.spherical(rod, arm, at=foot + size * x)
     with pytest.raises(lw.SingularSystemError, match=r"'rod'.*its rotation about \(1, 0, 0\)") as caught:
         lw.simulate(model, 0.1, 1e-3, progress=False)
     assert caught.value.code == "free_massless_body"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwork/constraints/least_constrained_motion.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/math/error.hpp"
@@ -113,7 +114,8 @@ void Dynamics::settle_threads() {
 
 void Dynamics::check_masses() const {
   if (system_.massless_bodies().empty()) return;
-  const std::vector<int> free = free_massless_bodies(system_, at_);
+  const double roundoff = roundoff_of_positions(system_, now_.y.head(system_.q_size()));
+  const std::vector<int> free = free_massless_bodies(system_, at_, std::max(rank_tolerance, roundoff));
   if (free.empty()) return;
   ErrorDetails details;
   details.bodies = {system_.model().body_name(free.front())};
