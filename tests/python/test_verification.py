@@ -143,4 +143,4 @@ def test_a_mechanism_at_rest_is_as_it_is(how: dict[str, float], size: float) -> 
         above = rod
     verdict = quick(model, 2.0, verify=True, **how).verdict
     assert verdict is not None
-    assert verdict.error <= 5e-3
+    assert verdict.error <= (1e-4 if "step" in how else 5e-3)

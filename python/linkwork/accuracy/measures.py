@@ -59,8 +59,7 @@ class Sampled:
         return Sampled(*values), np.flatnonzero(near)
 
 
-#: What moves less is at rest, and what is left of it is rounding: of the length over the whole run, and of
-#: the speed that the largest reaction gives to all masses along it.
+#: What moves less is at rest, and what is left of it is rounding: of the length over the whole run.
 STILL = 1e-6
 
 
@@ -78,9 +77,10 @@ class Scales:
     def of(
         cls, motion: Sampled, longest_arm: float, mass: float = np.inf, tolerance: float | None = None
     ) -> Scales:
-        """`longest_arm` [m]: from a center of mass to a joint. `mass` [kg]: of all bodies, where known.
+        """`longest_arm` [m]: from a center of mass to a joint.
 
-        `tolerance`: rtol of a run that follows it, which may leave as much where nothing moves.
+        What goes no farther than `STILL`, or the `tolerance` that steps follow, of the length is at rest: its
+        trembling is weighed by the speed that the largest reaction gives to the `mass` [kg] of all bodies.
         """
         r = motion.q[:, :, :3]
         diagonal = float(np.linalg.norm(np.ptp(r, axis=(0, 1)))) if r.size else 0.0
@@ -88,9 +88,10 @@ class Scales:
         speed = max(_largest(motion.v[:, :, :3]), length * _largest(motion.v[:, :, 3:]))
         force = max(_largest(motion.force), _largest(motion.torque) / length)
         duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
-        natural = np.sqrt(force * length / mass) if mass > 0.0 else 0.0
-        speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0,
-                    max(STILL, tolerance or 0.0) * natural)  # fmt: skip
+        speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0)
+        still = max(STILL, tolerance or 0.0)
+        if mass > 0.0 and _way(motion.q, length) <= still * length:
+            speed = max(speed, still * float(np.sqrt(force * length / mass)))
         return cls(length, speed or 1.0, force or 1.0)
 
 
@@ -145,6 +146,14 @@ def longest_arm(result: Result) -> float:
     header = result.header
     arms = np.linalg.norm(header.joint_origin, axis=-1)[header.joint_bodies >= 0]
     return float(arms.max(initial=0.0))
+
+
+def _way(q: Floats, length: float) -> float:
+    """How far any body goes from where it begins, or turns by an arm of this length [m]; q (k, n, 7)."""
+    if not q.size:
+        return 0.0
+    away = np.abs(q - q[0]).max(axis=(0, 1))
+    return float(max(away[:3].max(), 2 * length * away[3:].max()))
 
 
 def _largest(vectors: Floats) -> float:
