@@ -269,9 +269,31 @@ def test_lanes_leap_over_singular_poses_and_go_on(
         member, single = found.member(k), alone(model, t_end, step, record_every=7)
         assert bits(member) == bits(single)
         assert member.singular_poses == single.singular_poses
+        assert member.verdict == single.verdict
         counts.append(len(single.singular_poses) + single.statistics["row_changes"])
         assert member.statistics["row_changes"] == single.statistics["row_changes"]
     assert sum(counts) > 0
+
+
+def driven_row(speed: float, stiffness: float) -> lw.Model:
+    """A driver, a spring whose full turns are counted, a force of time: what a leap knows beside the state."""
+    model = mechanisms.four_bar(2)
+    model.drive("pin 0", velocity=-speed)
+    model.rotational_spring_damper("ground", model.find("post 0"), at=(0, 0, 0), axis=(0, 0, 1),
+                                   stiffness=stiffness, damping=0.02)  # fmt: skip
+    model.force(model.find("post 1"), force=(lambda t: 0.1 * np.sin(3 * t), 0.0, 0.0))
+    return lw.assemble(model).model
+
+
+def test_lanes_leap_with_drivers_and_history_variables() -> None:
+    models = [driven_row(3.0 + 0.1 * k, 0.5 + 0.1 * k) for k in range(3)]
+    found = many(models, 2.5, 1e-3, threads=1, record_every=7)
+    assert found.alone == {}
+    for k, model in enumerate(models):
+        member, single = found.member(k), alone(model, 2.5, 1e-3, record_every=7)
+        assert bits(member) == bits(single)
+        assert member.verdict == single.verdict
+        assert member.singular_poses == single.singular_poses and len(single.singular_poses) >= 2
 
 
 def test_a_lane_stops_at_a_singular_pose_where_that_is_asked_for() -> None:
