@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstddef>
+#include "linkwork/assembly/constraint_block.hpp"
 
 /// Products with M and D block by block, and sizes of motions, of one mechanism or of one in each lane of a register:
 /// in one order of operations, so that both have the same bits. `Access` says what a number is, and how number k of a
-/// list is read and written: `Number`, `get(from, k)`, `put(to, k, x)`, `root(x)`. A block of D is like a
-/// ConstraintBlock.
+/// list is read and written: `Number`, `get(from, k)`, `put(to, k, x)`, `root(x)`.
 namespace linkwork::saddle_products {
 
 /// One mechanism.
@@ -31,8 +30,8 @@ inline void multiply_mass(int body, const double* mass, const double* x, double*
 }
 
 /// y += D_b x_b in the rows of a block.
-template <class Access, class Block>
-inline void add_D(const Block& block, const double* D, const double* x, double* y) {
+template <class Access>
+inline void add_D(const ConstraintBlock& block, const double* D, const double* x, double* y) {
   typename Access::Number in[6];
   for (int k = 0; k < 6; ++k) in[k] = Access::get(x, 6 * std::ptrdiff_t{block.body} + k);
   for (int r = 0; r < block.rows; ++r) {
@@ -44,8 +43,8 @@ inline void add_D(const Block& block, const double* D, const double* x, double* 
 
 /// y_b += D_b^T lambda of the rows of a block. These are added up by themselves: where they cancel each other, y_b
 /// keeps its digits.
-template <class Access, class Block>
-inline void add_D_transposed(const Block& block, const double* D, const double* lambda, double* y) {
+template <class Access>
+inline void add_D_transposed(const ConstraintBlock& block, const double* D, const double* lambda, double* y) {
   typename Access::Number sum[6];
   for (int r = 0; r < block.rows; ++r) {
     const auto factor = Access::get(lambda, block.row + r);

@@ -6,21 +6,12 @@
 #include <vector>
 
 #include "linkwork/assembly/body_forces.hpp"
+#include "linkwork/assembly/constraint_block.hpp"
 #include "linkwork/math/thread_pool.hpp"
 #include "linkwork/math/types.hpp"
 #include "linkwork/model/model.hpp"
 
 namespace linkwork {
-
-/// One dense block of D: the rows of a joint, the columns of one of its bodies.
-/// Values stand row after row (rows x 6) at `offset` in Evaluation::D.
-struct ConstraintBlock {
-  int joint;
-  int body;
-  int row;   ///< first row
-  int rows;  ///< number of rows
-  std::ptrdiff_t offset;
-};
 
 /// To which element a history variable belongs: a place in the model's joints or forces.
 struct HistoryOwner {

@@ -113,12 +113,12 @@ double Refinement::size_of(const ConstVector& x) const {
 
 /// M^-1 a, bodies without inertia taken for what their lengths make of their masses.
 double Refinement::size_of_free_motion(const ConstVector& a) const {
+  using saddle_products::Doubles;
+  const std::vector<MassBlock>& blocks = system_->mass_blocks();
   double out = 0.0;
-  const double* mass = &system_->mass_blocks().front().m;
   for (int body = 0; body < system_->body_count(); ++body)
-    if (system_->mass(body) > 0.0)
-      out = std::max(
-          out, saddle_products::size_of_free_motion<saddle_products::Doubles>(body, lengths_.data(), mass, a.data()));
+    if (blocks[body].m > 0.0)
+      out = std::max(out, saddle_products::size_of_free_motion<Doubles>(body, lengths_.data(), &blocks[0].m, a.data()));
   return out;
 }
 

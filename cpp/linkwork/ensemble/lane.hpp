@@ -67,8 +67,8 @@ class Lane {
   bool looked() const { return looked_; }
   /// Over a singular pose: what the pack makes of the lane meanwhile is nothing.
   bool leaping() const { return leaping_; }
-  /// In the pack's steps.
-  bool steps() const { return alive() && !leaping_ && !waits_; }
+  /// Takes the pack's steps.
+  bool stepping() const { return alive() && !leaping_ && !waits_; }
 
   // Where other equations became the redundant ones, at a step that had begun, it goes on in a pack of its structure.
   bool moves() const { return alive_ && moves_; }
@@ -112,6 +112,7 @@ class Lane {
  private:
   template <class Action>
   void guarded(double t, Action action);
+  void begin_leap(double t, const FixedSteps& steps, const VectorXd& y);
 
   Dynamics& dynamics_;
   Recorder recorder_;
@@ -120,12 +121,10 @@ class Lane {
   TurnGuard turns_;
   Divergence divergence_;
   LaneRun* run_;
-  void begin_leap(double t, const FixedSteps& steps, const VectorXd& y);
-
   bool alive_ = true, looked_ = false, stops_;
   bool leaping_ = false, leapt_ = false;  ///< as in Simulation
   bool recording_ = false;                ///< evaluated, with a frame that waits
-  bool moves_ = false, waits_ = false;
+  bool moves_ = false, waits_ = false;    ///< between two packs; in the next one
   std::int64_t joins_at_ = -1;
   VectorXd joining_state_;
   double power_ = 0.0, left_at_ = NAN;

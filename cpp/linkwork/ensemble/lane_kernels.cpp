@@ -124,7 +124,7 @@ void residuals(const LaneEquations& at, const double* a, const double* b, const 
   for (int body = 0; body < at.bodies; ++body) saddle_products::multiply_mass<Lanes>(body, at.mass, x, r_1);
   for (int k = 0; k < 6 * at.bodies; ++k) put(r_1, k, get(a, k) - get(r_1, k));
   for (int k = 0; k < at.rows; ++k) put(r_2, k, Native{});
-  for (const LaneBlock* block = at.blocks; block < at.blocks + at.block_count; ++block) {
+  for (const ConstraintBlock* block = at.blocks; block < at.blocks + at.block_count; ++block) {
     saddle_products::add_D_transposed<Lanes>(*block, at.D, lambda, r_1);
     saddle_products::add_D<Lanes>(*block, at.D, x, r_2);
   }

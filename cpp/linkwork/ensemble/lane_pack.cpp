@@ -68,11 +68,11 @@ void LanePack::each_lane(Action action) {
     if (lanes_[l]->alive()) action(l, *lanes_[l]);
 }
 
-/// But those that leap.
+/// But for those that leap, or wait.
 template <class Action>
 void LanePack::each_stepping(Action action) {
   for (int l = 0; l < static_cast<int>(lanes_.size()); ++l)
-    if (lanes_[l]->steps()) action(l, *lanes_[l]);
+    if (lanes_[l]->stepping()) action(l, *lanes_[l]);
 }
 
 bool LanePack::any_lane() const {
@@ -230,7 +230,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     lane.watch_redundant_rows(t, state_);
   }
   if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), state_, last);
-  if (!lane.steps()) return;
+  if (!lane.stepping()) return;
   const double potential = *this->lane(potential_, 0, l);
   if (last) {
     lane.sample(steps_.t_end(), state_, potential);
@@ -239,7 +239,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   }
   if (lane.watches()) lane.look_ahead(step, steps_, state_);
   lane.finish_record(t);
-  if (lane.steps() || (lane.moves() && !lane.leaping())) lane.sample(t, state_, potential);
+  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(t, state_, potential);
   if (lane.moves()) lane.move(step, state_);
 }
 

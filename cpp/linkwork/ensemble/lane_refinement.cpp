@@ -38,7 +38,7 @@ void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimi
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const bool other = lanes_[l]->dynamics().formulation().inertia().regularized();
     corrections.emplace_back(other ? Inexactness::inertia : Inexactness::roundoff, size_[l]);
-    going_on_[l] = lanes_[l]->steps() && refined_[l];
+    going_on_[l] = lanes_[l]->stepping() && refined_[l];
   }
   while (std::any_of(going_on_.begin(), going_on_.end(), [](double chosen) { return chosen != 0.0; })) {
     kernels_.residuals(equations, problem.a, problem.b, problem.x, problem.lambda, r_1_.data(), r_2_.data());

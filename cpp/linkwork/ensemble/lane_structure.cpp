@@ -32,16 +32,15 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       D_size(dynamics.system().row_of_zeros() + velocity_size),
       time_dependent(dynamics.system().time_dependent_constraints()),
       symbolic(dynamics.system(), dynamics.dropped().rows()),
+      blocks(dynamics.system().blocks()),
       compliance(static_cast<std::size_t>(rows), 0.0),
       dropped(dynamics.dropped().rows()),
-      elements_(dynamics.system().model().joints()),
-      blocks_(dynamics.system().blocks()) {
+      elements_(dynamics.system().model().joints()) {
   find_positions(dynamics.system());
   list_joints(dynamics.system());
-  for (const ConstraintBlock& block : blocks_) blocks.push_back({block.row, block.rows, block.body, block.offset});
   for (const int row : dropped) {
     compliance[row] = 1.0;
-    for (const ConstraintBlock& block : blocks_)
+    for (const ConstraintBlock& block : blocks)
       if (block.row <= row && row < block.row + block.rows)
         dropped_D.push_back(block.offset + velocity_size * (row - block.row));
   }
@@ -80,7 +79,7 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
   const System& system = dynamics.system();
   if (system.body_count() != bodies || !same_elements(system.model().joints(), elements_)) return false;
   if (system.time_dependent_constraints() != time_dependent || dynamics.dropped().rows() != dropped) return false;
-  return std::equal(blocks_.begin(), blocks_.end(), system.blocks().begin(), system.blocks().end(),
+  return std::equal(blocks.begin(), blocks.end(), system.blocks().begin(), system.blocks().end(),
                     [](const ConstraintBlock& a, const ConstraintBlock& b) {
                       return a.joint == b.joint && a.body == b.body && a.row == b.row && a.offset == b.offset;
                     });

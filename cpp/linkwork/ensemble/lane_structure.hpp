@@ -34,7 +34,7 @@ class LaneStructure {
   bool time_dependent;  ///< constraints, of any
   block::SymbolicFactorization symbolic;
   std::vector<int> row_positions;  ///< of symbolic.rows in their fronts
-  std::vector<LaneBlock> blocks;   ///< of D
+  std::vector<ConstraintBlock> blocks;
   std::vector<Joints> joints;
   std::vector<int> special;               ///< special joints
   std::vector<double> compliance;         ///< of each row
@@ -48,7 +48,6 @@ class LaneStructure {
   void list_joints(const System& system);
 
   std::vector<Element> elements_;
-  std::vector<ConstraintBlock> blocks_;
 };
 
 }  // namespace linkwork

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "linkwork/assembly/constraint_block.hpp"
 #include "linkwork/linear/block/kernels.hpp"
 
 /// The inner loops of ensembles: mechanisms of one structure, each in a lane. Every number here is `width` of them, one
@@ -32,16 +33,10 @@ struct LaneData {
   double* scratch;  ///< 12 of the most rows of a body; 8 of the highest front; 1 of the widest
 };
 
-/// Rows of D that belong to a body, as a ConstraintBlock.
-struct LaneBlock {
-  int row, rows, body;
-  std::ptrdiff_t offset;
-};
-
 /// The equations M x - D^T lambda = a, D x = b as refinement sees them.
 struct LaneEquations {
   int bodies, rows;
-  const LaneBlock* blocks;
+  const ConstraintBlock* blocks;
   std::ptrdiff_t block_count;
   const double* mass;     ///< 10 a body
   const double* lengths;  ///< one a body: make rotations comparable with translations
