@@ -276,7 +276,7 @@ def test_lanes_leap_over_singular_poses_and_go_on(
 
 
 def driven_row(speed: float, stiffness: float) -> lw.Model:
-    """A driver, a spring whose full turns are counted, a force of time: what a leap knows beside the state."""
+    """A driver, a spring whose full turns are counted, a force of time: what a leap knows beside states."""
     model = mechanisms.four_bar(2)
     model.drive("pin 0", velocity=-speed)
     model.rotational_spring_damper("ground", model.find("post 0"), at=(0, 0, 0), axis=(0, 0, 1),
