@@ -58,5 +58,13 @@ LINKWORK_INLINE void with_count(int count, const Function& f) {
   f(std::integral_constant<int, most>());
 }
 
+/// Calls f with a count of 8 and each eighth number from `begin` on, then with the count and place of the rest: each
+/// count has a loop of its own, with sums in registers.
+template <class Function>
+LINKWORK_INLINE void by_eights(int begin, int end, const Function& f) {
+  for (; begin + 8 <= end; begin += 8) f(std::integral_constant<int, 8>(), begin);
+  if (begin < end) with_count<7>(end - begin, [&](auto count) { f(count, begin); });
+}
+
 }  // namespace
 }  // namespace linkwork

@@ -187,10 +187,7 @@ struct ColumnUpdate {
   }
   template <bool of_block>
   LINKWORK_INLINE void apply_from(double* column, int p, int end) const {
-    if constexpr (!of_block)
-      for (; p + 8 <= end; p += 8) apply<8, of_block>(column, p);
-    for (; p + 4 <= end; p += 4) apply<4, of_block>(column, p);
-    for (; p < end; ++p) apply<1, of_block>(column, p);
+    by_eights(p, end, [&](auto rows, int q) { apply<rows, of_block>(column, q); });
   }
 };
 
@@ -261,10 +258,8 @@ void update_kept(const FrontPlace& at, const double* U, const double* pivots) {
     }
     const double* A = narrow ? U : at.panel;
     double* column = at.column(c);
-    int p = c;
-    for (; p + 8 <= at.last(); p += 8) subtract_products<8>(column, p, A, stride, front.width, factors);
-    for (; p + 4 <= at.last(); p += 4) subtract_products<4>(column, p, A, stride, front.width, factors);
-    for (; p < at.last(); ++p) subtract_products<1>(column, p, A, stride, front.width, factors);
+    by_eights(c, at.last(),
+              [&](auto rows, int p) { subtract_products<rows>(column, p, A, stride, front.width, factors); });
   }
 }
 
@@ -346,6 +341,30 @@ void forward_loops(const LaneData& data, const double* a, const double* b) {
   }
 }
 
+template <int count>
+LINKWORK_INLINE void add_some_products(const double* L, const double* right, int p, Native* products) {
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
+    products[k] += get(L, p + k) * get(right, p + k);
+}
+
+/// Products of the entries from position p on, a multiple of `at_once`, with those of the solution.
+LINKWORK_INLINE void add_products(const double* L, const double* right, int p, int end, Native* products) {
+  by_eights(p, end, [&](auto count, int q) { add_some_products<count>(L, right, q, products); });
+}
+
+/// L^-T of the rows of a block among themselves.
+template <int count>
+LINKWORK_INLINE void backward_block(const FrontPlace& at, int k0) {
+  const std::ptrdiff_t stride = at.front.stride();
+  Native x[count];
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
+    x[k] = get(at.right(), k0 + k);
+  LINKWORK_UNROLL for (int k = count - 1; k > 0; --k) LINKWORK_UNROLL
+    for (int j = 0; j < k; ++j) x[j] -= get(at.panel, (k0 + j) * stride + k0 + k) * x[k];
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
+    put(at.right(), k0 + k, x[k]);
+}
+
 /// Leaves the solution where the right-hand side was: own unknowns and those that the front kept.
 void backward_joints(const FrontPlace& at, const LaneData& data, double* lambda) {
   const Front& front = at.front;
@@ -359,18 +378,15 @@ void backward_joints(const FrontPlace& at, const LaneData& data, double* lambda)
         put(right, front.top + relative[s].begin + k, get(known, relative[s].parent_begin + k));
   }
   for (int k0 = (front.width - 1) / at_once * at_once; k0 >= 0; k0 -= at_once) {
-    const int end = k0 + at_once < front.width ? k0 + at_once : front.width;
-    for (int k = k0; k < end; ++k) {
+    const int count = front.width - k0 < at_once ? front.width - k0 : at_once;
+    for (int k = k0; k < k0 + count; ++k) {
       const double* L = at.panel + k * stride * width;
       Native products[at_once]{};
-      for (int p = k0 + at_once; p < front.width; ++p) products[p % at_once] += get(L, p) * get(right, p);
-      for (int p = front.top; p < at.last(); ++p) products[p % at_once] += get(L, p) * get(right, p);
+      add_products(L, right, k0 + at_once, front.width, products);
+      add_products(L, right, front.top, at.last(), products);
       put(right, k, get(right, k) - sum_of_eight(products));
     }
-    for (int k = end - 1; k > k0; --k) {
-      const Native x = get(right, k);
-      for (int j = k0; j < k; ++j) put(right, j, get(right, j) - get(at.panel, j * stride + k) * x);
-    }
+    with_count<at_once>(count, [&](auto own) { backward_block<own>(at, k0); });
   }
   for (int k = 0; k < front.width; ++k) put(lambda, data.unknowns[front.unknown + k], get(right, k));
 }
