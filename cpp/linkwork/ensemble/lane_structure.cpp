@@ -89,7 +89,7 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   const Options& options = dynamics.options();
   const System& system = dynamics.system();
   if (!options.deterministic) return "lanes have the bits of deterministic runs only";
-  if (options.formulation != "standard" || options.linear_solver != "block")
+  if (!formulation_info(options.formulation).lanes || !linear_solver_info(options.linear_solver).lanes)
     return "lanes have formulation 'standard' by linear solver 'block' only";
   const StabilizationKind kind = dynamics.stabilization();
   if (projects_positions(kind) || projects_velocities(kind)) return "lanes have no stabilization by projection";

@@ -56,8 +56,9 @@ std::string choose_solver(const std::string& form, const FormulationInfo& info, 
     return best && solver.available() && can_solve(form, solver) && !(options.deterministic && solver.blas);
   };
   const auto& all = linear_solvers();
-  const auto found = std::find_if(all.begin(), all.end(), suits);
-  return found == all.end() ? "dense" : found->name;
+  auto found = std::find_if(all.begin(), all.end(), suits);
+  if (found == all.end()) found = std::find_if(all.begin(), all.end(), [](const auto& it) { return it.dense; });
+  return found->name;
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ struct FormulationInfo {
   bool needs_full_rank = false;           ///< a singular pose is an error
   bool regularizes_inertia = false;       ///< it takes massless bodies with any linear solver, see RegularizedInertia
   bool compliant = false;                 ///< constraints yield to forces: accelerations meet them only nearly
+  bool lanes = false;                     ///< ensembles have it in lanes
   std::unique_ptr<Formulation> (*make)(std::unique_ptr<SaddleSolver>, const Options&) = nullptr;
 };
 

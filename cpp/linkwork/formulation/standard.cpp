@@ -67,6 +67,7 @@ FormulationInfo standard_formulation() {
           .forms = {"schur", "kkt"},
           .needs_full_rank = true,
           .regularizes_inertia = true,
+          .lanes = true,
           .make = [](std::unique_ptr<SaddleSolver> saddle, const Options&) -> std::unique_ptr<Formulation> {
             return std::make_unique<Standard>(std::move(saddle));
           }};

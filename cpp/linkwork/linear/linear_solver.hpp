@@ -59,6 +59,7 @@ struct LinearSolverInfo {
   std::unique_ptr<LinearSolver> (*make)(Storage) = nullptr;
   bool dense = false;  ///< the quickest for small systems; Cholesky of the upper triangle, or LU of all entries
   bool blas = false;   ///< calls BLAS, which takes other ways on other processors
+  bool lanes = false;  ///< ensembles have it in lanes
   /// Instead of `make`: a solver that works on the blocks of the equations themselves, without a sparse matrix.
   std::unique_ptr<SaddleSolver> (*make_saddle)() = nullptr;
   /// Why there is neither in this build; empty where there is one.
