@@ -23,7 +23,9 @@ bool can_solve(const std::string& name, const LinearSolverInfo& solver) {
   return solver.make_saddle ? form.velocities : form.definite || !solver.positive_definite;
 }
 
-std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const LinearSolverInfo& solver) {
+namespace {
+
+std::unique_ptr<SaddleSolver> make_plain_solver(const std::string& name, const LinearSolverInfo& solver) {
   const MatrixForm& form = matrix_form(name);
   if (!can_solve(name, solver) && solver.make_saddle)
     throw OptionError("linear_solver", "linear solver '" + solver.name +
@@ -38,6 +40,14 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const 
   const bool cholesky = form.definite && (solver.positive_definite || solver.dense);
   const Storage storage = cholesky ? Storage::upper : Storage::full;
   return form.make(solver.make(storage), storage);
+}
+
+}  // namespace
+
+std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const LinearSolverInfo& solver,
+                                                 const System& system) {
+  std::unique_ptr<SaddleSolver> plain = make_plain_solver(name, solver);
+  return system.inerters().empty() ? std::move(plain) : detail::with_inerters(std::move(plain));
 }
 
 void detail::throw_singular(const System& system, const char* form, const Pivot& pivot, int row) {
