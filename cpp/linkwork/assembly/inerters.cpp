@@ -36,13 +36,10 @@ Inerters::Inerters(const Model& model, std::ptrdiff_t D) : D_(D) {
 }
 
 double Inerters::rate(std::size_t k, const double* D, const double* x) const {
-  const double* row = D + place(k);
   double sum = 0.0;
-  for (const int body : {all_[k].i, all_[k].j}) {
-    if (body != ground)
-      for (int c = 0; c < velocity_size; ++c) sum += row[c] * x[velocity_size * std::ptrdiff_t{body} + c];
-    row += velocity_size;
-  }
+  for (const Part& part : row(k, D))
+    if (part.body != ground)
+      for (int c = 0; c < velocity_size; ++c) sum += part.d[c] * x[velocity_size * std::ptrdiff_t{part.body} + c];
   return sum;
 }
 

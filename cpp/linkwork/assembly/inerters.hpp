@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "linkwork/math/types.hpp"
@@ -38,6 +39,15 @@ class Inerters {
       gamma[k] = row.gamma;
     }
   }
+  /// The part of d that belongs to its first or second body: that body, or the ground, and 6 numbers.
+  struct Part {
+    int body;
+    const double* d;
+  };
+  std::array<Part, 2> row(std::size_t k, const double* D) const {
+    const double* first = D + place(k);
+    return {Part{all_[k].i, first}, Part{all_[k].j, first + velocity_size}};
+  }
   /// d x.
   double rate(std::size_t k, const double* D, const double* x) const;
   /// y += sum factor_k d_k^T, of all inerters.
@@ -45,12 +55,9 @@ class Inerters {
   void add(const double* D, const Factor& factor, double* y) const {
     for (std::size_t k = 0; k < all_.size(); ++k) {
       const double f = factor(k);
-      const double* row = D + place(k);
-      for (const int body : {all_[k].i, all_[k].j}) {
-        if (body != ground)
-          for (int c = 0; c < velocity_size; ++c) y[velocity_size * std::ptrdiff_t{body} + c] += f * row[c];
-        row += velocity_size;
-      }
+      for (const Part& part : row(k, D))
+        if (part.body != ground)
+          for (int c = 0; c < velocity_size; ++c) y[velocity_size * std::ptrdiff_t{part.body} + c] += f * part.d[c];
     }
   }
 
