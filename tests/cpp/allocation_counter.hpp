@@ -4,7 +4,7 @@
 
 /// Counts every allocation of the executable that includes this (in one file), those of Eigen and SuiteSparse too:
 /// with glibc a malloc defined here takes the place of the library's for all of them.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define CAN_COUNT_ALLOCATIONS 1
 
 inline long allocation_count = 0;

@@ -144,7 +144,7 @@ void free_motion(const LaneEquations& at, const double* a, double* out) {
   Native most{};
   for (int body = 0; body < at.bodies; ++body) {
     const Native size = saddle_products::size_of_free_motion<Lanes>(body, at.lengths, at.mass, a);
-    most = (get(at.mass, 10l * body) > Native{}) & (most < size) ? size : most;
+    most = ((get(at.mass, 10l * body) > Native{}) & (most < size)) ? size : most;
   }
   put(out, 0, most);
 }
