@@ -179,6 +179,8 @@ class Equations:
     def at(cls, mechanism: Mechanism, t: float, q: Floats, v: Floats) -> Equations:
         at = mechanism.dynamics(formulation="penalty").evaluate(t, q, v)
         M = block_diagonal(at["M"])
+        d = dense(at["inerters"], (len(at["inertance"]), len(M)))
+        M += d.T @ np.diag(at["inertance"]) @ d
         D = dense(at["D"], (len(at["Phi"]), len(M)))
         return cls(M, D, *(at[name] for name in ("Phi", "Phi_t", "Phi_dot", "gamma", "g")))
 

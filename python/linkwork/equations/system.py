@@ -159,10 +159,10 @@ class System:
             found = lw.System(model).evaluate(0.0, result.q[-1], result.v[-1])
         """
         found = self._dynamics.evaluate(*self._moment(t, q, v), _given(history))
-        rows = {
-            name: tuple(found.pop(name)[part] for part in ("data", "indices", "indptr"))
-            for name in ("D", "inerters")
-        }
+        rows = {}
+        for name in ("D", "inerters"):
+            matrix = found.pop(name)
+            rows[name] = (matrix["data"], matrix["indices"], matrix["indptr"])
         return Evaluation(**rows, **found)
 
     def _moment(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[float, Floats, Floats]:
