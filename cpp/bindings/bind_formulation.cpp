@@ -474,7 +474,8 @@ void bind_formulation(py::module_& module) {
           "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
           "y = (q, v), 13 per body.")
       .def("evaluate", exclusive(&evaluate), py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
-           "M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.")
+           "M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, "
+           "force_power, history.")
       .def("residual_scales", exclusive(&residual_scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
            "rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.")

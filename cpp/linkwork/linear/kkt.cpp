@@ -108,7 +108,7 @@ class KktSolver final : public AssembledSolver {
     }
   }
 
-  std::vector<int> upper_, lower_;             ///< places of each block of D
+  std::vector<int> upper_, lower_;              ///< places of each block of D
   std::vector<std::pair<int, int>> compliant_;  ///< of joints with E: first row, place of the block
   VectorXd scale_;
 };

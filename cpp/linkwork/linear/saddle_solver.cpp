@@ -23,9 +23,7 @@ bool can_solve(const std::string& name, const LinearSolverInfo& solver) {
   return solver.make_saddle ? form.velocities : form.definite || !solver.positive_definite;
 }
 
-namespace {
-
-std::unique_ptr<SaddleSolver> make_plain_solver(const std::string& name, const LinearSolverInfo& solver) {
+std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const LinearSolverInfo& solver) {
   const MatrixForm& form = matrix_form(name);
   if (!can_solve(name, solver) && solver.make_saddle)
     throw OptionError("linear_solver", "linear solver '" + solver.name +
@@ -42,11 +40,9 @@ std::unique_ptr<SaddleSolver> make_plain_solver(const std::string& name, const L
   return form.make(solver.make(storage), storage);
 }
 
-}  // namespace
-
 std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const LinearSolverInfo& solver,
                                                  const System& system) {
-  std::unique_ptr<SaddleSolver> plain = make_plain_solver(name, solver);
+  std::unique_ptr<SaddleSolver> plain = make_saddle_solver(name, solver);
   return system.inerters().empty() ? std::move(plain) : detail::with_inerters(std::move(plain));
 }
 

@@ -73,6 +73,7 @@ const std::vector<MatrixForm>& matrix_forms();
 /// OptionError: there is none with this name.
 const MatrixForm& matrix_form(const std::string& name);
 
+std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver);
 /// For this system: with its inerters.
 std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver,
                                                  const System& system);
