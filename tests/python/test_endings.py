@@ -120,7 +120,7 @@ import os, resource, sys
 import linkwork as lw
 from linkwork import mechanisms
 
-system = lw.System(mechanisms.four_bar(5), linear_solver="klu")
+system = lw.System(mechanisms.four_bar(5))
 system.derivative(0.0, system.initial_state())  # everything is loaded by now
 taken = 4096 * int(open("/proc/self/statm").read().split()[0])
 resource.setrlimit(resource.RLIMIT_AS, (taken + 64 * 2**20,) * 2)
