@@ -120,7 +120,7 @@ def test_closed_loops_and_redundant_joints_have_them() -> None:
     inertia = np.array(core.inertia)
     spin = rotor.body("post 0").omega
     assert np.abs(rotor.energy_error).max() < 1e-8
-    # One freedom: T = (sum J + b) w^2 / 2 for the angle of the posts, which turn with w, and of beams of 1 kg.
+    # T = (sum J + b) w^2 / 2 of the posts, which turn with w, and that of beams of 1 kg
     posts = sum(inertia[it.index][1, 1] + 0.25 for it in bodies)
     w = np.linalg.norm(spin, axis=1)
     assert rotor.kinetic_energy == pytest.approx(0.5 * (posts + 2.0 + 2.5) * w**2, abs=1e-9)

@@ -49,7 +49,8 @@ void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& 
                              Evaluation& out) const {
   if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
   inerters_.add(
-      out.D.data(), [&](std::size_t k) { return inerters_.inertance(k) * out.inerter_gamma[static_cast<Eigen::Index>(k)]; },
+      out.D.data(),
+      [&](std::size_t k) { return inerters_.inertance(k) * out.inerter_gamma[static_cast<Eigen::Index>(k)]; },
       out.g.data());
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);

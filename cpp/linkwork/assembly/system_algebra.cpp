@@ -30,8 +30,7 @@ void System::multiply_mass(const Evaluation& at, const ConstVector& x, MutableVe
       saddle_products::multiply_mass<saddle_products::Doubles>(b, &mass_.front().m, x.data(), y.data());
   });
   const double* D = at.D.data();
-  inerters_.add(
-      D, [&](std::size_t k) { return inerters_.inertance(k) * inerters_.rate(k, D, x.data()); }, y.data());
+  inerters_.add(D, [&](std::size_t k) { return inerters_.inertance(k) * inerters_.rate(k, D, x.data()); }, y.data());
 }
 
 void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {

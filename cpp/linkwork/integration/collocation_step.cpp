@@ -172,8 +172,7 @@ void CollocationStep::finish(Quality& quality) {
   quality.off = off_;
   quality.jump = jump_;
   quality.resolution = step_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
-  quality.energy =
-      std::abs(energy(y_new) - energy_before_) / std::max(kinetic_before_, kinetic_energy(y_new));
+  quality.energy = std::abs(energy(y_new) - energy_before_) / std::max(kinetic_before_, kinetic_energy(y_new));
 }
 
 void CollocationStep::state_at(double time, VectorXd& y) const {

@@ -25,9 +25,7 @@ def residuals(system: System, t: float, y: Floats) -> dict[str, float]:
     d, places, ends = at.inerters
     inerters = np.repeat(np.arange(len(at.inertance)), np.diff(ends))
 
-    def products(
-        M: Floats, d: Floats, D: Floats, x: Floats, forces: Floats
-    ) -> tuple[Floats, Floats, Floats]:
+    def products(M: Floats, d: Floats, D: Floats, x: Floats, forces: Floats) -> tuple[Floats, Floats, Floats]:
         """M x, D^T forces, D x"""
         rates = at.inertance * _sums(inerters, d * x[places], len(at.inertance))
         return (

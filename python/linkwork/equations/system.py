@@ -159,11 +159,8 @@ class System:
             found = lw.System(model).evaluate(0.0, result.q[-1], result.v[-1])
         """
         found = self._dynamics.evaluate(*self._moment(t, q, v), _given(history))
-        rows = {}
-        for name in ("D", "inerters"):
-            matrix = found.pop(name)
-            rows[name] = (matrix["data"], matrix["indices"], matrix["indptr"])
-        return Evaluation(**rows, **found)
+        D, inerters = ((it["data"], it["indices"], it["indptr"]) for it in map(found.pop, ("D", "inerters")))
+        return Evaluation(D=D, inerters=inerters, **found)
 
     def _moment(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[float, Floats, Floats]:
         n = self.model.body_count
