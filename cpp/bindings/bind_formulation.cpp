@@ -41,27 +41,33 @@ VectorXd state(const Dynamics& dynamics, double t, const ConstVector& q, const C
   return out;
 }
 
+py::dict compressed_rows(const std::vector<double>& data, const std::vector<std::int64_t>& indices,
+                         const std::vector<std::int64_t>& begin) {
+  const auto array = [](const auto& list) { return py::array(static_cast<py::ssize_t>(list.size()), list.data()); };
+  py::dict out;
+  out["data"] = array(data);
+  out["indices"] = array(indices);
+  out["indptr"] = array(begin);
+  return out;
+}
+
 /// D in compressed rows.
 py::dict sparse_D(const System& system, const Evaluation& at) {
   std::vector<std::int64_t> begin(system.row_count() + 1, 0);
   for (const ConstraintBlock& block : system.blocks())
     for (int k = 0; k < block.rows; ++k) begin[block.row + k + 1] += 6;
   for (std::size_t r = 1; r < begin.size(); ++r) begin[r] += begin[r - 1];
-  py::array_t<double> data(static_cast<py::ssize_t>(begin.back()));
-  py::array_t<std::int64_t> indices(static_cast<py::ssize_t>(begin.back()));
+  std::vector<double> data(static_cast<std::size_t>(begin.back()));
+  std::vector<std::int64_t> indices(data.size());
   std::vector<std::int64_t> next(begin.begin(), begin.end() - 1);
   for (const ConstraintBlock& block : system.blocks())
     for (int k = 0; k < block.rows; ++k)
       for (int c = 0; c < 6; ++c) {
         const std::int64_t place = next[block.row + k]++;
-        data.mutable_data()[place] = at.D[block.offset + 6 * k + c];
-        indices.mutable_data()[place] = 6 * block.body + c;
+        data[place] = at.D[block.offset + 6 * k + c];
+        indices[place] = 6 * block.body + c;
       }
-  py::dict out;
-  out["data"] = data;
-  out["indices"] = indices;
-  out["indptr"] = py::array_t<std::int64_t>(static_cast<py::ssize_t>(begin.size()), begin.data());
-  return out;
+  return compressed_rows(data, indices, begin);
 }
 
 py::array_t<double> mass_blocks(const System& system) {
@@ -73,6 +79,47 @@ py::array_t<double> mass_blocks(const System& system) {
     block.setZero();
     block.topLeftCorner<3, 3>().diagonal().setConstant(system.mass(body));
     block.bottomRightCorner<3, 3>() = system.inertia(body);
+  }
+  return out;
+}
+
+/// d of each inerter, x_dot = d v, as compressed rows.
+py::dict inerter_rows(const System& system, const Evaluation& at) {
+  std::vector<double> data;
+  std::vector<std::int64_t> indices, begin{0};
+  for (std::size_t k = 0; k < system.inerters().count(); ++k) {
+    for (const Inerters::Part& part : system.inerters().row(k, at.D.data()))
+      for (int c = 0; c < velocity_size && part.body != ground; ++c) {
+        data.push_back(part.d[c]);
+        indices.push_back(std::int64_t{velocity_size} * part.body + c);
+      }
+    begin.push_back(static_cast<std::int64_t>(data.size()));
+  }
+  return compressed_rows(data, indices, begin);
+}
+
+VectorXd inertances(const System& system) {
+  VectorXd out(static_cast<Eigen::Index>(system.inerters().count()));
+  for (Eigen::Index k = 0; k < out.size(); ++k) out[k] = system.inerters().inertance(static_cast<std::size_t>(k));
+  return out;
+}
+
+/// Of many states.
+VectorXd kinetic_energies(const Dynamics& dynamics, const Doubles& q, const Doubles& v) {
+  const System& system = dynamics.system();
+  const py::ssize_t frames = system.q_size() > 0 ? q.size() / system.q_size() : 0;
+  if (q.size() != frames * system.q_size() || v.size() != frames * system.v_size())
+    throw OptionError("shape", "q and v need " + std::to_string(system.q_size()) + " and " +
+                                   std::to_string(system.v_size()) + " entries for each state");
+  Evaluation at = system.make_evaluation();
+  VectorXd out(frames);
+  using Vector = Eigen::Map<const VectorXd>;
+  for (py::ssize_t k = 0; k < frames; ++k) {
+    const Vector positions(q.data() + k * system.q_size(), system.q_size()),
+        velocities(v.data() + k * system.v_size(), system.v_size());
+    if (!system.inerters().empty())
+      system.evaluate_constraints(0.0, positions, velocities, system.initial_history(), at);
+    out[k] = system.kinetic_energy(at, velocities);
   }
   return out;
 }
@@ -114,6 +161,8 @@ py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, cons
   py::dict out;
   out["M"] = mass_blocks(system);
   out["D"] = sparse_D(system, at);
+  out["inerters"] = inerter_rows(system, at);
+  out["inertance"] = inertances(system);
   out["Phi"] = at.Phi;
   out["Phi_t"] = at.Phi_t;
   out["Phi_dot"] = at.Phi_dot;
@@ -188,12 +237,12 @@ py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q
 
 /// What a force element does at each of many states: force, torque, power, potential.
 py::tuple force_element(const Dynamics& dynamics, int element, const Doubles& t, const Doubles& q, const Doubles& v,
-                        const Doubles& history) {
+                        const Doubles& v_dot, const Doubles& history) {
   const System& system = dynamics.system();
   const py::ssize_t frames = t.size(), variables = system.history_size();
   if (element < 0 || element >= static_cast<int>(system.model().forces().size()) ||
       q.size() != frames * system.q_size() || v.size() != frames * system.v_size() ||
-      history.size() != frames * variables)
+      v_dot.size() != frames * system.v_size() || history.size() != frames * variables)
     throw OptionError("shape", "these are no frames of this model, or it has no such force element");
   py::array_t<double> force({frames, py::ssize_t{3}}), torque({frames, py::ssize_t{3}}), power(frames),
       potential(frames);
@@ -202,6 +251,7 @@ py::tuple force_element(const Dynamics& dynamics, int element, const Doubles& t,
   for (py::ssize_t k = 0; k < frames; ++k) {
     const ForceOnBody found = one.evaluate(t.data()[k], Vector(q.data() + k * system.q_size(), system.q_size()),
                                            Vector(v.data() + k * system.v_size(), system.v_size()),
+                                           Vector(v_dot.data() + k * system.v_size(), system.v_size()),
                                            Vector(history.data() + k * variables, variables));
     Eigen::Map<Vec3<double>>(force.mutable_data() + 3 * k) = found.force;
     Eigen::Map<Vec3<double>>(torque.mutable_data() + 3 * k) = found.torque;
@@ -351,9 +401,10 @@ py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector&
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics.def("statistics", exclusive(&statistics))
       .def("force_element", &force_element, py::arg("element"), py::arg("t"), py::arg("q"), py::arg("v"),
-           py::arg("history"),
+           py::arg("v_dot"), py::arg("history"),
            "(force, torque (k, 3) on the second body, power that goes into the motion, potential (k,)) of a force "
            "element at k times and states, each with its history variables.")
+      .def("kinetic_energies", &kinetic_energies, py::arg("q"), py::arg("v"), "(k,) [J] at k states.")
       .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
            "Phi_t (k, rows) of some equations at k times and states.")
       .def("factorization_cost", exclusive(&factorization_cost),
@@ -423,7 +474,8 @@ void bind_formulation(py::module_& module) {
           "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
           "y = (q, v), 13 per body.")
       .def("evaluate", exclusive(&evaluate), py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
-           "M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.")
+           "M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, "
+           "force_power, history.")
       .def("residual_scales", exclusive(&residual_scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
            "rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.")

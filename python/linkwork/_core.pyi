@@ -301,7 +301,7 @@ class Dynamics:
         history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] | None = None,
     ) -> dict:
         """
-        M (n, 6, 6), D (compressed rows), Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.
+        M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, force_power, history.
         """
     def factorization_cost(self) -> dict:
         """
@@ -313,6 +313,7 @@ class Dynamics:
         t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
         q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
         v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        v_dot: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
         history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
     ) -> tuple:
         """
@@ -327,6 +328,14 @@ class Dynamics:
     ) -> numpy.typing.NDArray[numpy.float64]:
         """
         Inertial axes of the joint frames, fixed in the first body.
+        """
+    def kinetic_energies(
+        self,
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+        v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        (k,) [J] at k states.
         """
     def rank(self) -> RankReport: ...
     def reactions(

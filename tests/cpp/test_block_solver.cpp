@@ -73,7 +73,7 @@ Model loops(Random& random, int bodies) {
 std::pair<double, double> residuals(const System& system, const Evaluation& at, const VectorXd& e, const VectorXd& a,
                                     const VectorXd& b, const VectorXd& x, const VectorXd& lambda) {
   VectorXd Mx(a.size()), Dx(b.size()), Dl = VectorXd::Zero(a.size());
-  system.multiply_mass(x, Mx);
+  system.multiply_mass(at, x, Mx);
   system.multiply_D(at, x, Dx);
   system.add_D_transposed(at, lambda, Dl);
   const double first = (Mx - Dl - a).cwiseAbs().maxCoeff();

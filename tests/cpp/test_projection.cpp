@@ -32,8 +32,9 @@ TEST_CASE("projected velocities have less kinetic energy, by that of the change"
   Projection(dynamics).velocities(0.0, y);
   const VectorXd after = y.segment(21, 18);
   const System& system = dynamics.system();
-  CHECK(system.kinetic_energy(before) ==
-        doctest::Approx(system.kinetic_energy(after) + system.kinetic_energy(before - after)).epsilon(1e-10));
+  const Evaluation& at = dynamics.evaluation();
+  CHECK(system.kinetic_energy(at, before) ==
+        doctest::Approx(system.kinetic_energy(at, after) + system.kinetic_energy(at, before - after)).epsilon(1e-10));
 }
 
 TEST_CASE("positions off the constraints of a redundant mechanism are taken back, all of its equations met") {

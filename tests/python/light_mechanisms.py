@@ -71,7 +71,7 @@ def equations_of(mechanism: Mechanism, original: Mechanism) -> Light:
     g = at.g.copy()
     for k, (body, before) in enumerate(zip(mechanism.bodies, original.bodies, strict=True)):
         part = slice(6 * k + 3, 6 * k + 6)
-        M[part, part] = body.inertia
+        M[part, part] += body.inertia - before.inertia
         g[part] -= np.cross(body.omega, (body.inertia - before.inertia) @ body.omega)
     return Light(mechanism, replace(at, M=M, g=g), np.diag(at.M))
 

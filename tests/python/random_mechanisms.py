@@ -170,6 +170,7 @@ class Equations:
     Phi_dot: Floats
     gamma: Floats
     g: Floats
+    bodies: Floats  #: M without inerters
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> Equations:
@@ -178,9 +179,12 @@ class Equations:
     @classmethod
     def at(cls, mechanism: Mechanism, t: float, q: Floats, v: Floats) -> Equations:
         at = mechanism.dynamics(formulation="penalty").evaluate(t, q, v)
-        M = block_diagonal(at["M"])
+        bodies = block_diagonal(at["M"])
+        M = bodies.copy()
+        d = dense(at["inerters"], (len(at["inertance"]), len(M)))
+        M += d.T @ np.diag(at["inertance"]) @ d
         D = dense(at["D"], (len(at["Phi"]), len(M)))
-        return cls(M, D, *(at[name] for name in ("Phi", "Phi_t", "Phi_dot", "gamma", "g")))
+        return cls(M, D, *(at[name] for name in ("Phi", "Phi_t", "Phi_dot", "gamma", "g")), bodies)
 
     @cached_property
     def scaled_D(self) -> Floats:
@@ -218,8 +222,8 @@ class Equations:
 
 
 def mean_delassus_diagonal(mechanism: Mechanism, at: Equations) -> Floats:
-    """diag(D M^-1 D^T), the mean over each joint's translations and over its rotations."""
-    delassus = np.einsum("ij,ji->i", at.D, np.linalg.solve(at.M, at.D.T))
+    """diag(D M^-1 D^T) without inerters, the mean over each joint's translations and over its rotations."""
+    delassus = np.einsum("ij,ji->i", at.D, np.linalg.solve(at.bodies, at.D.T))
     out, row = delassus.copy(), 0
     for joint in mechanism.joints:
         names = JOINTS[joint.kind].equations

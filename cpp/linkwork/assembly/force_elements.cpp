@@ -17,7 +17,8 @@ ForceElement::ForceElement(const System& system, int element)
     if (const HistoryOwner& owner = system.history_owners()[k]; !owner.joint && owner.element == element) history_ = k;
 }
 
-ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history) {
+ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
+                                   const ConstVector& history) {
   const auto& functions = system_.model().signals();
   for (std::size_t s = 0; s < signals_.size(); ++s)
     if (functions[s]->of_time()) signals_[s] = functions[s]->evaluate(t);
@@ -29,6 +30,7 @@ ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVe
   ForceOnBody out;
   force_kinds()[element_.kind].evaluate(batch_, bodies.data(), signals_.data(), functions.data(),
                                         {g.data(), &last, &next, &rate, switches.data(), &out.potential, &dissipated});
+  if (force_kinds()[element_.kind].inertia) add_inertia(bodies.data(), v_dot, g.data());
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Eigen::Map<const Vec3<double>> force(g.data() + 6 * k), torque(g.data() + 6 * k + 3);
     out.power += force.dot(bodies[k].r_dot) + torque.dot(bodies[k].omega);
@@ -37,6 +39,21 @@ ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVe
     out.torque = bodies[k].A * (torque - element_.at.s_j.cross(Vec3<double>(bodies[k].A.transpose() * force)));
   }
   return out;
+}
+
+/// -b x_ddot along the coordinate x of an inerter.
+void ForceElement::add_inertia(const BodyState<double>* bodies, const ConstVector& v_dot, double* g) const {
+  Equation<double> row;
+  force_kinds()[element_.kind].inertia(element_.at, bodies[0], bodies[1], row);
+  using Row = Eigen::Map<const Eigen::Matrix<double, velocity_size, 1>>;
+  const Row D_i(row.D_i), D_j(row.D_j);
+  double acceleration = -row.gamma;
+  if (element_.i != ground) acceleration += D_i.dot(v_dot.segment<velocity_size>(velocity_size * element_.i));
+  if (element_.j != ground) acceleration += D_j.dot(v_dot.segment<velocity_size>(velocity_size * element_.j));
+  const double force = -batch_.parameters.front().constant * acceleration;
+  Eigen::Map<Eigen::Matrix<double, velocity_size, 1>> on_i(g), on_j(g + velocity_size);
+  on_i += force * D_i;
+  on_j += force * D_j;
 }
 
 BodyState<double> ForceElement::state_of(int body, const ConstVector& q, const ConstVector& v) const {

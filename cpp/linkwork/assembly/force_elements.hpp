@@ -16,10 +16,12 @@ struct ForceOnBody {
 class ForceElement {
  public:
   ForceElement(const System& system, int element);
-  /// `history` as for System::evaluate.
-  ForceOnBody evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
+  /// `history` as for System::evaluate; `v_dot` counts for inerters.
+  ForceOnBody evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
+                       const ConstVector& history);
 
  private:
+  void add_inertia(const BodyState<double>* bodies, const ConstVector& v_dot, double* g) const;
   BodyState<double> state_of(int body, const ConstVector& q, const ConstVector& v) const;
 
   const System& system_;

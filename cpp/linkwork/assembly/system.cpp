@@ -48,6 +48,10 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, cons
 void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                              Evaluation& out) const {
   if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
+  inerters_.add(
+      out.D.data(),
+      [&](std::size_t k) { return inerters_.inertance(k) * out.inerter_gamma[static_cast<Eigen::Index>(k)]; },
+      out.g.data());
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
 }
@@ -132,6 +136,11 @@ void System::evaluate_constraints(double t, const ConstVector& q, const ConstVec
   evaluate_signals(t, out);
   evaluate_joints(q, v, out);
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+  if (!inerters_.empty()) evaluate_inerters(q, v, out);
+}
+
+void System::evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  inerters_.evaluate([&](int body) { return moving(body, q, v); }, out.D.data(), out.inerter_gamma.data());
 }
 
 void System::evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const {

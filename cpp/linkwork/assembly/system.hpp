@@ -7,6 +7,7 @@
 
 #include "linkwork/assembly/body_forces.hpp"
 #include "linkwork/assembly/constraint_block.hpp"
+#include "linkwork/assembly/inerters.hpp"
 #include "linkwork/math/thread_pool.hpp"
 #include "linkwork/math/types.hpp"
 #include "linkwork/model/model.hpp"
@@ -38,6 +39,7 @@ struct Evaluation {
   VectorXd history_rate;  ///< of those that are angles
   VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
+  VectorXd inerter_gamma;          ///< of each inerter, see Inerters
   VectorXd user;                   ///< scratch of the user's own forces
   std::vector<double> wrenches;    ///< scratch of force elements, where there are many, see ForceArrays
   std::vector<double> potentials;  ///< of gravity, of many bodies: in each chunk
@@ -118,7 +120,7 @@ class System {
   Wrenches<double> joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,
                                HistoryVariable<double>& history) const;
 
-  // The mass matrix: blocks diag(m I, J), constant.
+  // The mass matrix: blocks diag(m I, J), constant, and what inerters add to it.
   double mass(int body) const { return mass_[body].m; }
   double inverse_mass(int body) const { return inverse_mass_[body].m; }
   ConstMat3 inertia(int body) const { return ConstMat3(mass_[body].J); }
@@ -129,9 +131,12 @@ class System {
   const std::vector<int>& massless_bodies() const { return massless_; }
   /// Basis of the kernel of a body's mass matrix (6 x its dimension).
   MatrixXd massless_directions(int body) const;
-  void multiply_mass(const ConstVector& x, MutableVector y) const;          ///< y = M x
-  void multiply_inverse_mass(const ConstVector& x, MutableVector y) const;  ///< y = M^-1 x
-  double kinetic_energy(const ConstVector& v) const;
+  const Inerters& inerters() const { return inerters_; }
+  void multiply_mass(const Evaluation& at, const ConstVector& x, MutableVector y) const;  ///< y = M x
+  /// y = M^-1 x without inerters.
+  void multiply_inverse_mass(const ConstVector& x, MutableVector y) const;
+  /// Of velocities at the positions of an evaluation [J].
+  double kinetic_energy(const Evaluation& at, const ConstVector& v) const;
 
   // The constraint matrix.
   const std::vector<ConstraintBlock>& blocks() const { return blocks_; }
@@ -186,6 +191,7 @@ class System {
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               const ConstVector& history, Evaluation& out) const;
   void evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  void evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   double evaluate_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
   void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;
@@ -212,6 +218,7 @@ class System {
   std::vector<int> joint_block_list_, joint_block_begin_;
   std::vector<int> body_block_list_, body_block_begin_;
   std::ptrdiff_t D_size_ = 0;
+  Inerters inerters_;
   std::vector<HistoryOwner> history_owners_;
   std::vector<int> switches_;
   VectorXd initial_history_;

@@ -24,11 +24,13 @@ void System::normalize(MutableVector q) const {
   });
 }
 
-void System::multiply_mass(const ConstVector& x, MutableVector y) const {
+void System::multiply_mass(const Evaluation& at, const ConstVector& x, MutableVector y) const {
   threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
     for (int b = first; b < last; ++b)
       saddle_products::multiply_mass<saddle_products::Doubles>(b, &mass_.front().m, x.data(), y.data());
   });
+  const double* D = at.D.data();
+  inerters_.add(D, [&](std::size_t k) { return inerters_.inertance(k) * inerters_.rate(k, D, x.data()); }, y.data());
 }
 
 void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {
@@ -41,12 +43,16 @@ void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const 
   });
 }
 
-double System::kinetic_energy(const ConstVector& v) const {
+double System::kinetic_energy(const Evaluation& at, const ConstVector& v) const {
   double twice = 0.0;
   for (int b = 0; b < body_count(); ++b) {
     const auto velocity = v.segment<velocity_size>(velocity_size * b);
     const Vec3<double> omega = velocity.tail<3>();
     twice += mass(b) * velocity.head<3>().squaredNorm() + omega.dot(inertia(b) * omega);
+  }
+  for (std::size_t k = 0; k < inerters_.count(); ++k) {
+    const double rate = inerters_.rate(k, at.D.data(), v.data());
+    twice += inerters_.inertance(k) * rate * rate;
   }
   return 0.5 * twice;
 }

@@ -55,9 +55,12 @@ void append_joint(const Model& model, const Element& element, int row, std::ptrd
 System::System(const Model& model, const InstructionSet& instructions)
     : model_(model),
       instructions_(instructions),
-      body_forces_(body_forces(instruction_set_for(static_cast<int>(model.bodies().size()), instructions))) {
+      body_forces_(body_forces(instruction_set_for(static_cast<int>(model.bodies().size()), instructions))),
+      inerters_(model_, 0) {
   compile_masses();
   compile_joints();
+  inerters_ = Inerters(model_, D_size_);
+  D_size_ += inerters_.D_size();
   compile_forces();
   begin_history();
 }
@@ -232,6 +235,7 @@ Evaluation System::make_evaluation() const {
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
+  out.inerter_gamma.setZero(static_cast<Eigen::Index>(inerters_.count()));
   out.g.setZero(v_size() + velocity_size);
   return out;
 }

@@ -140,7 +140,7 @@ VectorXd allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& l
   VectorXd momentum(system.v_size()), lambda(system.row_count());
   if (!solver.factorize(at, e)) return VectorXd::Zero(system.v_size());
   for (int k = 0; k < 3; ++k) {
-    system.multiply_mass(velocity, momentum);
+    system.multiply_mass(at, velocity, momentum);
     solver.solve(momentum, none, velocity, lambda);
   }
   return velocity;

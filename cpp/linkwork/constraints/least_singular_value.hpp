@@ -16,12 +16,12 @@ class LeastSingularValue {
   LeastSingularValue(const System& system, const VectorXd& delassus, const DroppedRows& dropped);
 
   /// With the last factorization of `saddle`; 0 where nothing finite comes of it.
-  double of(SaddleSolver& saddle);
+  double of(SaddleSolver& saddle, const Evaluation& at);
 
   void keep(Archive& archive) { archive(u_); }
 
  private:
-  double iterate(SaddleSolver& saddle);
+  double iterate(SaddleSolver& saddle, const Evaluation& at);
 
   const System* system_ = nullptr;
   VectorXd scale_;  ///< roots of the Delassus diagonal in kept rows, 0 of dropped ones

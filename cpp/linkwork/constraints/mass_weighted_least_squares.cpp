@@ -62,7 +62,7 @@ MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& sys
 MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other)
     : regularized_(std::move(other)),
       system_(regularized_ ? regularized_.get() : &system),
-      saddle_(make_saddle_solver("kkt", linear_solver_info("block"))) {
+      saddle_(make_saddle_solver("kkt", linear_solver_info("block"), system)) {
   const Evaluation at = system_->make_evaluation();
   saddle_->analyze(*system_, at);
 }

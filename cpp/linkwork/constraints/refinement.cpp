@@ -40,7 +40,7 @@ Refinement::Refinement(const System& system, const VectorXd& lengths) : system_(
 
 void Refinement::find_residuals(const Evaluation& at, const ConstVector& a, const ConstVector& b, const ConstVector& x,
                                 const ConstVector& lambda) {
-  system_->multiply_mass(x, dx_);
+  system_->multiply_mass(at, x, dx_);
   r_1_ = a - dx_;
   system_->add_D_transposed(at, lambda, r_1_);
   system_->multiply_D(at, x, r_2_);
@@ -86,7 +86,7 @@ bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const Co
     const double beta = before > 0.0 && square > 0.0 ? square / before : 0.0;
     p_ = dx_ + beta * p_;
     p_lambda_ = dlambda_ + beta * p_lambda_;
-    system_->multiply_mass(p_, Mp_);
+    system_->multiply_mass(at, p_, Mp_);
     const double curvature = p_.dot(Mp_), descent = r_1_.dot(p_);
     if (!(curvature > 0.0) || !(descent > 0.0)) return residual <= roundoff * size;
     const double step = descent / curvature;

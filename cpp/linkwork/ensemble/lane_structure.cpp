@@ -96,6 +96,7 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   for (const double limit : options.violation_limit)
     if (std::isfinite(limit)) return "lanes do not watch a violation_limit";
   if (system.row_count() == 0) return "it has no joints";
+  if (!system.inerters().empty()) return "it has inerters";
   if (block::masses_far_apart(dynamics.formulation().inertia().system()))
     return "its masses are far apart, which takes refinement";
   if (!system.model().user_forces().empty()) return "it has forces that are functions of Python";

@@ -85,11 +85,11 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
   const LinearSolverInfo& solver = linear_solver_info(options_.linear_solver);
   check_deterministic();
   formulation_ = std::make_unique<WatchedFormulation>(
-      system_, at_, now_, info.make(make_saddle_solver(options_.matrix_form, solver), options_),
+      system_, at_, now_, info.make(make_saddle_solver(options_.matrix_form, solver, system_), options_),
       DroppedRows(system_, rank_.redundant_rows));
-  if (system_.row_count() > 0) formulation_->start(info.needs_full_rank, info.needs_full_rank || solver.make_saddle);
+  if (!unconnected()) formulation_->start(info.needs_full_rank, info.needs_full_rank || solver.make_saddle);
   settle_threads();
-  if (system_.row_count() == 0) return;
+  if (unconnected()) return;
   if (!formulation_->watched() && options_.on_singular != "pass")
     throw OptionError("unwatched", "on_singular '" + options_.on_singular + "': formulation '" + info.name +
                                        "' with linear solver '" + options_.linear_solver +
@@ -108,7 +108,7 @@ void Dynamics::use_threads() {
 
 /// None but the caller's where there is too little work to share. The options say how many there are.
 void Dynamics::settle_threads() {
-  const bool solver_shares = system_.row_count() > 0 && formulation_->saddle().shares_work();
+  const bool solver_shares = !unconnected() && formulation_->saddle().shares_work();
   options_.threads = system_.shares_work() || solver_shares ? system_.threads().threads() : 1;
   if (*options_.threads == 1 && system_.threads().threads() > 1) system_.use(std::make_shared<ThreadPool>());
 }
@@ -169,7 +169,7 @@ VectorXd Dynamics::initial_y() const {
 }
 
 FactorizationCost Dynamics::factorization_cost() const {
-  if (system_.row_count() == 0) return {.flops = 0.0, .bytes = 0};
+  if (unconnected()) return {.flops = 0.0, .bytes = 0};
   const SaddleSolver& saddle = formulation_->saddle();
   std::int64_t kkt_nonzeros = 21 * std::int64_t{system_.body_count()};  // half of [M D^T; D 0] by blocks
   for (const ConstraintBlock& block : system_.blocks()) kkt_nonzeros += 6 * std::int64_t{block.rows};
@@ -223,17 +223,17 @@ Evaluation& Dynamics::begin_elsewhere(double t, const ConstVector& y) {
 }
 
 void Dynamics::require_accuracy(double relative) {
-  if (system_.row_count() > 0) formulation_->require_accuracy(relative);
+  if (!unconnected()) formulation_->require_accuracy(relative);
 }
 
 void Dynamics::factorize() {
-  if (system_.row_count() == 0 || formulation_->factorized()) return;
+  if (unconnected() || formulation_->factorized()) return;
   const Stopwatch watch(statistics_.factorize_time, clocked_);
   formulation_->factorize(at_);
 }
 
 void Dynamics::observe(std::function<void()> look) {
-  if (formulation_->factorized() || system_.row_count() == 0) return look();
+  if (formulation_->factorized() || unconnected()) return look();
   observer_ = std::move(look);
 }
 
@@ -285,7 +285,7 @@ void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v
 
 void Dynamics::find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
   statistics_.solves += 1;
-  if (system_.row_count() == 0) return system_.multiply_inverse_mass(a, v_dot);
+  if (unconnected()) return system_.multiply_inverse_mass(a, v_dot);
   if (!formulation_->factorized()) {
     const Stopwatch watch(statistics_.factorize_time, clocked_);
     return formulation_->factorize_and_solve(at_, a, b, v_dot, lambda);
@@ -306,7 +306,7 @@ void Dynamics::refined_accelerations(MutableVector v_dot, MutableVector lambda) 
     solve(a, b, x, multipliers);
   };
   solve(g, at_.gamma, v_dot, lambda);
-  if (system_.row_count() == 0) return;
+  if (unconnected()) return;
   Refinement refinement(system_);
   double last = INFINITY;
   for (int k = 0; k < most_refinements; ++k) {
@@ -338,7 +338,7 @@ void Dynamics::begin_zero_order_hold(Gains gains) {
 }
 
 void Dynamics::add_correction(double h, MutableVector y) {
-  if (!sampled() || system_.row_count() == 0) return;
+  if (!sampled() || unconnected()) return;
   const Gains gains = gains_or({0.5 / h, 1.0 / h});
   const VectorXd none = VectorXd::Zero(system_.v_size());
   b_ = -2.0 * gains.alpha * h * at_.Phi_dot;

@@ -154,6 +154,8 @@ class Dynamics {
   void check_masses() const;
   void check_kkt() const;
   void check_deterministic() const;
+  /// M is that of the bodies alone, each by itself.
+  bool unconnected() const { return system_.row_count() == 0 && system_.inerters().empty(); }
   Gains gains_or(Gains defaults) const;
   int evaluations_on_the_clock() const;
   void look_for_nan(bool accelerations) const;

@@ -94,7 +94,8 @@ double time_analysis(const Dynamics& dynamics) {
   double time = 0.0;
   if (dynamics.system().row_count() == 0) return time;
   const Options& chosen = dynamics.options();
-  const auto solver = make_saddle_solver(chosen.matrix_form, linear_solver_info(chosen.linear_solver));
+  const auto solver =
+      make_saddle_solver(chosen.matrix_form, linear_solver_info(chosen.linear_solver), dynamics.system());
   timed(time, [&] { solver->analyze(dynamics.formulation().inertia().system(), dynamics.evaluation()); });
   return time;
 }

@@ -147,7 +147,7 @@ double WatchedFormulation::least_singular_value() {
   } catch (const SingularSystemError&) {
     return 0.0;
   }
-  const double least = least_singular_value_.of(saddle());
+  const double least = least_singular_value_.of(saddle(), at_);
   usual_least_ = std::max(usual_least_, least);
   return least;
 }
@@ -182,7 +182,7 @@ bool WatchedFormulation::choose_rows(std::vector<int> rows, std::vector<int> joi
   const auto least_with = [this](std::vector<int> choice) {
     try {
       leave_out(std::move(choice));
-      return least_singular_value_.of(saddle());
+      return least_singular_value_.of(saddle(), at_);
     } catch (const SingularSystemError&) {
       return -1.0;  // either may be singular, in a singular pose
     }

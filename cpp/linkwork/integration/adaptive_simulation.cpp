@@ -350,7 +350,8 @@ void AdaptiveSimulation::look_for_events() {
 /// At y_, where `dynamics` is evaluated at its positions.
 double AdaptiveSimulation::energy() const {
   const System& system = dynamics_.system();
-  return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
+  return system.kinetic_energy(dynamics_.evaluation(), y_.segment(system.q_size(), system.v_size())) +
+         dynamics_.evaluation().potential;
 }
 
 /// The work takes up the energy that the event makes or takes away.

@@ -45,7 +45,7 @@ double CollocationStep::size(const ConstVector& velocities) const {
 void CollocationStep::begin_in_pose(double t, const VectorXd& y) {
   allocate(t, y);
   off_ = 0.0;
-  energy_before_ = energy(y);
+  note_energy(y);
   dynamics_.rates(rates_before_);
   v_dot_before_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
 }
@@ -68,7 +68,7 @@ bool CollocationStep::begin(double t, const VectorXd& y, bool on_constraints) {
   off_ = on_constraints ? 0.0 : std::min(displacement(y, projected), farthest_off);
   if (on_constraints) step_.y = std::move(projected);
   dynamics_.evaluate(t, step_.y);
-  energy_before_ = energy(step_.y);
+  note_energy(step_.y);
   VectorXd lambda(dynamics_.system().row_count());
   v_dot_before_.resize(v_dot_.size());
   dynamics_.refined_accelerations(v_dot_before_, lambda);
@@ -144,10 +144,18 @@ double CollocationStep::node(int i) {
   return speed > 0.0 ? change / speed : change;
 }
 
-double CollocationStep::energy(const VectorXd& y) const {
+double CollocationStep::kinetic_energy(const VectorXd& y) const {
   const System& system = dynamics_.system();
-  return system.kinetic_energy(y.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential -
-         y[y.size() - 1];
+  return system.kinetic_energy(dynamics_.evaluation(), y.segment(system.q_size(), system.v_size()));
+}
+
+double CollocationStep::energy(const VectorXd& y) const {
+  return kinetic_energy(y) + dynamics_.evaluation().potential - y[y.size() - 1];
+}
+
+void CollocationStep::note_energy(const VectorXd& y) {
+  energy_before_ = energy(y);
+  kinetic_before_ = kinetic_energy(y);
 }
 
 void CollocationStep::finish(Quality& quality) {
@@ -164,8 +172,7 @@ void CollocationStep::finish(Quality& quality) {
   quality.off = off_;
   quality.jump = jump_;
   quality.resolution = step_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
-  quality.energy =
-      std::abs(energy(y_new) - energy_before_) / std::max(system.kinetic_energy(v), system.kinetic_energy(v_new));
+  quality.energy = std::abs(energy(y_new) - energy_before_) / std::max(kinetic_before_, kinetic_energy(y_new));
 }
 
 void CollocationStep::state_at(double time, VectorXd& y) const {

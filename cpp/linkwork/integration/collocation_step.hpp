@@ -75,7 +75,9 @@ class CollocationStep {
   bool iterate();
   double node(int i);
   void finish(Quality& quality);
+  double kinetic_energy(const VectorXd& y) const;
   double energy(const VectorXd& y) const;
+  void note_energy(const VectorXd& y);
   double displacement(const VectorXd& from, const VectorXd& to) const;
 
   Dynamics& dynamics_;
@@ -84,7 +86,7 @@ class CollocationStep {
   GaussCollocation gauss_;
   Leap step_;
   double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality
-  double off_ = 0.0, energy_before_ = 0.0;
+  double off_ = 0.0, energy_before_ = 0.0, kinetic_before_ = 0.0;
   VectorXd y_, v_dot_, v_dot_before_, rates_, rates_before_;
 };
 

@@ -305,7 +305,7 @@ bool DrivenMotion::add_frame(DrivenFrames& out) {
 // D^T lambda = M v_dot - g. Where redundant rows leave lambda open, that of forward dynamics shares it.
 bool DrivenMotion::find_multipliers(VectorXd& lambda) {
   VectorXd force(system_.v_size());
-  system_.multiply_mass(now_.v_dot, force);
+  system_.multiply_mass(here_, now_.v_dot, force);
   force -= here_.g.head(system_.v_size());
   lambda.setZero();
   if (lambda.size() > force.size() && !shared_multipliers(force, lambda)) return false;

@@ -52,7 +52,7 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   append(frames_.v, y.segment(nq, nv));
   append(frames_.v_dot, v_dot);
   append(frames_.lambda, lambda);
-  frames_.kinetic.push_back(system.kinetic_energy(y.segment(nq, nv)));
+  frames_.kinetic.push_back(system.kinetic_energy(at, y.segment(nq, nv)));
   frames_.potential.push_back(at.potential);
   frames_.work.push_back(y[nq + nv]);
   for (const VectorXd* rows : {&at.Phi, &at.Phi_dot, static_cast<const VectorXd*>(&residual_)})

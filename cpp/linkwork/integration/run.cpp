@@ -134,7 +134,8 @@ std::vector<int> Run::left_joints() const {
 void Run::take_up_rows(double t, RedundancyExamination found) {
   const System& system = dynamics_.system();
   const auto energy = [&] {
-    return system.kinetic_energy(y_.segment(system.q_size(), system.v_size())) + dynamics_.evaluation().potential;
+    return system.kinetic_energy(dynamics_.evaluation(), y_.segment(system.q_size(), system.v_size())) +
+           dynamics_.evaluation().potential;
   };
   const double before = energy();
   const Model& model = system.model();

@@ -123,7 +123,7 @@ void StepSampling::begin_anew(const Dynamics& dynamics, double work) {
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double potential) {
   const VectorXd& history = dynamics.history();
   if (history.size() > 0) look_for_contacts(history, y);
-  balance(y, potential);
+  balance(dynamics.evaluation(), y, potential);
   if (history.size() > 0) history_ = history;
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
@@ -141,9 +141,9 @@ void StepSampling::look_for_contacts(const VectorXd& now, const VectorXd& y) {
   }
 }
 
-void StepSampling::balance(const VectorXd& y, double potential) {
+void StepSampling::balance(const Evaluation& at, const VectorXd& y, double potential) {
   const double work = y[y.size() - 1];
-  const double kinetic = system_->kinetic_energy(y.segment(q_size_, system_->v_size()));
+  const double kinetic = system_->kinetic_energy(at, y.segment(q_size_, system_->v_size()));
   const double balance = kinetic + potential - work;
   energies_.kinetic = std::max(energies_.kinetic, kinetic);
   energies_.work = std::max(energies_.work, std::abs(work - work_before_));

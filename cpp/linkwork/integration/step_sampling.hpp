@@ -108,7 +108,7 @@ class StepSampling {
   };
 
   void look_for_contacts(const VectorXd& now, const VectorXd& y);
-  void balance(const VectorXd& y, double potential);
+  void balance(const Evaluation& at, const VectorXd& y, double potential);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
   double change(double h, const VectorXd& y, const VectorXd& y_new);

@@ -1,10 +1,12 @@
+#include <algorithm>
+
 #include "linkwork/linear/assembled_solver.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork::detail {
 namespace {
 
-/// [M D^T; D 0], scaled on both sides by W = diag(M_ii^-1/2, (D M^-1 D^T)_ii^-1/2) so that its pivots measure the
+/// [M D^T; D -E], E = 0 but for rows of which compliance is expected, scaled on both sides by W = diag(M_ii^-1/2, (D M^-1 D^T)_ii^-1/2) so that its pivots measure the
 /// geometry and not the units.
 class KktSolver final : public AssembledSolver {
  public:
@@ -18,8 +20,9 @@ class KktSolver final : public AssembledSolver {
     right_hand_side_.resize(matrix_->matrix().size, 1);
   }
 
-  void factorize(const Evaluation& at, const VectorXd&) override {
+  void factorize(const Evaluation& at, const VectorXd& e) override {
     assemble(at);
+    assemble_compliance(e);
     smallest_pivot_ = solver_->factorize(matrix_->matrix());
     if (!(smallest_pivot_.ratio > singular_pivot))
       throw_singular(*system_, "kkt", smallest_pivot_, smallest_pivot_.row - system_->v_size());
@@ -48,6 +51,9 @@ class KktSolver final : public AssembledSolver {
       blocks.push_back({block.body, n + block.joint});
       blocks.push_back({n + block.joint, block.body});
     }
+    const auto first_compliant = std::lower_bound(rows.begin(), rows.end() - 1, compliant_from_) - rows.begin();
+    for (int joint = static_cast<int>(first_compliant); joint < system_->joint_count(); ++joint)
+      blocks.push_back({n + joint, n + joint});
     matrix_ = std::make_unique<BlockMatrix>(sizes, std::move(blocks), Storage::full);
     upper_.clear();
     lower_.clear();
@@ -55,6 +61,9 @@ class KktSolver final : public AssembledSolver {
       upper_.push_back(matrix_->find(block.body, n + block.joint));
       lower_.push_back(matrix_->find(n + block.joint, block.body));
     }
+    compliant_.clear();
+    for (int joint = static_cast<int>(first_compliant); joint < system_->joint_count(); ++joint)
+      compliant_.push_back({rows[joint], matrix_->find(n + joint, n + joint)});
   }
 
   void build_scaling(const Evaluation& typical) {
@@ -90,7 +99,17 @@ class KktSolver final : public AssembledSolver {
     }
   }
 
-  std::vector<int> upper_, lower_;  ///< places of each block of D
+  void assemble_compliance(const VectorXd& e) {
+    for (const auto& [row, place] : compliant_) {
+      auto block = matrix_->block(place);
+      const auto scale = scale_.segment(system_->v_size() + row, block.rows());
+      block.setZero();
+      block.diagonal() = -e.segment(row, block.rows()).cwiseProduct(scale.cwiseAbs2());
+    }
+  }
+
+  std::vector<int> upper_, lower_;              ///< places of each block of D
+  std::vector<std::pair<int, int>> compliant_;  ///< of joints with E: first row, place of the block
   VectorXd scale_;
 };
 

@@ -40,6 +40,12 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const 
   return form.make(solver.make(storage), storage);
 }
 
+std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const LinearSolverInfo& solver,
+                                                 const System& system) {
+  std::unique_ptr<SaddleSolver> plain = make_saddle_solver(name, solver);
+  return system.inerters().empty() ? std::move(plain) : detail::with_inerters(std::move(plain));
+}
+
 void detail::throw_singular(const System& system, const char* form, const Pivot& pivot, int row) {
   char ratio[32];
   std::snprintf(ratio, sizeof ratio, "%.1e", pivot.ratio);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ class SaddleSolver {
   /// Before `analyze`: rows whose D and b are zero in every evaluation, and their e positive. A solver may leave them
   /// out; their lambda is zero.
   void drop(std::vector<int> rows) { dropped_ = std::move(rows); }
+  /// Before `analyze`: rows from this one on have a positive e in every matrix, the others may have none.
+  void expect_compliance(int first_row) { compliant_from_ = first_row; }
   /// Symbolic work, once; `typical` scales rows.
   virtual void analyze(const System& system, const Evaluation& typical) = 0;
   /// Assembles and factorizes at an evaluation. Throws SingularSystemError naming joints where the matrix is singular.
@@ -53,6 +56,7 @@ class SaddleSolver {
 
  protected:
   std::vector<int> dropped_;
+  int compliant_from_ = std::numeric_limits<int>::max();
   Pivot smallest_pivot_;
   double assemble_time_ = 0.0;
 };
@@ -70,6 +74,9 @@ const std::vector<MatrixForm>& matrix_forms();
 const MatrixForm& matrix_form(const std::string& name);
 
 std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver);
+/// For this system: with its inerters.
+std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& form, const LinearSolverInfo& solver,
+                                                 const System& system);
 
 /// Which linear solvers can factorize a form.
 bool can_solve(const std::string& form, const LinearSolverInfo& solver);
@@ -82,6 +89,8 @@ namespace detail {
 std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver, Storage storage);
 std::unique_ptr<SaddleSolver> make_schur(std::unique_ptr<LinearSolver> solver, Storage storage);
 std::unique_ptr<SaddleSolver> make_normal(std::unique_ptr<LinearSolver> solver, Storage storage);
+/// Of a system with inerters, whose M is not that of its bodies alone, by a solver for those without.
+std::unique_ptr<SaddleSolver> with_inerters(std::unique_ptr<SaddleSolver> solver);
 
 }  // namespace detail
 }  // namespace linkwork

@@ -72,12 +72,21 @@ struct ForceArrays {
 };
 constexpr std::size_t wrench_size = 14;  ///< numbers of an element in ForceArrays::wrenches
 
+template <class Real>
+struct Equation;  // primitives.hpp
+
+/// A coordinate x between two bodies, as an equation whose D is its direction: x_dot = D v, x_ddot = D v_dot - gamma.
+using CoordinateRow = void (*)(const Attachment<double>&, const BodyState<double>& i, const BodyState<double>& j,
+                               Equation<double>&);
+
 struct ForceKind {
   KindInfo info;
   HistoryKind history = HistoryKind::none;
   int switches = 0;
   void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals,
                    const TimeFunctionPtr* functions, ForceArrays);
+  /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
+  CoordinateRow inertia = nullptr;
 };
 
 /// Leaves what an element does for others to add up.
@@ -121,7 +130,9 @@ void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const 
 
 template <class Force>
 ForceKind make_force_kind() {
-  return {Force::info(), Force::history, switches_of<Force>(), &evaluate_forces<Force>};
+  ForceKind kind{Force::info(), Force::history, switches_of<Force>(), &evaluate_forces<Force>};
+  if constexpr (requires { Force::coordinate; }) kind.inertia = &Force::coordinate;
+  return kind;
 }
 
 /// All registered forces, in the order of forces.def.

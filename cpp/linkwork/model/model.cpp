@@ -350,6 +350,20 @@ Model Model::with_initial_state(const ConstVector& q, const ConstVector& v, std:
   return out;
 }
 
+Model Model::without_forces() const {
+  Model out = *this;
+  out.forces_ = Shared<std::vector<Element>>{};
+  out.force_parameters_ = Shared<std::vector<Parameter>>{};
+  out.force_names_ = Shared<NameTable>{"force"};
+  out.own_force_names_ = Shared<NameTable>{"force"};
+  out.joint_forces_ = Shared<std::vector<JointForce>>{};
+  out.limited_ = Shared<std::vector<Limited>>{};
+  out.user_forces_.clear();
+  out.user_force_names_.clear();
+  out.initial_history_.clear();
+  return out;
+}
+
 Model Model::with_masses(const std::vector<Body>& bodies) const {
   Model out = *this;
   std::vector<Body>& list = out.bodies_.own();

@@ -116,6 +116,8 @@ class Model {
   const std::vector<double>& initial_history() const { return initial_history_; }
   /// A copy whose bodies are elsewhere at the initial time; joints stay where they are on the bodies.
   Model with_initial_state(const ConstVector& q, const ConstVector& v, std::vector<double> history = {}) const;
+  /// A copy without whatever acts on bodies but gravity and joints, from a motion that begins.
+  Model without_forces() const;
   /// A copy with other masses and inertias of all bodies; nothing else of `bodies` counts.
   Model with_masses(const std::vector<Body>& bodies) const;
 

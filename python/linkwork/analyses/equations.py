@@ -110,15 +110,21 @@ class Equations:
         return bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=(6 * n, 6 * n)).tocsr()
 
     def mass(self, q: Floats) -> Sparse:
-        """diag(m I, A J A^T) (6n, 6n)."""
-        from scipy.sparse import bsr_array
+        """diag(m I, A J A^T) (6n, 6n), and what inerters add to it."""
+        from scipy.sparse import bsr_array, csr_array, diags_array
 
         n = self.core.body_count
         A = rotation.matrix(q.reshape(-1, 7)[:, 3:])
         blocks = np.zeros((n, 6, 6))
         blocks[:, range(3), range(3)] = np.asarray(self.core.mass)[:, None]
         blocks[:, 3:, 3:] = A @ self.core.inertia @ np.swapaxes(A, 1, 2)
-        return bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=(6 * n, 6 * n)).tocsr()
+        of_bodies = bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=(6 * n, 6 * n)).tocsr()
+        found = self.dynamics.evaluate(0.0, q, self._still)
+        if not len(found["inertance"]):
+            return of_bodies
+        parts = tuple(found["inerters"][part] for part in ("data", "indices", "indptr"))
+        rows = csr_array(parts, shape=(len(found["inertance"]), 6 * n)) @ self.turn(q)
+        return (of_bodies + rows.T @ diags_array(found["inertance"]) @ rows).tocsr()
 
     def joints(self, rows: Sequence[int] | NDArray[np.integer[Any]]) -> list[str]:
         """The names of the joints to which these rows belong."""

@@ -214,9 +214,9 @@ class _Frames:
     def _values(self, it: MotionState) -> dict[str, Any]:
         dynamics = self.system.compiled()
         found = dynamics.evaluate(it.t, it.q, it.v, it.history)
-        D = self._matrix(found["D"])
+        D = self._matrix(found["D"], self.model.row_count)
         multipliers = _multipliers(dynamics, it)
-        left = self._inertial_forces(it.a) - found["g"] - D.T @ multipliers
+        left = self._inertial_forces(it.a, found) - found["g"] - D.T @ multipliers
         multipliers = multipliers + it.constraints.solve_transposed(to_inertial_axes(it.q, left))
         residuals = (found["Phi"], found["Phi_dot"], D @ it.a - found["gamma"])
         return {
@@ -232,26 +232,26 @@ class _Frames:
         }
 
     def _fields(self) -> Mapping[str, Floats]:
-        mass = np.asarray(self.model.compiled().mass)
         arrays = {name: np.concatenate(values, dtype=float) for name, values in self.rows.items()}
         t, power = arrays["t"], arrays.pop("power")
-        parts = arrays["v"].reshape(len(t), -1, 6)
-        w = parts[..., 3:]
-        kinetic = (mass * (parts[..., :3] ** 2).sum(axis=-1)).sum(axis=-1)
-        kinetic = (kinetic + np.einsum("kni,nij,knj->k", w, self.model.compiled().inertia, w)) / 2
+        states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
+        kinetic = self.system.compiled().kinetic_energies(*states)
         return {**arrays, "kinetic": kinetic, "work": _integral(t, power)}
 
-    def _matrix(self, D: Mapping[str, Any]) -> Sparse:
+    def _matrix(self, rows: Mapping[str, Any], count: int) -> Sparse:
         from scipy.sparse import csr_array
 
-        shape = (self.model.row_count, 6 * self.model.body_count)
-        return csr_array((D["data"], D["indices"], D["indptr"]), shape=shape)
+        shape = (count, 6 * self.model.body_count)
+        return csr_array((rows["data"], rows["indices"], rows["indptr"]), shape=shape)
 
-    def _inertial_forces(self, a: Floats) -> Floats:
+    def _inertial_forces(self, a: Floats, found: Mapping[str, Any]) -> Floats:
         """M v_dot (6n,), torques in body axes."""
         core, parts = self.model.compiled(), a.reshape(-1, 2, 3)
         force = np.asarray(core.mass)[:, None] * parts[:, 0]
-        return np.stack([force, np.einsum("nij,nj->ni", core.inertia, parts[:, 1])], axis=1).ravel()
+        of_bodies = np.stack([force, np.einsum("nij,nj->ni", core.inertia, parts[:, 1])], axis=1).ravel()
+        rows = self._matrix(found["inerters"], len(found["inertance"]))
+        total: Floats = of_bodies + rows.T @ (found["inertance"] * (rows @ a))
+        return total
 
 
 def _multipliers(dynamics: _core.Dynamics, it: MotionState) -> Floats:

@@ -22,17 +22,20 @@ def residuals(system: System, t: float, y: Floats) -> dict[str, float]:
     at, (v_dot, multipliers) = system.evaluate(t, q, v), system.accelerations(t, q, v)
     data, columns, begin = at.D
     rows = np.repeat(np.arange(len(at.gamma)), np.diff(begin))
+    d, places, ends = at.inerters
+    inerters = np.repeat(np.arange(len(at.inertance)), np.diff(ends))
 
-    def products(M: Floats, D: Floats, x: Floats, forces: Floats) -> tuple[Floats, Floats, Floats]:
+    def products(M: Floats, d: Floats, D: Floats, x: Floats, forces: Floats) -> tuple[Floats, Floats, Floats]:
         """M x, D^T forces, D x"""
+        rates = at.inertance * _sums(inerters, d * x[places], len(at.inertance))
         return (
-            np.einsum("bij,bj->bi", M, x.reshape(n, 6)).ravel(),
+            np.einsum("bij,bj->bi", M, x.reshape(n, 6)).ravel() + _sums(places, d * rates[inerters], 6 * n),
             _sums(columns, D * forces[rows], 6 * n),
             _sums(rows, D * x[columns], len(at.gamma)),
         )
 
-    inertia, joints, acceleration = products(at.M, data, v_dot, multipliers)
-    sizes = products(np.abs(at.M), np.abs(data), np.abs(v_dot), np.abs(multipliers))
+    inertia, joints, acceleration = products(at.M, d, data, v_dot, multipliers)
+    sizes = products(*map(np.abs, (at.M, d, data, v_dot, multipliers)))
     return {
         "motion": _ratio(inertia - joints - at.g, sizes[0] + sizes[1] + np.abs(at.g)),
         "constraint": _ratio(acceleration - at.gamma, sizes[2] + np.abs(at.gamma)),

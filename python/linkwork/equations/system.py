@@ -27,6 +27,10 @@ class Evaluation:
     D: tuple[
         Floats, NDArray[np.int64], NDArray[np.int64]
     ]  #: (m, 6n) as (data, indices, indptr) of compressed rows
+    inerters: tuple[
+        Floats, NDArray[np.int64], NDArray[np.int64]
+    ]  #: likewise rows d (k, 6n): with inerters the mass matrix is M + sum b d^T d
+    inertance: Floats  #: (k,) b [kg] or [kg m2]
     Phi: Floats  #: (m,) [m] or [1]
     Phi_t: Floats  #: (m,)
     Phi_dot: Floats  #: (m,)
@@ -155,8 +159,8 @@ class System:
             found = lw.System(model).evaluate(0.0, result.q[-1], result.v[-1])
         """
         found = self._dynamics.evaluate(*self._moment(t, q, v), _given(history))
-        D = found.pop("D")
-        return Evaluation(D=(D["data"], D["indices"], D["indptr"]), **found)
+        D, inerters = ((it["data"], it["indices"], it["indptr"]) for it in map(found.pop, ("D", "inerters")))
+        return Evaluation(D=D, inerters=inerters, **found)
 
     def _moment(self, t: float, q: ArrayLike, v: ArrayLike) -> tuple[float, Floats, Floats]:
         n = self.model.body_count

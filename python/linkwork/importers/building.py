@@ -29,7 +29,6 @@ from linkwork.importers.tree import LinkState, joint_values, link_states
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
-from linkwork.modeling.placement import Attachment
 from linkwork.modeling.shapes import Shape
 
 __all__ = ["Options", "build", "check_options"]
@@ -304,7 +303,7 @@ class _Builder:
 
     def _add_forces(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         if joint.armature and joint.name in self._coordinates:
-            self._add_rotor(joint)
+            self._add_rotor(joint, a, b)
         elif joint.armature:
             self._note("armature", joint, f"rotor inertia {joint.armature:g} is not represented")
         if joint.kind == "spherical":
@@ -325,21 +324,15 @@ class _Builder:
             add = self._add_rotational_spring if joint.kind == "revolute" else self._add_spring
             add(joint, a, b)
 
-    def _add_rotor(self, joint: JointDescription) -> None:
-        """Inertia seen at a joint, armature x_dot^2 / 2: a wheel on the ground that turns as it moves."""
-        core, which, name = self._model.compiled(), self._coordinates[joint.name], f"{joint.name} rotor"
-        index, arrays = core.find_joint(joint.name), core.joint_arrays()
-        place = Attachment(arrays["origin"][[index]], arrays["frame"][[index]], np.zeros(1))
-        start = self._model._initial_coordinate(which, arrays["bodies"][index], place)
-        axis, J = np.array([0.0, 0.0, 1.0]), joint.armature
-        wheel = self._model.body(name, mass=J, inertia=(J, J, J), omega=start.rate[0] * axis)
-        hinge = self._model.revolute("ground", wheel, at=np.zeros(3), axis=axis, name=f"{name} hinge")
-        terms = [(hinge.name, "angle", 1.0), (joint.name, which, -1.0)]
-        self._model.coupler(terms, offset=-float(start.value[0]), name=f"{name} drive")
-        text = (
-            f"rotor inertia {J:g} is that of the wheel '{name}' on the ground, which is coupled to the joint"
-        )
-        self._note("armature", joint, text)
+    def _add_rotor(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        """Inertia seen at a joint, armature x_dot^2 / 2."""
+        which = self._coordinates[joint.name]
+        add = self._model.rotational_inerter if which == "angle" else self._model.translational_inerter
+        index, arrays = self._model.compiled().find_joint(joint.name), self._model.compiled().joint_arrays()
+        (s_a, s_b), frame = arrays["origin"][index], arrays["frame"][index]
+        axes = tuple(frame[k][:, 2] for k in (0, 1))
+        add(a.body, b.body, at=(s_a, s_b), axis=axes, frames="body", inertance=joint.armature,
+            name=f"{joint.name} rotor")  # fmt: skip
 
     def _add_isotropic(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         """Spring and damping, the same in all directions and about all axes that the joint leaves free."""

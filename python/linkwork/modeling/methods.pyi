@@ -1063,3 +1063,80 @@ class ForceMethods:
 
         ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
         """
+
+    def inerter(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: VectorLike,
+        inertance: Number,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Inerter between a point of a and a point of b: the pull is b l_ddot [N], with the distance l of the points and the inertance b [kg]. Its kinetic energy is b l_dot^2 / 2; it weighs nothing.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.inerter("ground", body, at=((0, 0, 0), (1, 0, 0)), inertance=0.5)
+
+        at         a point of a and a point of b: a pair of (3,) [m]
+        inertance  of the two points [kg], a number, above 0
+        frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name       without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
+
+    def rotational_inerter(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: VectorLike,
+        axis: VectorLike,
+        x_axis: VectorLike | None = None,
+        inertance: Number,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Rotational inerter about a joint axis, such as the rotor of a motor, its inertia times the square of the gear ratio: the torque on b about the axis is -b theta_ddot [N m], theta the angle of b against a and b the inertance [kg m2], also called armature. Its kinetic energy is b theta_dot^2 / 2; it weighs nothing.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.rotational_inerter("ground", body, at=(0, 0, 0), axis=(0, 1, 0), inertance=0.5)
+
+        at         its point (3,) [m]
+        axis       the axis (3,), of any length
+        x_axis     the frame's x axis (3,); without it a perpendicular to the axis
+        inertance  about the axis [kg m^2], a number, above 0
+        frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name       without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
+
+    def translational_inerter(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: VectorLike,
+        axis: VectorLike,
+        x_axis: VectorLike | None = None,
+        inertance: Number,
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Inerter along a joint axis, such as the rotor of a linear drive: the force on b is -b s_ddot [N], s its displacement along the axis of a and b the inertance [kg]. Its kinetic energy is b s_dot^2 / 2; it weighs nothing.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.translational_inerter("ground", body, at=(0, 0, 0), axis=(0, 1, 0), inertance=0.5)
+
+        at         its point (3,) [m]
+        axis       the axis (3,), of any length
+        x_axis     the frame's x axis (3,); without it a perpendicular to the axis
+        inertance  along the axis [kg], a number, above 0
+        frames     "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name       without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """

@@ -25,7 +25,8 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     """See Result.force."""
     place, law = _place(result, name), _law(result, model)
     k = len(result)
-    found = law(place, result.t, result.q.reshape(k, -1), result.v.reshape(k, -1), result.history)
+    state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
+    found = law(place, result.t, *state, result.history)
     return ForceResult(*found, _deflection(result, place))
 
 

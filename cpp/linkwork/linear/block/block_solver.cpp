@@ -79,7 +79,7 @@ class BlockSolver final : public SaddleSolver {
  private:
   void refine(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
     for (int step = 0; step < most_refinements; ++step) {
-      system_->multiply_mass(x, change_x_);
+      system_->multiply_mass(*at_, x, change_x_);
       rest_a_ = a - change_x_;
       system_->add_D_transposed(*at_, lambda, rest_a_);
       system_->multiply_D(*at_, x, change_lambda_);

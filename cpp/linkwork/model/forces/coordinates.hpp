@@ -108,4 +108,19 @@ void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, c
   out.power = (force + spring) * rate - spring * limit.rate + Real(0.5) * parameters[2].rate * depth * depth;
 }
 
+/// Inertia of a coordinate: see Inerters, which have all of it. As a force it is nothing.
+template <class Coordinate>
+struct InertiaOf {
+  static constexpr HistoryKind history = HistoryKind::none;
+
+  static void coordinate(const Attachment<double>& at, const BodyState<double>& i, const BodyState<double>& j,
+                         Equation<double>& row) {
+    HistoryVariable<double> unused;
+    Coordinate::evaluate(at, i, j, unused, row);
+  }
+  template <class Real>
+  static void evaluate(const Attachment<Real>&, const ForceParameters<Real>&, const BodyState<Real>&,
+                       const BodyState<Real>&, HistoryVariable<Real>&, Wrenches<Real>&) {}
+};
+
 }  // namespace linkwork

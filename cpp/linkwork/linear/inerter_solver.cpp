@@ -1,0 +1,82 @@
+#include <utility>
+
+#include "linkwork/linear/saddle_solver.hpp"
+
+namespace linkwork::detail {
+namespace {
+
+/// Each inerter as a row d of D with the compliance 1 / b: where its right-hand side is zero its multiplier is -b d x, so
+/// that the first equations are those of M + b d^T d.
+class InerterSolver final : public SaddleSolver {
+ public:
+  explicit InerterSolver(std::unique_ptr<SaddleSolver> solver) : solver_(std::move(solver)) {}
+
+  void analyze(const System& system, const Evaluation& typical) override {
+    rows_ = system.row_count();
+    system_ = std::make_unique<System>(Inerters::as_joints(system.model()));
+    system_->use(system.shared_threads());
+    const auto count = static_cast<Eigen::Index>(system.inerters().count());
+    for (VectorXd* all : {&e_, &b_, &lambda_}) all->setZero(rows_ + count);
+    for (Eigen::Index k = 0; k < count; ++k) e_[rows_ + k] = 1.0 / system.inerters().inertance(k);
+    solver_->drop(dropped_);
+    solver_->expect_compliance(rows_);
+    solver_->analyze(*system_, typical);
+  }
+
+  void factorize(const Evaluation& at, const VectorXd& e) override {
+    e_.head(rows_) = e;
+    try {
+      solver_->factorize(at, e_);
+    } catch (...) {
+      note_pivot();
+      throw;
+    }
+    note_pivot();
+  }
+
+  void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {
+    b_.head(rows_) = b;
+    solver_->solve(a, b_, x, lambda_);
+    lambda = lambda_.head(rows_);
+  }
+
+  void factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
+                           MutableVector x, MutableVector lambda) override {
+    e_.head(rows_) = e;
+    b_.head(rows_) = b;
+    try {
+      solver_->factorize_and_solve(at, e_, a, b_, x, lambda_);
+    } catch (...) {
+      note_pivot();
+      throw;
+    }
+    note_pivot();
+    lambda = lambda_.head(rows_);
+  }
+
+  void keep(Archive& archive) override { solver_->keep(archive); }
+  bool shares_work() const override { return solver_->shares_work(); }
+  std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
+  std::optional<double> flops() const override { return solver_->flops(); }
+  std::optional<std::int64_t> factor_bytes() const override { return solver_->factor_bytes(); }
+  std::optional<std::int64_t> matrix_nonzeros() const override { return solver_->matrix_nonzeros(); }
+
+ private:
+  void note_pivot() {
+    smallest_pivot_.ratio = solver_->smallest_pivot();
+    assemble_time_ = solver_->assemble_time();
+  }
+
+  std::unique_ptr<SaddleSolver> solver_;
+  std::unique_ptr<System> system_;  ///< with the rows of inerters behind those of the joints
+  int rows_ = 0;
+  VectorXd e_, b_, lambda_;
+};
+
+}  // namespace
+
+std::unique_ptr<SaddleSolver> with_inerters(std::unique_ptr<SaddleSolver> solver) {
+  return std::make_unique<InerterSolver>(std::move(solver));
+}
+
+}  // namespace linkwork::detail
