@@ -13,7 +13,7 @@ using namespace support;
 namespace {
 
 // Bodies: three chunks, and more work than one task takes; two chunks where sanitizers make it slow.
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int many = 4200, side = 40;
 #else
 constexpr int many = 10500, side = 60;
