@@ -7,7 +7,7 @@
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define CAN_COUNT_ALLOCATIONS 1
 
-inline long allocation_count = 0;
+inline volatile long allocation_count = 0;  // volatile: compilers think that allocating changes no variable
 
 extern "C" {
 void* __libc_malloc(std::size_t);
@@ -15,15 +15,15 @@ void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 
 void* malloc(std::size_t size) noexcept {
-  allocation_count += 1;
+  allocation_count = allocation_count + 1;
   return __libc_malloc(size);
 }
 void* calloc(std::size_t count, std::size_t size) noexcept {
-  allocation_count += 1;
+  allocation_count = allocation_count + 1;
   return __libc_calloc(count, size);
 }
 void* realloc(void* memory, std::size_t size) noexcept {
-  allocation_count += 1;
+  allocation_count = allocation_count + 1;
   return __libc_realloc(memory, size);
 }
 }
