@@ -117,8 +117,7 @@ VectorXd kinetic_energies(const Dynamics& dynamics, const Doubles& q, const Doub
   for (py::ssize_t k = 0; k < frames; ++k) {
     const Vector positions(q.data() + k * system.q_size(), system.q_size()),
         velocities(v.data() + k * system.v_size(), system.v_size());
-    if (!system.inerters().empty())
-      system.evaluate_constraints(0.0, positions, velocities, system.initial_history(), at);
+    system.evaluate_inerters(positions, velocities, at);
     out[k] = system.kinetic_energy(at, velocities);
   }
   return out;

@@ -147,6 +147,34 @@ def test_modes_of_a_spring_and_an_inerter_are_those_of_their_masses() -> None:
     assert modes.frequencies == pytest.approx([10.0], rel=1e-9)  # rad/s
 
 
+@pytest.mark.parametrize("b", (0.05, 0.3))
+def test_modes_of_a_disk_that_spins_have_what_its_inerters_do_while_they_turn_with_it(b: float) -> None:
+    """On a Cardan joint, isotropic: A z'' - i C W z' + k z + b (z'' - 2 i W z' - W^2 z) = 0 of the tilt z."""
+    A, C, W, k = 0.2, 0.4, 20.0, 30.0
+    model = lw.Model(gravity=(0, 0, 0))
+    shaft = model.body("shaft", mass=1.0, inertia=(0.2, 0.2, 0.1), omega=(0, 0, W))
+    disk = model.body("disk", mass=3.0, inertia=(A, A, C), omega=(0, 0, W))
+    model.revolute("ground", shaft, at=(0, 0, 0), axis=(0, 0, 1), name="bearing")
+    model.universal(shaft, disk, at=(0, 0, 0), axes=((1, 0, 0), (0, 1, 0)), name="cardan")
+    model.bushing(shaft, disk, at=(0, 0, 0), rotational_stiffness=(k, k, 0))
+    for axis in ((1, 0, 0), (0, 1, 0)):
+        model.rotational_inerter(shaft, disk, at=(0, 0, 0), axis=axis, inertance=b)
+    found = lw.linearize(model).eigenvalues
+    expected = np.abs(np.roots([A + b, -1j * (C + 2 * b) * W, k - b * W**2]))
+    assert np.sort(np.abs(found.imag))[-2:] == pytest.approx(np.sort(expected), rel=1e-9)
+
+
+def test_a_blow_shares_momentum_as_rotors_have_it() -> None:
+    """A driver whose velocity jumps: as with wheels that are coupled to the joints."""
+    results = []
+    for wheels in (False, True):
+        model = arm(3, wheels=wheels)
+        model.drive("hinge 0", position=lw.functions.piecewise_polynomial([0, 0.1, 0.3], [[0, 0], [0, 2]]))
+        results.append(lw.simulate(model, 0.25, rtol=1e-10, progress=False))
+    rotors, wheels_ = results
+    assert np.abs(rotors.v[-1, :3] - wheels_.v[-1, :3]).max() < 1e-6
+
+
 def test_a_driven_joint_takes_the_torque_that_its_rotor_needs() -> None:
     """Inverse dynamics, and forward dynamics of the same motion."""
     model = arm(1)

@@ -19,20 +19,17 @@ class InerterRow final : public SpecialJoint {
   std::vector<int> bodies_;
 };
 
+/// 0 of other force elements, and of a Model::without_inertances.
+double inertance_of(const Model& model, const Element& force) {
+  return force_kinds()[force.kind].inertia ? model.force_parameters()[force.first_parameter].constant : 0.0;
+}
+
 }  // namespace
 
 Inerters::Inerters(const Model& model, std::ptrdiff_t D) : D_(D) {
-  for (std::size_t k = 0; k < model.forces().size(); ++k) {
-    const Element& element = model.forces()[k];
-    const CoordinateRow coordinate = force_kinds()[element.kind].inertia;
-    if (coordinate)
-      all_.push_back({.element = static_cast<int>(k),
-                      .i = element.i,
-                      .j = element.j,
-                      .at = element.at,
-                      .inertance = model.force_parameters()[element.first_parameter].constant,
-                      .coordinate = coordinate});
-  }
+  for (const Element& it : model.forces())
+    if (const double inertance = inertance_of(model, it); inertance != 0.0)
+      all_.push_back({it.i, it.j, it.at, inertance, force_kinds()[it.kind].inertia});
 }
 
 double Inerters::rate(std::size_t k, const double* D, const double* x) const {
@@ -47,7 +44,7 @@ Model Inerters::as_joints(const Model& model) {
   Model out = model.without_forces();
   for (std::size_t k = 0; k < model.forces().size(); ++k) {
     const Element& element = model.forces()[k];
-    if (!force_kinds()[element.kind].inertia) continue;
+    if (inertance_of(model, element) == 0.0) continue;
     std::string name = "of " + model.force_names().name(static_cast<int>(k));
     while (out.joint_names().find(name) >= 0) name += "'";
     out.add_special_joint("coupler", name, element.i, element.j, element.at,

@@ -21,7 +21,6 @@ class Inerters {
   bool empty() const { return all_.empty(); }
   std::size_t count() const { return all_.size(); }
   std::ptrdiff_t D_size() const { return 2 * velocity_size * static_cast<std::ptrdiff_t>(all_.size()); }
-  int element(std::size_t k) const { return all_[k].element; }  ///< in Model::forces()
   double inertance(std::size_t k) const { return all_[k].inertance; }
 
   /// Rows and gammas at a state; `body` gives that of one, the ground included.
@@ -67,7 +66,7 @@ class Inerters {
 
  private:
   struct Inerter {
-    int element, i, j;
+    int i, j;
     Attachment<double> at;
     double inertance;
     CoordinateRow coordinate;

@@ -88,6 +88,8 @@ class System {
   /// Only the constraints: Phi, Phi_t, Phi_dot, gamma, D, and the history of the joints.
   void evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                             Evaluation& out) const;
+  /// Only what inerters add to M, and their gamma.
+  void evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   /// Only force elements: their history and their switches.
   void evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                          Evaluation& out) const;
@@ -191,7 +193,6 @@ class System {
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               const ConstVector& history, Evaluation& out) const;
   void evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
-  void evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   double evaluate_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
   void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;

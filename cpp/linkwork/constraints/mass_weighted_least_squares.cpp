@@ -56,13 +56,13 @@ MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& sys
     bodies[b].mass = 1.0 / (length * length);
     bodies[b].inertia.setIdentity();
   }
-  return {system, std::make_unique<System>(system.model().with_masses(bodies))};
+  return {system, std::make_unique<System>(system.model().with_masses(bodies).without_inertances())};
 }
 
 MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other)
     : regularized_(std::move(other)),
       system_(regularized_ ? regularized_.get() : &system),
-      saddle_(make_saddle_solver("kkt", linear_solver_info("block"), system)) {
+      saddle_(make_saddle_solver("kkt", linear_solver_info("block"), *system_)) {
   const Evaluation at = system_->make_evaluation();
   saddle_->analyze(*system_, at);
 }

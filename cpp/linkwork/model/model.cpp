@@ -364,6 +364,13 @@ Model Model::without_forces() const {
   return out;
 }
 
+Model Model::without_inertances() const {
+  Model out = *this;
+  for (const Element& force : forces())
+    if (force_kinds()[force.kind].inertia) out.force_parameters_.own()[force.first_parameter].constant = 0.0;
+  return out;
+}
+
 Model Model::with_masses(const std::vector<Body>& bodies) const {
   Model out = *this;
   std::vector<Body>& list = out.bodies_.own();

@@ -118,6 +118,8 @@ class Model {
   Model with_initial_state(const ConstVector& q, const ConstVector& v, std::vector<double> history = {}) const;
   /// A copy without whatever acts on bodies but gravity and joints, from a motion that begins.
   Model without_forces() const;
+  /// A copy whose inerters have none, and are then nothing.
+  Model without_inertances() const;
   /// A copy with other masses and inertias of all bodies; nothing else of `bodies` counts.
   Model with_masses(const std::vector<Body>& bodies) const;
 

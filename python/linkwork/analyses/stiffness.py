@@ -70,10 +70,11 @@ def damping(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
     )
     C = -(turn.T @ _force_part(equations, force, steps) @ turn)
     omega = v.reshape(-1, 6)[:, 3:]
-    if omega.any():
+    if omega.any():  # v_dot of a small motion x is T x'' - omega x (T x') in the rotations
         blocks = np.zeros((n, 6, 6))
-        blocks[:, 3:, 3:] = -equations.core.inertia @ np.cross(omega[:, None, :], np.eye(3)).swapaxes(1, 2)
-        C = C + turn.T @ bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=C.shape) @ turn
+        blocks[:, 3:, 3:] = -np.cross(omega[:, None, :], np.eye(3)).swapaxes(1, 2)
+        turning = bsr_array((blocks, np.arange(n), np.arange(n + 1)), shape=C.shape)
+        C = C + equations.mass(q) @ turn.T @ turning @ turn
     return C.tocsr()
 
 
