@@ -9,7 +9,7 @@ namespace linkwork {
 namespace {
 
 constexpr int most_sweeps = 40;
-constexpr double converged = 1e-13, roundoff = 1e-8, shrinking = 0.5;
+constexpr double converged = 1e-13, roundoff = 1e-7, shrinking = 0.5;
 constexpr double tolerance = 1e-10;      // of the energy over a step
 constexpr double resolved = 1e-10;       // of velocities inside; at the end about the square of it counts
 constexpr double end_part = 1e-2;        // of that, at most
@@ -82,8 +82,9 @@ void CollocationStep::project(double t, VectorXd& y) {
   projection_.velocities(t, y);
 }
 
-CollocationStep::Quality CollocationStep::attempt(double h) {
+CollocationStep::Quality CollocationStep::attempt(double h, int left_out) {
   Quality quality;
+  left_out_ = left_out;
   step_.h = step_.followed = h;
   step_.k = rates_before_.replicate(1, stages);
   try {
@@ -103,10 +104,10 @@ bool CollocationStep::iterate() {
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
     correction_ = jump_ = 0.0;
-    for (int i = 0; i < stages; ++i) change = std::max(change, node(i));
+    for (int i = 0; i < stages; ++i) change = std::max(change, i == left_out_ ? extrapolated_node(i) : node(i));
     if (!std::isfinite(change)) return false;
     if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
-    if (sweep > 3 && change > 2.0 * last) return false;
+    if (sweep > 3 && change > 2.0 * last) return change <= roundoff;
     last = change;
   }
   return false;
@@ -139,7 +140,22 @@ double CollocationStep::node(int i) {
   dynamics_.evaluate(t, y_);
   dynamics_.refined_accelerations(v_dot_, step_.lambda.col(i));
   dynamics_.rates(v_dot_, step_.lambda.col(i), rates_);
-  const double change = step_.h * size(rates_.segment(nq, nv) - step_.k.col(i).segment(nq, nv));
+  return changed(i, speed);
+}
+
+double CollocationStep::extrapolated_node(int i) {
+  const System& system = dynamics_.system();
+  const GaussCollocation::Weights weights = gauss_.from_others(i);
+  rates_ = step_.k * weights;
+  step_.lambda.col(i) = step_.lambda * weights;
+  return changed(i, size(step_.y.segment(system.q_size(), system.v_size())));
+}
+
+/// Takes the rates at a node; how much they changed, as velocities relative to a speed.
+double CollocationStep::changed(int i, double speed) {
+  const System& system = dynamics_.system();
+  const auto of_velocities = [&](const auto& rates) { return rates.segment(system.q_size(), system.v_size()); };
+  const double change = step_.h * size(of_velocities(rates_) - of_velocities(step_.k.col(i)));
   step_.k.col(i) = rates_;
   return speed > 0.0 ? change / speed : change;
 }
@@ -161,18 +177,31 @@ void CollocationStep::note_energy(const VectorXd& y) {
 void CollocationStep::finish(Quality& quality) {
   const System& system = dynamics_.system();
   const int nq = system.q_size(), nv = system.v_size();
-  VectorXd& y_new = step_.y_new;
-  y_new = step_.y + step_.h * (step_.k * gauss_.b);
-  system.normalize(y_new.head(nq));
-  project(step_.end(), y_new);
-  dynamics_.evaluate(step_.end(), y_new);
-  const auto v = step_.y.segment(nq, nv), v_new = y_new.segment(nq, nv);
-  const VectorXd rest = step_.k * gauss_.last_coefficient();
+  const VectorXd rest = step_.k * (left_out_ == none ? gauss_.last_coefficient() : gauss_.last_but_one());
+  state_at(step_.h, step_.y_new);
+  const auto v = step_.y.segment(nq, nv), v_new = step_.y_new.segment(nq, nv);
   quality.correction = correction_;
   quality.off = off_;
   quality.jump = jump_;
   quality.resolution = step_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
-  quality.energy = std::abs(energy(y_new) - energy_before_) / std::max(kinetic_before_, kinetic_energy(y_new));
+  rates_ = step_.y_new;
+  try {
+    project(step_.end(), rates_);
+    step_.y_new = rates_;
+  } catch (const NotConvergedError&) {  // beside a singular pose
+  }
+  note_missing_energy(quality);
+}
+
+void CollocationStep::end_as_it_is(Quality& quality) {
+  state_at(step_.h, step_.y_new);
+  note_missing_energy(quality);
+}
+
+void CollocationStep::note_missing_energy(Quality& quality) {
+  dynamics_.evaluate(step_.end(), step_.y_new);
+  const double kinetic = std::max(kinetic_before_, kinetic_energy(step_.y_new));
+  quality.energy = std::abs(energy(step_.y_new) - energy_before_) / kinetic;
 }
 
 void CollocationStep::state_at(double time, VectorXd& y) const {

@@ -26,6 +26,7 @@ struct Leap {
 class CollocationStep {
  public:
   static constexpr int stages = GaussCollocation::stages;
+  static constexpr int none = -1;
 
   struct Quality {
     bool converged = false;
@@ -51,10 +52,13 @@ class CollocationStep {
   /// The same in or near a singular pose, where nothing can be projected; accelerations, for a beginning, are what
   /// the watch makes of them.
   void begin_in_pose(double t, const VectorXd& y);
-  /// To t + h.
-  Quality attempt(double h);
+  /// To t + h. A node that is `left_out`, in a singular pose, is where the others lead.
+  Quality attempt(double h, int left_out = none);
+  /// The end of the attempt where the polynomials say, as beside a singular pose.
+  void end_as_it_is(Quality& quality);
 
   Leap& leap() { return step_; }
+  int left_out() const { return left_out_; }
   /// Of the nodes from the start of the step, relative to it.
   const auto& nodes() const { return gauss_.c; }
   const VectorXd& start_accelerations() const { return v_dot_before_; }
@@ -74,7 +78,10 @@ class CollocationStep {
   void allocate(double t, const VectorXd& y);
   bool iterate();
   double node(int i);
+  double extrapolated_node(int i);
+  double changed(int i, double speed);
   void finish(Quality& quality);
+  void note_missing_energy(Quality& quality);
   double kinetic_energy(const VectorXd& y) const;
   double energy(const VectorXd& y) const;
   void note_energy(const VectorXd& y);
@@ -83,6 +90,7 @@ class CollocationStep {
   Dynamics& dynamics_;
   Projection projection_;
   double length_;
+  int left_out_ = none;
   GaussCollocation gauss_;
   Leap step_;
   double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality

@@ -33,6 +33,7 @@ constexpr double short_steps = 4.0;                // of which a leap beside the
 constexpr double least_beside = 0.4;               // of a usual leap
 constexpr double least_margin = 0.006;             // the same, where nothing better is found
 constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
+constexpr double in_pose_from = 0.03;              // the same: where such a node is left out if it must be there
 constexpr double same_time = 1e-9;                 // relative to the step
 constexpr double same_pose = 1e-2;                 // relative to a leap
 constexpr double farther = 1e-3;                   // the same, of nodes from poses: what makes a length the better one
@@ -237,10 +238,21 @@ double Crossing::near_enough(double usual, double h, bool adaptive) {
 }
 
 /// Of the nodes from the poses, relative to the length.
-double Crossing::nearest_node(const std::vector<double>& poses, double h) const {
+double Crossing::nearest_node(const std::vector<double>& poses, double h, int left_out) const {
   double nearest = INFINITY;
-  for (const double pose : poses) nearest = std::min(nearest, (step_.nodes().array() - pose / h).abs().minCoeff());
+  for (int i = 0; i < CollocationStep::stages; ++i)
+    if (i != left_out)
+      for (const double pose : poses) nearest = std::min(nearest, std::abs(step_.nodes()[i] - pose / h));
   return nearest;
+}
+
+/// The one that is left out, where the length cannot be chosen: the run ends beside a pose.
+int Crossing::node_in_pose(const Search& search, double h) const {
+  if (h < search.most) return CollocationStep::none;
+  for (int i = 0; i < CollocationStep::stages; ++i)
+    for (const double pose : search.poses)
+      if (std::abs(step_.nodes()[i] - pose / h) < in_pose_from) return i;
+  return CollocationStep::none;
 }
 
 /// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
@@ -361,12 +373,13 @@ bool Crossing::try_lengths(Search& search, const VectorXd& y) {
   for (int k = 0; k < most_attempts && !search.done && std::isfinite(search.least); ++k) {
     const double other = other_lengths[std::max(search.failures - 2, 0)] * limit(search, search.base);
     const double h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
-    if (std::find(search.tried.begin(), search.tried.end(), h) != search.tried.end()) {
+    const std::pair attempt{h, node_in_pose(search, h)};
+    if (std::find(search.tried.begin(), search.tried.end(), attempt) != search.tried.end()) {
       search.failures = std::max(search.failures + 1, 2);
       continue;
     }
-    search.tried.push_back(h);
-    const CollocationStep::Quality quality = step_.attempt(h);
+    search.tried.push_back(attempt);
+    const CollocationStep::Quality quality = step_.attempt(attempt.first, attempt.second);
     if (quality.converged) {
       weigh(search, quality);
       continue;
@@ -395,7 +408,8 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
     search.done = true;
   }
   if (search.done) return;
-  const double nearest = nearest_node(search.poses, leap_.h), last = search.poses.back();
+  if (beside_a_pose(leap_.h)) step_.end_as_it_is(quality);
+  const double nearest = nearest_node(search.poses, leap_.h, step_.left_out()), last = search.poses.back();
   const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
   const bool over = search.poses.front() <= leap_.h || leap_.h >= search.most;
   quality.roundoff = precision * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
@@ -498,11 +512,16 @@ void Crossing::interpolate(const System&, double theta, VectorXd& y) const {
   step_.state_at(theta * leap_.followed, y);
 }
 
+/// Where the constraints would move a state of the leap more than it is off.
+bool Crossing::beside_a_pose(double time) const {
+  return std::any_of(leap_.poses.begin(), leap_.poses.end(),
+                     [&](double pose) { return std::abs(time - pose) < margin * leap_.h; });
+}
+
 void Crossing::place(double theta, VectorXd& y) {
   const double part = theta * leap_.followed;
   step_.state_at(part, y);
-  for (const double pose : leap_.poses)
-    if (std::abs(part - pose) < margin * leap_.h) return;
+  if (beside_a_pose(part)) return;
   const Unwatched unwatched(dynamics_);
   y_ = y;
   try {

@@ -86,7 +86,7 @@ class Crossing final : public Interpolant {
     Leap best = {};
     double error = INFINITY;  ///< of it
     double base = 0.0;        ///< of other lengths
-    std::vector<double> tried = {};
+    std::vector<std::pair<double, int>> tried = {};  ///< lengths, with the node left out
     double too_far = INFINITY;  ///< a pose
     int failures = 0;           ///< since the last that converged
     bool any_converged = false, ahead = false, done = false;
@@ -103,6 +103,7 @@ class Crossing final : public Interpolant {
   bool pivot_changes(double t, const VectorXd& y, double root);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
+  bool beside_a_pose(double time) const;
   [[noreturn]] void throw_no_branch(double t) const;
   void keep_rows_good();
   double largest_rate(const ConstVector& v) const;
@@ -111,7 +112,8 @@ class Crossing final : public Interpolant {
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, CollocationStep::Quality quality);
   static double near_enough(double usual, double h, bool adaptive);
-  double nearest_node(const std::vector<double>& poses, double h) const;
+  double nearest_node(const std::vector<double>& poses, double h, int left_out = CollocationStep::none) const;
+  int node_in_pose(const Search& search, double h) const;
   double best_length(const Search& search);
   double limit(const Search& search, double h);
   double allowed_length(const Search& search, double h);

@@ -45,11 +45,19 @@ GaussCollocation::GaussCollocation() {
     for (int k = 0; k < stages; ++k) coefficients_(i, k) = weight * (2 * k + 1) * P[k];
   }
   for (int i = 0; i < stages; ++i) A.row(i) = integrals(c[i]).transpose();
-  b = integrals(1.0);
 }
 
 GaussCollocation::Weights GaussCollocation::values(double theta) const {
   return coefficients_ * legendre(2.0 * theta - 1.0).head<stages>();
+}
+
+GaussCollocation::Weights GaussCollocation::from_others(int i) const {
+  Weights out = Weights::Ones();
+  out[i] = 0.0;
+  for (int j = 0; j < stages; ++j)
+    for (int m = 0; m < stages; ++m)
+      if (m != i && m != j) out[j] *= (c[i] - c[m]) / (c[j] - c[m]);
+  return out;
 }
 
 GaussCollocation::Weights GaussCollocation::integrals(double theta) const {

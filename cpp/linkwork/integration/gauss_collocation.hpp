@@ -17,12 +17,15 @@ struct GaussCollocation {
 
   Weights c;                                ///< nodes
   Eigen::Matrix<double, stages, stages> A;  ///< A_ij = integral of l_j from 0 to c_i
-  Weights b;                                ///< integrals from 0 to 1
 
   Weights values(double theta) const;     ///< l_i(theta)
   Weights integrals(double theta) const;  ///< of l_i from 0 to theta
   /// Of the Legendre polynomial of highest degree in sum_i k_i l_i: how much of k the polynomial resolves no better.
   Weights last_coefficient() const { return coefficients_.col(stages - 1); }
+  /// The same of the next lower degree, for a polynomial of that.
+  Weights last_but_one() const { return coefficients_.col(stages - 2); }
+  /// Value at node i of the polynomial through the values at the others.
+  Weights from_others(int i) const;
 
  private:
   Eigen::Matrix<double, stages, stages> coefficients_;  ///< l_i = sum_k coefficients_ik P_k(2 theta - 1)
