@@ -46,6 +46,34 @@ double longest_way(const Elimination& elimination) {
 
 }  // namespace
 
+TEST_CASE("a row of loops is eliminated from its other end within the same entries") {
+  Random random(8);
+  const JointGraph graph = row_of_loops(random, 60);
+  const Elimination found = order_joint_graph(graph);
+  const std::vector<int> order = order_from_other_end(found);
+  const int n = static_cast<int>(graph.weight.size());
+  REQUIRE(static_cast<int>(order.size()) == n);
+  std::vector<int> place(n, -1), place_before(n);
+  for (int k = 0; k < n; ++k) place[order[k]] = k;
+  for (int k = 0; k < n; ++k) place_before[found.order[k]] = k;
+  CHECK(std::count(place.begin(), place.end(), -1) == 0);
+  CHECK(place_before[order.front()] > n / 2);
+  Eigen::MatrixXi allowed = Eigen::MatrixXi::Zero(n, n), fill = allowed;
+  for (const Supernode& node : found.supernodes) {
+    std::vector<int> clique = node.below;
+    for (int k = node.first; k < node.last; ++k) clique.push_back(k);
+    for (const int a : clique)
+      for (const int b : clique) allowed(place[found.order[a]], place[found.order[b]]) = 1;
+  }
+  for (std::size_t c = 0; c < graph.cliques.size(); ++c)
+    for (const int a : graph.cliques[c])
+      for (const int b : graph.cliques[c]) fill(place[a], place[b]) = 1;
+  for (int k = 0; k < n; ++k)
+    for (int a = k + 1; a < n; ++a)
+      for (int b = k + 1; b < n; ++b) fill(a, b) |= fill(a, k) & fill(k, b);
+  CHECK(((fill - allowed).array() <= 0).all());
+}
+
 TEST_CASE("a long row of loops is eliminated from both ends, with no more work, every joint once") {
   Random random(7);
   const JointGraph graph = row_of_loops(random, 4000);

@@ -10,7 +10,7 @@ using namespace linkwork;
 TEST_CASE("s weights integrate polynomials up to degree 2 s - 1 exactly, and not those of degree 2 s") {
   const GaussCollocation gauss;
   for (int degree = 0; degree <= 2 * GaussCollocation::stages; ++degree) {
-    const double error = gauss.b.dot(gauss.c.array().pow(degree).matrix()) - 1.0 / (degree + 1);
+    const double error = gauss.integrals(1.0).dot(gauss.c.array().pow(degree).matrix()) - 1.0 / (degree + 1);
     if (degree < 2 * GaussCollocation::stages) CHECK(std::abs(error) < 1e-13);
     else CHECK(std::abs(error) > 1e-10);
   }
@@ -43,11 +43,25 @@ TEST_CASE("a step on y' = lambda y is the diagonal Pade approximation: it keeps 
   const std::complex<double> lambda(0.0, 4.0);
   const Eigen::MatrixXcd system = Eigen::MatrixXcd::Identity(s, s) - lambda * gauss.A.cast<std::complex<double>>();
   const Eigen::VectorXcd k = system.lu().solve(Eigen::VectorXcd::Constant(s, lambda));
-  const std::complex<double> y = 1.0 + gauss.b.cast<std::complex<double>>().dot(k);
+  const std::complex<double> y = 1.0 + gauss.integrals(1.0).cast<std::complex<double>>().dot(k);
   CHECK(std::abs(std::abs(y) - 1.0) < 1e-12);
   const double factorials = std::exp(2.0 * std::lgamma(s + 1) - std::lgamma(2 * s + 1) - std::lgamma(2 * s + 2));
   const double leading =
       factorials * std::pow(std::abs(lambda), 2 * s + 1);  // (s!)^2 / ((2 s)! (2 s + 1)!) |lambda|^..
   CHECK(std::abs(y - std::exp(lambda)) < 1.2 * leading);
   CHECK(std::abs(y - std::exp(lambda)) > 0.5 * leading);
+}
+
+TEST_CASE("values at the other nodes lead to a node that is left out, for polynomials up to degree s - 2") {
+  const GaussCollocation gauss;
+  for (int left_out = 0; left_out < GaussCollocation::stages; ++left_out) {
+    const GaussCollocation::Weights weights = gauss.from_others(left_out);
+    CHECK(weights[left_out] == 0.0);
+    for (int degree = 0; degree < GaussCollocation::stages; ++degree) {
+      const GaussCollocation::Weights values = gauss.c.array().pow(degree);
+      const double error = std::abs(weights.dot(values) - values[left_out]);
+      if (degree < GaussCollocation::stages - 1) CHECK(error < 1e-13);
+      else CHECK(error > 1e-7);
+    }
+  }
 }

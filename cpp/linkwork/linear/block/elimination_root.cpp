@@ -22,13 +22,27 @@ class Rerooting {
       : elimination_(elimination), children_(elimination.supernodes.size()), done_(elimination.order.size(), 0) {
     for (int s = 0; s < count(); ++s)
       if (const int p = parent(s); p != none) children_[p].push_back(s);
-    find_middle();
+    find_line();
   }
 
-  std::vector<int> order() {
-    if (middle_ == none) return {};
-    std::vector<int> turned;  // the way from the middle to the old root, whose edges turn round
-    for (int s = middle_; s != none; s = parent(s)) turned.push_back(s);
+  double work() const { return total_; }
+
+  /// With the root down the line, where no more than a part of its work is left below.
+  std::vector<int> order(double part) {
+    const auto less = [&](int a, int b) { return all_[a] < all_[b]; };
+    int to = line_;
+    while (to != none && !children_[to].empty()) {
+      const int next = *std::max_element(children_[to].begin(), children_[to].end(), less);
+      if (all_[next] <= part * all_[line_]) break;
+      to = next;
+    }
+    return to == line_ ? std::vector<int>() : order_with_root(to);
+  }
+
+ private:
+  std::vector<int> order_with_root(int new_root) {
+    std::vector<int> turned;  // the way to the old root, whose edges turn round
+    for (int s = new_root; s != none; s = parent(s)) turned.push_back(s);
     const int root = turned.back();
     for (int s = 0; s < count(); ++s)
       if (parent(s) == none && s != root) append_subtree(s);
@@ -40,34 +54,24 @@ class Rerooting {
     return std::move(order_);
   }
 
- private:
   int count() const { return static_cast<int>(children_.size()); }
   const Supernode& supernode(int s) const { return elimination_.supernodes[s]; }
   int parent(int s) const { return supernode(s).parent; }
 
-  /// The last supernode, from the root of the most work down, that has half of the work below it.
-  void find_middle() {
+  /// The root of the longest way, if most of the work lies on it.
+  void find_line() {
     const std::vector<double>& work = elimination_.work;
-    std::vector<double> all = work, in_line = work;  // of the subtree, and on the longest way in it
-    double total = 0.0;
-    int longest = none;
+    std::vector<double> in_line = work;  // of the longest way in a subtree
+    all_ = work;
     for (int s = 0; s < count(); ++s) {
-      total += work[s];
+      total_ += work[s];
       for (const int child : children_[s]) {
-        all[s] += all[child];
+        all_[s] += all_[child];
         in_line[s] = std::max(in_line[s], work[s] + in_line[child]);
       }
-      if (parent(s) == none && (longest == none || in_line[s] > in_line[longest])) longest = s;
+      if (parent(s) == none && (line_ == none || in_line[s] > in_line[line_])) line_ = s;
     }
-    if (longest == none || total < worth_sharing || in_line[longest] < most_in_line * total) return;
-    const double half = 0.5 * all[longest];
-    for (middle_ = longest;;) {
-      const auto& below = children_[middle_];
-      const auto next = std::find_if(below.begin(), below.end(), [&](int child) { return all[child] > half; });
-      if (next == below.end()) break;
-      middle_ = *next;
-    }
-    if (middle_ == longest) middle_ = none;
+    if (line_ != none && in_line[line_] < most_in_line * total_) line_ = none;
   }
 
   /// As they stand: a subtree that does not turn.
@@ -99,13 +103,20 @@ class Rerooting {
 
   const Elimination& elimination_;
   std::vector<std::vector<int>> children_;
-  int middle_ = none;
+  int line_ = none;          ///< the supernode where it ends, a root
+  double total_ = 0.0;       ///< work
+  std::vector<double> all_;  ///< of each subtree
   std::vector<char> done_;  ///< of each place
   std::vector<int> order_;
 };
 
 }  // namespace
 
-std::vector<int> order_from_both_ends(const Elimination& elimination) { return Rerooting(elimination).order(); }
+std::vector<int> order_from_other_end(const Elimination& elimination) { return Rerooting(elimination).order(0.0); }
+
+std::vector<int> order_from_both_ends(const Elimination& elimination) {
+  Rerooting rerooting(elimination);
+  return rerooting.work() < worth_sharing ? std::vector<int>() : rerooting.order(0.5);
+}
 
 }  // namespace linkwork::block

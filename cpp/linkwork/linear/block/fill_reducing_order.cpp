@@ -1,65 +1,14 @@
 #include "linkwork/linear/block/fill_reducing_order.hpp"
 
-#include <algorithm>
-
-#include "linkwork/math/interruption.hpp"
-
-#if LINKWORK_WITH_CHOLMOD
-#include <cholmod.h>
-
-#include <new>
-
-#include "linkwork/linear/shared_state.hpp"
-
-namespace linkwork::block {
-
-/// CHOLMOD's choice: AMD, and METIS for large graphs.
-std::vector<int> fill_reducing_order(const NumberLists& graph) {
-  const std::size_t n = graph.size();
-  std::vector<int> begin = {0}, row;
-  begin.reserve(n + 1);
-  row.reserve(n + graph.numbers().size() / 2);
-  for (std::size_t column = 0; column < n; ++column) {  // the upper triangle with its diagonal
-    for (const int neighbor : graph[column])
-      if (neighbor < static_cast<int>(column)) row.push_back(neighbor);
-    row.push_back(static_cast<int>(column));
-    begin.push_back(static_cast<int>(row.size()));
-  }
-  cholmod_common common;
-  cholmod_start(&common);
-  common.print = 0;
-  cholmod_sparse A{};
-  A.nrow = A.ncol = n;
-  A.nzmax = row.size();
-  A.p = begin.data();
-  A.i = row.data();
-  A.stype = 1;
-  A.itype = CHOLMOD_INT;
-  A.xtype = CHOLMOD_PATTERN;
-  A.sorted = A.packed = 1;
-  const SharedState held;
-  cholmod_factor* factor = cholmod_analyze(&A, &common);
-  if (!factor) throw std::bad_alloc();
-  const int* permutation = static_cast<const int*>(factor->Perm);
-  std::vector<int> order(permutation, permutation + n);
-  cholmod_free_factor(&factor, &common);
-  cholmod_finish(&common);
-  return order;
-}
-
-}  // namespace linkwork::block
-
-#else
-#if LINKWORK_WITH_SUITESPARSE
-#include <amd.h>
-
-#include <new>
-#else
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
-#endif
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <numeric>
 #include <utility>
+
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
 namespace {
@@ -67,22 +16,19 @@ namespace {
 using Numbers = std::vector<int>;
 
 constexpr int none = -1;
-constexpr std::size_t leaf = 100;    // nodes of a part that minimum degree orders
-constexpr std::size_t large = 1000;  // from which on dissection is tried
+constexpr std::size_t leaf = 100;      // nodes of a part that minimum degree orders
+constexpr std::size_t large = 1000;    // from which on dissection is tried
+constexpr std::size_t most_bits = 64;  // up to so many nodes their rows are counted
 
 template <class Container>
 auto& at(Container& container, int k) {
   return container[k];
 }
 
-#if LINKWORK_WITH_SUITESPARSE
-void find_minimum_degree(const NumberLists& graph, Numbers& order) {
-  if (amd_order(static_cast<int>(graph.size()), graph.begins().data(), graph.numbers().data(), order.data(), nullptr,
-                nullptr) < AMD_OK)
-    throw std::bad_alloc();
-}
-#else
-void find_minimum_degree(const NumberLists& graph, Numbers& order) {
+Numbers minimum_degree(const NumberLists& graph) {
+  Numbers order(graph.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (graph.numbers().empty()) return order;  // which AMD does not take
   const int n = static_cast<int>(graph.size());
   std::vector<Eigen::Triplet<double, int>> entries;
   entries.reserve(graph.numbers().size() + graph.size());
@@ -95,18 +41,11 @@ void find_minimum_degree(const NumberLists& graph, Numbers& order) {
   Eigen::AMDOrdering<int>::PermutationType found;
   Eigen::AMDOrdering<int>()(A.selfadjointView<Eigen::Lower>(), found);
   std::copy_n(found.indices().data(), n, order.begin());
-}
-#endif
-
-Numbers minimum_degree(const NumberLists& graph) {
-  Numbers order(graph.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (!graph.numbers().empty()) find_minimum_degree(graph, order);  // which AMD does not take
   return order;
 }
 
 /// Nodes with one neighbor or none, one after the other, each without those before it: what hangs on the rest as trees.
-/// Eliminated first they cause no fill, which AMD alone does not find: Eigen's counts a node itself among the neighbors
+/// Eliminated first they cause no fill, which minimum degree alone does not find: Eigen's counts a node itself among the neighbors
 /// of those that it has not met yet.
 Numbers hanging(const NumberLists& graph) {
   const int n = static_cast<int>(graph.size());
@@ -261,6 +200,30 @@ Numbers elimination_tree(const NumberLists& graph, const Numbers& order) {
   return parent;
 }
 
+/// Of a factorization in that order, with the rows below each column: row k of the factor is the ways from its neighbors
+/// up to k.
+double operations(const NumberLists& graph, const Numbers& weight, const Numbers& order) {
+  const auto n = static_cast<int>(order.size());
+  const Numbers parent = elimination_tree(graph, order);
+  Numbers place(order.size()), mark(order.size(), none);
+  std::vector<double> below(order.size(), 0.0);
+  for (int k = 0; k < n; ++k) at(place, at(order, k)) = k;
+  for (int k = 0; k < n; ++k) {
+    at(mark, k) = k;
+    for (const int neighbor : graph[at(order, k)])
+      for (int p = at(place, neighbor); p < k && at(mark, p) != k; p = at(parent, p)) {
+        at(mark, p) = k;
+        at(below, p) += at(weight, at(order, k));
+      }
+  }
+  double sum = 0.0;
+  for (int k = 0; k < n; ++k) {
+    const double w = at(weight, at(order, k)), r = at(below, k);
+    sum += w * w * w / 3.0 + w * r * (w + r);
+  }
+  return sum;
+}
+
 /// Children before their parents, and next to them.
 Numbers postordered(const Numbers& order, const Numbers& parent) {
   const auto n = static_cast<int>(order.size());
@@ -288,43 +251,77 @@ Numbers postordered(const Numbers& order, const Numbers& parent) {
   return out;
 }
 
-/// Sum of the squares of the columns of the factor of a postordered graph: operations, but for a factor.
-double operations(const NumberLists& graph, const Numbers& order) {
-  const auto n = static_cast<int>(order.size());
-  const Numbers parent = elimination_tree(graph, order);
-  Numbers place(order.size()), mark(order.size(), none);
-  std::vector<double> count(order.size(), 1.0);
-  for (int k = 0; k < n; ++k) at(place, at(order, k)) = k;
-  for (int k = 0; k < n; ++k) {  // row k of the factor: the ways from its neighbors up to k
-    at(mark, k) = k;
-    for (const int neighbor : graph[at(order, k)])
-      for (int p = at(place, neighbor); p < k && at(mark, p) != k; p = at(parent, p)) {
-        at(mark, p) = k;
-        at(count, p) += 1.0;
-      }
+NumberLists renumbered_backward(const NumberLists& graph) {
+  const auto n = static_cast<int>(graph.size());
+  NumberLists out;
+  Numbers list;
+  for (int node = n; node-- > 0;) {
+    const auto neighbors = graph[node];
+    list.clear();
+    for (auto it = neighbors.rbegin(); it != neighbors.rend(); ++it) list.push_back(n - 1 - *it);
+    out.add(list);
   }
-  double sum = 0.0;
-  for (const double c : count) sum += c * c;
-  return sum;
+  return out;
 }
 
-/// Of what has no trees on it.
-Numbers order_of_rest(const NumberLists& graph) {
-  const auto follow_tree = [&](const Numbers& order) { return postordered(order, elimination_tree(graph, order)); };
-  Numbers order = follow_tree(minimum_degree(graph));
-  if (graph.size() < large) return order;
-  Numbers dissected = follow_tree(Dissection(graph).run());
-  return operations(graph, dissected) < operations(graph, order) ? dissected : order;
+/// Of a small graph: next is always the node that is coupled to the fewest rows by then.
+Numbers fewest_rows(const NumberLists& graph, const Numbers& weight) {
+  const int n = static_cast<int>(graph.size());
+  std::vector<std::uint64_t> coupled(graph.size(), 0);
+  for (int node = 0; node < n; ++node)
+    for (const int neighbor : graph[node]) at(coupled, node) |= std::uint64_t{1} << neighbor;
+  const auto rows = [&](std::uint64_t nodes) {
+    int sum = 0;
+    for (; nodes != 0; nodes &= nodes - 1) sum += at(weight, std::countr_zero(nodes));
+    return sum;
+  };
+  Numbers order;
+  std::uint64_t left = n == 0 ? 0 : ~std::uint64_t{0} >> (most_bits - graph.size());
+  while (left != 0) {
+    int next = none, least = 0;
+    for (int node = 0; node < n; ++node)
+      if (left >> node & 1)
+        if (const int below = rows(at(coupled, node)); next == none || below < least) {
+          next = node;
+          least = below;
+        }
+    const std::uint64_t itself = std::uint64_t{1} << next;
+    left &= ~itself;
+    for (int node = 0; node < n; ++node)
+      if (at(coupled, next) >> node & 1)
+        at(coupled, node) = (at(coupled, node) | at(coupled, next)) & ~itself & ~(std::uint64_t{1} << node);
+    order.push_back(next);
+  }
+  return order;
+}
+
+/// The best of a few orders of what has no trees on it. Minimum degree breaks ties by the numbers of the nodes, often: a
+/// second one has them backward.
+Numbers order_of_rest(const NumberLists& graph, const Numbers& weight) {
+  Numbers best = minimum_degree(graph);
+  double least = operations(graph, weight, best);
+  const auto consider = [&](Numbers order) {
+    const double found = operations(graph, weight, order);
+    if (!(found < least)) return;
+    least = found;
+    best = std::move(order);
+  };
+  Numbers backward = minimum_degree(renumbered_backward(graph));
+  for (int& node : backward) node = static_cast<int>(graph.size()) - 1 - node;
+  consider(std::move(backward));
+  if (graph.size() <= most_bits) consider(fewest_rows(graph, weight));
+  if (graph.size() >= large) consider(Dissection(graph).run());
+  return best;
 }
 
 }  // namespace
 
-std::vector<int> fill_reducing_order(const NumberLists& graph) {
-  Numbers order = hanging(graph);
+std::vector<int> fill_reducing_order(const NumberLists& graph, const std::vector<int>& weight) {
+  Numbers order = hanging(graph), weight_of_rest;
   const auto [rest, names] = without(graph, order);
-  for (const int node : order_of_rest(rest)) order.push_back(at(names, node));
+  for (const int node : names) weight_of_rest.push_back(at(weight, node));
+  for (const int node : order_of_rest(rest, weight_of_rest)) order.push_back(at(names, node));
   return postordered(order, elimination_tree(graph, order));
 }
 
 }  // namespace linkwork::block
-#endif

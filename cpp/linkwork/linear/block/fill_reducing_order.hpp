@@ -4,9 +4,9 @@
 
 namespace linkwork::block {
 
-/// An order of the nodes of a graph (neighbors of each, ascending, without itself) in which eliminating them adds few
-/// couplings: of minimum degree or by nested dissection, whichever predicts fewer operations. Postordered: what is
-/// eliminated together stands together.
-std::vector<int> fill_reducing_order(const NumberLists& graph);
+/// An order of the nodes of a graph (neighbors of each, ascending, without itself; rows of each) in which eliminating
+/// them adds few couplings: of minimum degree or by nested dissection, whichever predicts the fewest operations.
+/// Postordered: what is eliminated together stands together.
+std::vector<int> fill_reducing_order(const NumberLists& graph, const std::vector<int>& weight);
 
 }  // namespace linkwork::block

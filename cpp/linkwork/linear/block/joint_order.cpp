@@ -1,6 +1,7 @@
 #include "linkwork/linear/block/joint_order.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace linkwork::block {
 namespace {
 
 constexpr int none = -1;
+constexpr double most_lost = 2000.0;  // operations by a merger that another one may win back
 
 /// Neighbors of the nodes, ascending, without the nodes themselves. `name` maps them to those of a graph of n nodes, in
 /// which several may be one.
@@ -86,23 +88,30 @@ double cost(double w, double r) {
   return handling + w * w * w / 3.0 + w * w * r + w * r * r;
 }
 
-/// Merges a supernode into its parent where that saves time in spite of the zeros that it adds. Only a child that ends
-/// where its parent begins can be merged.
+/// Supernodes that stand side by side are merged where that saves time in spite of the zeros that it adds: of all ways
+/// to cut the order in groups, each with the parents of its members but of the last, the one of the least cost.
 std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const Rows& rows) {
-  std::vector<Supernode> out;
-  out.reserve(nodes.size());
-  for (Supernode& node : nodes) {
-    while (!out.empty() && out.back().last == node.first && !out.back().below.empty() &&
-           out.back().below.front() < node.last) {
-      const Supernode& child = out.back();
-      const double w_child = rows.of(child.first, child.last), w = rows.of(node.first, node.last);
-      const double r_child = rows.of(child.below), r = rows.of(node.below);
-      if (cost(w_child + w, r) > cost(w_child, r_child) + cost(w, r) + 0.5 * r_child * r_child) break;
-      node.first = child.first;
-      out.pop_back();
+  const std::size_t n = nodes.size();
+  std::vector<double> least(n + 1, 0.0);  // cost of the nodes before each
+  std::vector<std::size_t> begin(n);      // of the group that ends with each
+  for (std::size_t end = 0; end < n; ++end) {
+    const double below = rows.of(nodes[end].below), assembly = 0.5 * below * below;
+    least[end + 1] = INFINITY;
+    for (std::size_t first = end + 1; first-- > 0;) {
+      const bool leads_out = first < end && (nodes[first].below.empty() || nodes[first].below.front() >= nodes[end].last);
+      const double merged = cost(rows.of(nodes[first].first, nodes[end].last), below) + assembly;
+      if (leads_out || (first < end && merged > least[end + 1] - least[first] + most_lost)) break;
+      if (least[first] + merged >= least[end + 1]) continue;
+      least[end + 1] = least[first] + merged;
+      begin[end] = first;
     }
-    out.push_back(std::move(node));
   }
+  std::vector<Supernode> out;
+  for (std::size_t end = n; end > 0; end = begin[end - 1]) {
+    out.push_back(std::move(nodes[end - 1]));
+    out.back().first = nodes[begin[end - 1]].first;
+  }
+  std::reverse(out.begin(), out.end());
   return out;
 }
 
@@ -121,9 +130,10 @@ std::vector<int> order_with_hubs(const JointGraph& graph) {
     name[k] = name[graph.hub[k]];
     members[name[k]].push_back(static_cast<int>(k));
   }
-  std::vector<int> out;
+  std::vector<int> out, weight(members.size(), 0);
+  for (std::size_t k = 0; k < n; ++k) weight[name[k]] += graph.weight[k];
   out.reserve(n);
-  for (const int node : fill_reducing_order(adjacency_of(graph.cliques, members.size(), name)))
+  for (const int node : fill_reducing_order(adjacency_of(graph.cliques, members.size(), name), weight))
     for (const int member : members[node]) out.push_back(member);
   return out;
 }
@@ -166,16 +176,23 @@ Elimination eliminate(const NumberLists& adjacency, const std::vector<int>& weig
 }  // namespace
 
 Elimination order_joint_graph(const JointGraph& graph) {
-  constexpr double little_more = 1.01;
+  constexpr double little_less = 0.99, little_more = 1.01;
   std::vector<int> itself(graph.weight.size());
   std::iota(itself.begin(), itself.end(), 0);
   const NumberLists adjacency = adjacency_of(graph.cliques, itself.size(), itself);
   if (std::any_of(graph.hub.begin(), graph.hub.end(), [](int hub) { return hub != none; }))
     return eliminate(adjacency, graph.weight, order_with_hubs(graph));
-  Elimination out = eliminate(adjacency, graph.weight, fill_reducing_order(adjacency));
-  if (std::vector<int> order = order_from_both_ends(out); !order.empty())
-    if (Elimination other = eliminate(adjacency, graph.weight, std::move(order)); other.cost <= little_more * out.cost)
-      return other;
+  Elimination out = eliminate(adjacency, graph.weight, fill_reducing_order(adjacency, graph.weight));
+  const auto consider = [&](std::vector<int> order, double cost) {
+    if (order.empty()) return;
+    if (Elimination other = eliminate(adjacency, graph.weight, std::move(order)); other.cost <= cost)
+      out = std::move(other);
+  };
+  if (std::vector<int> order = order_from_other_end(out); !order.empty()) {
+    const bool ascends = order.front() < out.order.front();  // as data lie in memory
+    consider(std::move(order), (ascends ? little_more : little_less) * out.cost);
+  }
+  consider(order_from_both_ends(out), little_more * out.cost);
   return out;
 }
 
