@@ -24,10 +24,10 @@ struct Planted {
   }
 };
 
-std::vector<int> dependent(const MatrixXd& A, MatrixXd& dense, const std::vector<int>& groups) {
+std::vector<int> dependent(const MatrixXd& A, MatrixXd& dense, const std::vector<int>& groups, double weak = 1e-9) {
   qr::RowMatrix sparse = A.sparseView();
   sparse.makeCompressed();
-  return qr::dependent_columns(sparse, groups, 1e-9, dense);
+  return qr::dependent_columns(sparse, groups, {1e-9, weak}, dense);
 }
 
 std::vector<int> each_alone(const MatrixXd& A) {
@@ -76,4 +76,18 @@ TEST_CASE("dense rows become what A does not say of them: zero in independent co
   CHECK(dense.row(1).dot(z) == doctest::Approx(given.row(1).dot(z)).epsilon(1e-10));
   for (int column = 0; column < planted.A.cols(); ++column)
     if (column != found[0]) CHECK(std::abs(dense(1, column)) < 1e-12 * size);
+}
+
+TEST_CASE("columns that are barely independent are listed, and dense rows say by what") {
+  Random random(24);
+  MatrixXd A = random.matrix(12, 6);
+  const VectorXd apart = random.vector(12);
+  A.col(4) = A.col(1) + 1e-6 * apart;
+  MatrixXd dense(0, A.cols());
+  const std::vector<int> found = dependent(A, dense, each_alone(A), 1e-4);
+  REQUIRE(found.size() == 1);
+  REQUIRE(dense.rows() == 1);
+  const MatrixXd others = A(Eigen::all, std::vector<int>{0, found[0] == 1 ? 4 : 1, 2, 3, 5});
+  const VectorXd part = apart - others * others.householderQr().solve(apart);
+  CHECK(std::abs(dense(0, found[0])) == doctest::Approx(1e-6 * part.norm()).epsilon(1e-5));
 }

@@ -15,6 +15,7 @@ using qr::RowMatrix;
 using ColumnMatrix = Eigen::Ref<const Eigen::SparseMatrix<double>>;
 
 constexpr double most_dense = 4e7;  // numbers in dense rows
+constexpr double weak = 1e-4;       // pivot, relative to the largest column: roundoff by it may look like a pivot
 
 double largest_column(const ColumnMatrix& A) {
   if (A.rows() == 0) return 0.0;  // Eigen takes no norm of nothing
@@ -124,17 +125,17 @@ MatrixXd take_out(const std::vector<int>& rows, RowMatrix& A) {
 
 /// Dense rows would fill R. Of A = [S; F], F the dense rows, the sparse ones decide first: of the columns of S the
 /// candidates S_c depend on the others, S_c = S_o L. Those are independent in A where F_c - F_o L is, which is what
-/// eliminating F by the rows of R leaves of it.
-std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, double tolerance) {
+/// eliminating F by the rows of R leaves of it. Rows of R with a weak pivot are taken for dense ones.
+std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, qr::Pivots pivots) {
   MatrixXd F = take_out(dense_rows(A), A);
-  std::vector<int> candidates = qr::dependent_columns(A, groups, tolerance, F);
+  std::vector<int> candidates = qr::dependent_columns(A, groups, pivots, F);
   if (candidates.empty() || F.rows() == 0) return candidates;
   std::sort(candidates.begin(), candidates.end());
   MatrixXd rest(F.rows(), static_cast<Eigen::Index>(candidates.size()));
   for (std::size_t k = 0; k < candidates.size(); ++k) rest.col(static_cast<Eigen::Index>(k)) = F.col(candidates[k]);
   Eigen::ColPivHouseholderQR<MatrixXd> qr(rest);
   const double largest = qr.maxPivot();
-  qr.setThreshold(largest > 0.0 ? tolerance / largest : 1.0);
+  qr.setThreshold(largest > 0.0 ? pivots.none / largest : 1.0);
   std::vector<int> dead;
   for (Eigen::Index k = qr.rank(); k < rest.cols(); ++k) dead.push_back(candidates[qr.colsPermutation().indices()[k]]);
   return dead;
@@ -154,12 +155,12 @@ std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<in
 
 std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
                                    const std::vector<int>& groups) {
-  const double least = tolerance * largest_column(A);
+  const double largest = largest_column(A), least = tolerance * largest;
   const SingletonElimination singletons(A, least);
   std::vector<int> dead = singletons.dead(), columns;
   RowMatrix rest = singletons.rest(columns);
   if (!columns.empty())
-    for (const int k : dead_columns(rest, groups_of(columns, groups), least)) dead.push_back(columns[k]);
+    for (const int k : dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)})) dead.push_back(columns[k]);
   std::sort(dead.begin(), dead.end());
   return dead;
 }

@@ -18,6 +18,7 @@ using Numbers = std::vector<int>;
 constexpr int none = -1;
 constexpr std::size_t leaf = 100;      // nodes of a part that minimum degree orders
 constexpr std::size_t large = 1000;    // from which on dissection is tried
+constexpr double little = 1000.0;       // operations of a node, as many as handling it: no order saves more
 constexpr std::size_t most_bits = 64;  // up to so many nodes their rows are counted
 
 template <class Container>
@@ -306,10 +307,11 @@ Numbers order_of_rest(const NumberLists& graph, const Numbers& weight) {
     least = found;
     best = std::move(order);
   };
+  if (graph.size() <= most_bits) consider(fewest_rows(graph, weight));
+  else if (least <= little * static_cast<double>(graph.size())) return best;
   Numbers backward = minimum_degree(renumbered_backward(graph));
   for (int& node : backward) node = static_cast<int>(graph.size()) - 1 - node;
   consider(std::move(backward));
-  if (graph.size() <= most_bits) consider(fewest_rows(graph, weight));
   if (graph.size() >= large) consider(Dissection(graph).run());
   return best;
 }

@@ -16,8 +16,8 @@ namespace {
 
 using Numbers = std::vector<int>;
 
-constexpr double weak_pivot = 1e-4;       // relative to the dense rows
-constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense
+constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense,
+constexpr Eigen::Index spare = 40000000;  // with at most so many numbers
 constexpr std::size_t small = 1000;       // numbers whose memory is worth keeping
 
 /// Groups of columns coupled by a row.
@@ -48,12 +48,12 @@ struct Contribution {
 
 class Elimination {
  public:
-  Elimination(const RowMatrix& A, const Numbers& groups, double tolerance, MatrixXd& dense)
+  Elimination(const RowMatrix& A, const Numbers& groups, Pivots pivots, MatrixXd& dense)
       : A_(A),
-        tolerance_(tolerance),
-        weak_(std::max(weak_pivot * (dense.size() > 0 ? dense.cwiseAbs().maxCoeff() : 0.0), tolerance)),
+        tolerance_(pivots.none),
+        weak_(pivots.weak),
         dense_(dense),
-        most_rows_(dense.rows() + spare_rows),
+        most_rows_(dense.rows() + std::min(spare_rows, spare / (A.cols() + 1))),
         tree_(block::order_joint_graph(group_graph(A, groups))) {
     look_for_interruption();
     order_columns(groups);
@@ -74,10 +74,8 @@ class Elimination {
       assemble(static_cast<int>(s));
       factor_(front_);
       contribute(contributions_[s]);
-      if (dense_.rows() > 0) {
-        delay_weak_pivots();
-        reduce_dense_rows();
-      }
+      delay_weak_pivots();
+      if (dense_.rows() > 0) reduce_dense_rows();
       for (int k = 0; k < front_.pivots; ++k)
         if (row_[k] < 0) dead_.push_back(column_[columns_[k]]);
     }
@@ -183,8 +181,8 @@ class Elimination {
     }
   }
 
-  /// Rows of R that would be taken from the dense ones many times over become dense rows, and their columns are
-  /// delayed.
+  /// Columns that are barely independent of those before are delayed: what follows would be told from roundoff by their
+  /// rows of R only, and taken from dense rows many times over. These become dense rows.
   void delay_weak_pivots() {
     for (int j = 0; j < front_.pivots; ++j) {
       if (row_[j] < 0 || dense_.rows() >= most_rows_) continue;
@@ -258,9 +256,8 @@ class Elimination {
 
 }  // namespace
 
-std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, double tolerance,
-                                   MatrixXd& dense) {
-  return Elimination(A, groups, tolerance, dense).run();
+std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, Pivots pivots, MatrixXd& dense) {
+  return Elimination(A, groups, pivots, dense).run();
 }
 
 extern const FactorFront factor_front_v2;
