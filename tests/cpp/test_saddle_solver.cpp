@@ -201,6 +201,20 @@ TEST_CASE("the error of schur for a hinge that is there twice names one of the t
   }
 }
 
+TEST_CASE("the error of a singular matrix advises what is not done yet") {
+  Random random(118);
+  const Problem problem(doubled_hinge(random), random);
+  const auto solver = make_saddle_solver("kkt", linear_solver_info("block"));
+  solver->analyze(problem.system, problem.at);
+  for (const auto& [compliance, advice] : {std::pair{0.0, "formulation 'augmented_lagrangian'"}, {1e-30, "a smaller penalty_scale"}})
+    try {
+      solver->factorize(problem.at, VectorXd::Constant(problem.system.row_count(), compliance));
+      FAIL_CHECK("no error");
+    } catch (const SingularSystemError& error) {
+      CHECK(std::string(error.what()).find(advice) != std::string::npos);
+    }
+}
+
 TEST_CASE("a massless body that nothing holds is a SingularSystemError of normal") {
   for_every_solver("normal", [](const LinearSolverInfo& info) {
     Random random(118);

@@ -60,11 +60,7 @@ void CollocationStep::allocate(double t, const VectorXd& y) {
 bool CollocationStep::begin(double t, const VectorXd& y, bool on_constraints) {
   allocate(t, y);
   VectorXd projected = y;
-  try {
-    project(t, projected);
-  } catch (const NotConvergedError&) {
-    if (on_constraints) return false;
-  }
+  if (!can_project(t, projected) && on_constraints) return false;
   off_ = on_constraints ? 0.0 : std::min(displacement(y, projected), farthest_off);
   if (on_constraints) step_.y = std::move(projected);
   dynamics_.evaluate(t, step_.y);
@@ -80,6 +76,18 @@ void CollocationStep::project(double t, VectorXd& y) {
   dynamics_.evaluate(t, y);
   projection_.positions(t, y);
   projection_.velocities(t, y);
+}
+
+/// Not in a singular pose, nor too near to it, nor far from the constraints.
+bool CollocationStep::can_project(double t, VectorXd& y) {
+  try {
+    project(t, y);
+  } catch (const NotConvergedError&) {
+    return false;
+  } catch (const SingularSystemError&) {
+    return false;
+  }
+  return true;
 }
 
 CollocationStep::Quality CollocationStep::attempt(double h, int left_out) {
@@ -185,11 +193,7 @@ void CollocationStep::finish(Quality& quality) {
   quality.jump = jump_;
   quality.resolution = step_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
   rates_ = step_.y_new;
-  try {
-    project(step_.end(), rates_);
-    step_.y_new = rates_;
-  } catch (const NotConvergedError&) {  // beside a singular pose
-  }
+  if (can_project(step_.end(), rates_)) step_.y_new = rates_;
   note_missing_energy(quality);
 }
 

@@ -76,6 +76,7 @@ class CollocationStep {
 
  private:
   void allocate(double t, const VectorXd& y);
+  bool can_project(double t, VectorXd& y);
   bool iterate();
   double node(int i);
   double extrapolated_node(int i);

@@ -25,7 +25,7 @@ class KktSolver final : public AssembledSolver {
     assemble_compliance(e);
     smallest_pivot_ = solver_->factorize(matrix_->matrix());
     if (!(smallest_pivot_.ratio > singular_pivot))
-      throw_singular(*system_, "kkt", smallest_pivot_, smallest_pivot_.row - system_->v_size());
+      throw_singular(*system_, "kkt", smallest_pivot_, smallest_pivot_.row - system_->v_size(), e);
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) override {

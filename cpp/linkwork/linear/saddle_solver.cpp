@@ -46,9 +46,10 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const 
   return system.inerters().empty() ? std::move(plain) : detail::with_inerters(std::move(plain));
 }
 
-void detail::throw_singular(const System& system, const char* form, const Pivot& pivot, int row) {
+void detail::throw_singular(const System& system, const char* form, const Pivot& pivot, int row, const VectorXd& e) {
   char ratio[32];
   std::snprintf(ratio, sizeof ratio, "%.1e", pivot.ratio);
+  const bool yields = e.size() > 0 && e.maxCoeff() > 0.0;
   ErrorDetails details;
   std::string where = "the constraints of the mechanism";
   if (row >= 0) {
@@ -57,8 +58,8 @@ void detail::throw_singular(const System& system, const char* form, const Pivot&
   }
   throw SingularSystemError("singular_system",
                             where + ": the " + form + " matrix is singular here (relative pivot " + ratio +
-                                "): the constraint repeats what others fix, permanently or in this pose; use "
-                                "formulation 'augmented_lagrangian'",
+                                "): the constraint repeats what others fix, permanently or in this pose; use " +
+                                (yields ? "a smaller penalty_scale" : "formulation 'augmented_lagrangian'"),
                             details);
 }
 

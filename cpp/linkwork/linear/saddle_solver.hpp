@@ -83,8 +83,10 @@ bool can_solve(const std::string& form, const LinearSolverInfo& solver);
 
 namespace detail {
 
-/// The error for a vanishing pivot; `row` is the constraint row, or -1 where the factorization does not tell.
-[[noreturn]] void throw_singular(const System& system, const char* form, const Pivot& pivot, int row);
+/// The error for a vanishing pivot; `row` is the constraint row, or -1 where the factorization does not tell; `e` the
+/// compliance.
+[[noreturn]] void throw_singular(const System& system, const char* form, const Pivot& pivot, int row,
+                                 const VectorXd& e);
 
 std::unique_ptr<SaddleSolver> make_kkt(std::unique_ptr<LinearSolver> solver, Storage storage);
 std::unique_ptr<SaddleSolver> make_schur(std::unique_ptr<LinearSolver> solver, Storage storage);

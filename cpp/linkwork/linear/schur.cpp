@@ -27,7 +27,7 @@ class SchurSolver final : public AssembledSolver {
     assemble(at, e);
     smallest_pivot_ = solver_->factorize(matrix_->matrix());
     if (!(smallest_pivot_.ratio > singular_pivot))
-      throw_singular(*system_, "schur", smallest_pivot_, smallest_pivot_.row);
+      throw_singular(*system_, "schur", smallest_pivot_, smallest_pivot_.row, e);
     at_ = &at;
   }
 

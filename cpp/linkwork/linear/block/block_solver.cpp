@@ -258,7 +258,7 @@ class BlockSolver final : public SaddleSolver {
     if (smallest.ratio < data_.breakdown && (split() || (std::isfinite(smallest.ratio) && delay_pivot(smallest.row))))
       return factorize(at, e, a, b);
     if (!(smallest_pivot_.ratio > singular_pivot))
-      detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row);
+      detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row, e);
   }
 
   SmallestPivot sweep(const ConstVector& a, const ConstVector& b) {

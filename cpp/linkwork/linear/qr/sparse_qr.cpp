@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<int>;
 
-constexpr Eigen::Index spare_rows = 100;  // at most so many more become dense,
+constexpr Eigen::Index spare_rows = 1000;  // at most so many more become dense,
 constexpr Eigen::Index spare = 40000000;  // with at most so many numbers
 constexpr std::size_t small = 1000;       // numbers whose memory is worth keeping
 
