@@ -127,3 +127,12 @@ TEST_CASE("of small graphs with weights the order is nearly the best of all") {
     CHECK(operations(graph, weight, found) <= 1.15 * least);
   }
 }
+
+TEST_CASE("a sheet of five-point stars takes half of what dissection takes of one of nine points, 829 / 84 n^3 (A. George, 1973)") {
+  for (const int n : {40, 80}) {
+    const std::vector<int> order = fill_reducing_order(lists_of(grid(n)));
+    CHECK(is_permutation(order, static_cast<std::size_t>(n * n)));
+    const double half = 0.5 * operations(grid(n), std::vector<int>(static_cast<std::size_t>(n * n), 1), order);
+    CHECK(half <= 0.5 * 829.0 / 84.0 * n * n * n);
+  }
+}
