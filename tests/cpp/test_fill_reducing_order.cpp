@@ -128,7 +128,9 @@ TEST_CASE("of small graphs with weights the order is nearly the best of all") {
   }
 }
 
-TEST_CASE("a sheet of five-point stars takes half of what dissection takes of one of nine points, 829 / 84 n^3 (A. George, 1973)") {
+TEST_CASE(
+    "a sheet of five-point stars takes half of what dissection takes of one of nine points, 829 / 84 n^3 (A. George, "
+    "1973)") {
   for (const int n : {40, 80}) {
     const std::vector<int> order = fill_reducing_order(lists_of(grid(n)));
     CHECK(is_permutation(order, static_cast<std::size_t>(n * n)));

@@ -206,7 +206,8 @@ TEST_CASE("the error of a singular matrix advises what is not done yet") {
   const Problem problem(doubled_hinge(random), random);
   const auto solver = make_saddle_solver("kkt", linear_solver_info("block"));
   solver->analyze(problem.system, problem.at);
-  for (const auto& [compliance, advice] : {std::pair{0.0, "formulation 'augmented_lagrangian'"}, {1e-30, "a smaller penalty_scale"}})
+  for (const auto& [compliance, advice] :
+       {std::pair{0.0, "formulation 'augmented_lagrangian'"}, {1e-30, "a smaller penalty_scale"}})
     try {
       solver->factorize(problem.at, VectorXd::Constant(problem.system.row_count(), compliance));
       FAIL_CHECK("no error");

@@ -84,11 +84,11 @@ class Crossing final : public Interpolant {
     std::vector<double> poses;  ///< foreseen, then found
     double least;               ///< length to begin with
     Leap best = {};
-    double error = INFINITY;  ///< of it
-    double base = 0.0;        ///< of other lengths
+    double error = INFINITY;                         ///< of it
+    double base = 0.0;                               ///< of other lengths
     std::vector<std::pair<double, int>> tried = {};  ///< lengths, with the node left out
-    double too_far = INFINITY;  ///< a pose
-    int failures = 0;           ///< since the last that converged
+    double too_far = INFINITY;                       ///< a pose
+    int failures = 0;                                ///< since the last that converged
     bool any_converged = false, ahead = false, done = false;
   };
 

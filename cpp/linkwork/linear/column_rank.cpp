@@ -160,7 +160,8 @@ std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<do
   std::vector<int> dead = singletons.dead(), columns;
   RowMatrix rest = singletons.rest(columns);
   if (!columns.empty())
-    for (const int k : dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)})) dead.push_back(columns[k]);
+    for (const int k : dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)}))
+      dead.push_back(columns[k]);
   std::sort(dead.begin(), dead.end());
   return dead;
 }

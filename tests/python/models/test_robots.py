@@ -198,8 +198,8 @@ def test_cassie_with_rigid_springs_is_at_a_dead_center_for_good() -> None:
 
 
 def test_cassie_as_in_the_file_is_locked_by_rounded_angles() -> None:
-    """1.5708 for pi / 2 turns axes of the planar feet by up to 1e-5 rad, which locks feet: how many is within the
-    square of that, 1e-10, and so within the tolerance."""
+    """1.5708 for pi / 2 turns axes of the planar feet by up to 1e-5 rad, which locks feet: how many is
+    within the square of that, 1e-10, and so within the tolerance."""
     path = named("cassie_v2.sdf")
     found = [lw.import_sdf(path, repair_inertia=True, align_axes=angle) for angle in (None, 0)]
     free, literal = (lw.System(imported.model).compiled().rank().degrees_of_freedom for imported in found)

@@ -106,7 +106,7 @@ class Rerooting {
   int line_ = none;          ///< the supernode where it ends, a root
   double total_ = 0.0;       ///< work
   std::vector<double> all_;  ///< of each subtree
-  std::vector<char> done_;  ///< of each place
+  std::vector<char> done_;   ///< of each place
   std::vector<int> order_;
 };
 

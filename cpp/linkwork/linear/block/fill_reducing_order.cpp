@@ -20,7 +20,7 @@ using Numbers = std::vector<int>;
 constexpr int none = -1;
 constexpr std::size_t leaf = 100;      // nodes of a part that minimum degree orders
 constexpr std::size_t large = 1000;    // from which on dissection is tried
-constexpr double little = 1000.0;       // operations of a node, as many as handling it: no order saves more
+constexpr double little = 1000.0;      // operations of a node, as many as handling it: no order saves more
 constexpr std::size_t most_bits = 64;  // up to so many nodes their rows are counted
 
 template <class Container>
@@ -330,7 +330,7 @@ class Dissection {
   }
 
   const NumberLists& graph_;
-  Numbers part_, level_;                  ///< of each node
+  Numbers part_, level_;                   ///< of each node
   Numbers from_first_, from_second_ = {};  ///< levels from there
   Separator separator_;
   int parts_ = 0;

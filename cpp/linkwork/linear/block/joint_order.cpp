@@ -98,7 +98,8 @@ std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const Rows& rows
     const double below = rows.of(nodes[end].below), assembly = 0.5 * below * below;
     least[end + 1] = INFINITY;
     for (std::size_t first = end + 1; first-- > 0;) {
-      const bool leads_out = first < end && (nodes[first].below.empty() || nodes[first].below.front() >= nodes[end].last);
+      const bool leads_out =
+          first < end && (nodes[first].below.empty() || nodes[first].below.front() >= nodes[end].last);
       const double merged = cost(rows.of(nodes[first].first, nodes[end].last), below) + assembly;
       if (leads_out || (first < end && merged > least[end + 1] - least[first] + most_lost)) break;
       if (least[first] + merged >= least[end + 1]) continue;

@@ -17,8 +17,8 @@ namespace {
 using Numbers = std::vector<int>;
 
 constexpr Eigen::Index spare_rows = 1000;  // at most so many more become dense,
-constexpr Eigen::Index spare = 40000000;  // with at most so many numbers
-constexpr std::size_t small = 1000;       // numbers whose memory is worth keeping
+constexpr Eigen::Index spare = 40000000;   // with at most so many numbers
+constexpr std::size_t small = 1000;        // numbers whose memory is worth keeping
 
 /// Groups of columns coupled by a row.
 block::JointGraph group_graph(const RowMatrix& A, const Numbers& groups) {
