@@ -53,6 +53,7 @@ class Elimination {
         tolerance_(pivots.none),
         weak_(pivots.weak),
         dense_(dense),
+        dense_rows_(dense.rows()),
         most_rows_(dense.rows() + std::min(spare_rows, spare / (A.cols() + 1))),
         tree_(block::order_joint_graph(group_graph(A, groups))) {
     look_for_interruption();
@@ -75,10 +76,11 @@ class Elimination {
       factor_(front_);
       contribute(contributions_[s]);
       delay_weak_pivots();
-      if (dense_.rows() > 0) reduce_dense_rows();
+      if (dense_rows_ > 0) reduce_dense_rows();
       for (int k = 0; k < front_.pivots; ++k)
         if (row_[k] < 0) dead_.push_back(column_[columns_[k]]);
     }
+    dense_.conservativeResize(dense_rows_, Eigen::NoChange);
     return std::move(dead_);
   }
 
@@ -185,12 +187,15 @@ class Elimination {
   /// rows of R only, and taken from dense rows many times over. These become dense rows.
   void delay_weak_pivots() {
     for (int j = 0; j < front_.pivots; ++j) {
-      if (row_[j] < 0 || dense_.rows() >= most_rows_) continue;
+      if (row_[j] < 0 || dense_rows_ >= most_rows_) continue;
       const double* R = front_.entries + row_[j];
       if (std::abs(R[front_.stride * j]) > weak_) continue;
-      dense_.conservativeResize(dense_.rows() + 1, Eigen::NoChange);
-      dense_.bottomRows(1).setZero();
-      for (int k = j; k < front_.columns; ++k) dense_(dense_.rows() - 1, column_[columns_[k]]) = R[front_.stride * k];
+      if (dense_rows_ == dense_.rows()) {
+        dense_.conservativeResize(std::min(2 * dense_rows_ + 8, most_rows_), Eigen::NoChange);
+        dense_.bottomRows(dense_.rows() - dense_rows_).setZero();
+      }
+      for (int k = j; k < front_.columns; ++k) dense_(dense_rows_, column_[columns_[k]]) = R[front_.stride * k];
+      dense_rows_ += 1;
       row_[j] = -1;
     }
   }
@@ -200,9 +205,10 @@ class Elimination {
     for (int j = 0; j < front_.pivots; ++j) {
       if (row_[j] < 0) continue;
       const double* R = front_.entries + row_[j];
-      auto own = dense_.col(column_[columns_[j]]);
+      auto own = dense_.col(column_[columns_[j]]).head(dense_rows_);
       own /= R[front_.stride * j];
-      for (int k = j + 1; k < front_.columns; ++k) dense_.col(column_[columns_[k]]) -= R[front_.stride * k] * own;
+      for (int k = j + 1; k < front_.columns; ++k)
+        dense_.col(column_[columns_[k]]).head(dense_rows_) -= R[front_.stride * k] * own;
       own.setZero();
     }
   }
@@ -232,6 +238,7 @@ class Elimination {
   const RowMatrix& A_;
   const double tolerance_, weak_;
   MatrixXd& dense_;
+  Eigen::Index dense_rows_;  ///< those that are used
   const Eigen::Index most_rows_;
   const block::Elimination tree_;
   const FactorFront factor_ = front_factorization();
