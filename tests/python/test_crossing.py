@@ -109,7 +109,9 @@ def test_no_step_ends_in_a_pose_that_was_foreseen_badly(
 
 
 @pytest.mark.parametrize("after", [-2e-3, -1e-5, -1e-7, 1e-7, 1e-5, 4.5e-5, 3e-4, 2e-3])
-@pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 1e-4}, {"rtol": 1e-9}], ids=str)
+@pytest.mark.parametrize(
+    "options", [{"step": 1e-3}, {"step": 1e-4}, {"rtol": 1e-9}, {"rtol": 1e-10}], ids=str
+)
 @pytest.mark.parametrize("load", [False, True])
 def test_a_run_may_end_beside_a_pose(load: bool, options: dict[str, float], after: float) -> None:
     """As if it went on: with a load of the user's own, which nobody asks for values beyond the end."""
@@ -129,7 +131,7 @@ def test_a_run_may_end_beside_a_pose(load: bool, options: dict[str, float], afte
     assert len(result.singular_poses) == (after > 0)
     theta = 2 * np.arctan2(result.orientation[-1, 0, 3], result.orientation[-1, 0, 0])
     expected = -1.2 * 9.81 * np.cos(theta)
-    tolerance = 2e-5 if load else 1e-6  # a leap ends with the run: no node beyond the pose, or none in it
+    tolerance = 1e-5 if load else 1e-6  # a leap ends with the run: no node beyond the pose, or none in it
     assert abs(result.angular_acceleration[-1, 0, 2] - expected) <= tolerance * 9.81
 
 

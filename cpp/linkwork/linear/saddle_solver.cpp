@@ -49,7 +49,7 @@ std::unique_ptr<SaddleSolver> make_saddle_solver(const std::string& name, const 
 void detail::throw_singular(const System& system, const char* form, const Pivot& pivot, int row, const VectorXd& e) {
   char ratio[32];
   std::snprintf(ratio, sizeof ratio, "%.1e", pivot.ratio);
-  const bool yields = e.size() > 0 && e.maxCoeff() > 0.0;
+  const bool yields = e.size() > 0 && (row >= 0 ? e[row] : e.minCoeff()) > 0.0;  // inerters always do
   ErrorDetails details;
   std::string where = "the constraints of the mechanism";
   if (row >= 0) {

@@ -48,8 +48,8 @@ Numbers minimum_degree(const NumberLists& graph) {
 }
 
 /// Nodes with one neighbor or none, one after the other, each without those before it: what hangs on the rest as trees.
-/// Eliminated first they cause no fill, which minimum degree alone does not find: Eigen's counts a node itself among the neighbors
-/// of those that it has not met yet.
+/// Eliminated first they cause no fill, which minimum degree alone does not find: Eigen's counts a node itself among the
+/// neighbors of those that it has not met yet.
 Numbers hanging(const NumberLists& graph) {
   const int n = static_cast<int>(graph.size());
   Numbers degree(graph.size()), order;
@@ -96,8 +96,8 @@ struct Separation {
 };
 
 /// Nodes that separate a part of a graph into two sides. Refined by moves of single nodes from the separator to a side,
-/// by which their neighbors on the other side enter it: the move that leaves the fewest rows in it, if it is more rows,
-/// too, each node once; then back to the best of all states (C. Ashcraft, J. W. H. Liu, Applications of the
+/// by which their neighbors on the other side enter it: always the move that leaves the fewest rows in it, even if they are
+/// more than before, and each node once; then back to the best of all states (C. Ashcraft, J. W. H. Liu, Applications of the
 /// Dulmage-Mendelsohn decomposition and network flow to graph bisection improvement, SIAM J. Matrix Anal. Appl. 19,
 /// 1998; after C. M. Fiduccia, R. M. Mattheyses, 1982).
 class Separator {
