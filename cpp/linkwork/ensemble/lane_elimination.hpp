@@ -15,11 +15,6 @@ using namespace simd::LINKWORK_ISA;
 LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return load_native(from + k * width); }
 LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { store_native(to + k * width, x); }
 
-LINKWORK_INLINE bool any(NativeIndex mask) {
-  long long found = 0;
-  for (int l = 0; l < width; ++l) found |= mask[l];
-  return found != 0;
-}
 
 constexpr double breakdown = 1e-15;                // as in BlockSolver: there is no hub
 constexpr double not_a_number = -__builtin_inf();  // as a ratio of pivots: the smallest of all
@@ -47,6 +42,13 @@ struct SmallestPivots {
 /// The sum over the 8 lanes of a vector as block/kernels.cpp takes it on every processor: even and odd ones apart.
 LINKWORK_INLINE Native sum_of_eight(const Native* x) {
   return ((x[0] + x[2]) + x[4]) + x[6] + (((x[1] + x[3]) + x[5]) + x[7]);
+}
+
+/// x = L^-1 x.
+template <int size>
+LINKWORK_INLINE void substitute_forward(const Native (*L)[size], Native* x) {
+  LINKWORK_UNROLL for (int k = 0; k < size; ++k) LINKWORK_UNROLL
+    for (int c = k + 1; c < size; ++c) x[c] -= x[k] * L[k][c];
 }
 
 /// Calls f with the count, 1 to `most`, as a constant.

@@ -11,7 +11,8 @@ using block::CoreBody;
 using block::Front;
 using block::RelativeIndices;
 
-constexpr int at_once = 8;  // columns that are eliminated together, which decides on the order of operations
+constexpr int at_once = 8;         // columns that are eliminated together, which decides on the order of operations
+constexpr int most_products = 32;  // of an entry, at a time
 
 /// Where the numbers of a front stand.
 struct FrontPlace {
@@ -36,16 +37,24 @@ struct FrontPlace {
   LINKWORK_INLINE int next(int position) const { return position + 1 == front.width ? front.top : position + 1; }
 };
 
+LINKWORK_INLINE void clear_range(double* list, int begin, int end) {
+  for (int p = begin; p < end; ++p) put(list, p, Native{});
+}
+
 void clear_list(double* list, const FrontPlace& at) {
-  for (int p = 0; p < at.last(); p = at.next(p)) put(list, p, Native{});
+  clear_range(list, 0, at.front.width);
+  clear_range(list, at.front.top, at.last());
 }
 
 void clear(const Front& front, const LaneData& data) {
   const FrontPlace at(front, data);
-  for (int c = 0; c < at.last(); c = at.next(c)) {
+  const int own = front.width, top = front.top, last = at.last();
+  for (int c = 0; c < own; ++c) {
     double* column = at.column(c);
-    for (int p = c; p < at.last(); p = at.next(p)) put(column, p, Native{});
+    clear_range(column, c, own);
+    clear_range(column, top, last);
   }
+  for (int c = top; c < last; ++c) clear_range(at.column(c), c, last);
   clear_list(at.right(), at);
   clear_list(at.diagonal(), at);
 }
@@ -126,21 +135,48 @@ void add_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, 
   }
 }
 
-/// The columns of D M^-1 D^T, from their diagonal on.
+/// Row i of some columns of D M^-1 D^T, from the scaled row of each.
+template <int columns>
+LINKWORK_INLINE void add_to_columns(double* const* C, std::ptrdiff_t position, const double* row,
+                                    const Native (*scaled)[6]) {
+  Native sum[columns];
+  LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
+    sum[c] = get(C[c], position);
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+    const Native x = get(row, k);
+    LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
+      sum[c] += x * scaled[c][k];
+  }
+  LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
+    put(C[c], position, sum[c]);
+}
+
+/// Columns j, j + 1, ... of those of a body, from their diagonal on.
+template <int columns>
+LINKWORK_INLINE void add_some_columns(const FrontPlace& at, const int* positions, const double* U, int j, int rows) {
+  Native scaled[columns][6];
+  double* C[columns];
+  LINKWORK_UNROLL for (int c = 0; c < columns; ++c) {
+    C[c] = at.column(positions[j + c]);
+    LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+      scaled[c][k] = get(U, 12l * (j + c) + 6 + k);
+  }
+  const double* row = U + 12l * j * width;
+  add_to_columns<1>(C, positions[j], row, scaled);
+  if constexpr (columns > 1) add_to_columns<2>(C, positions[j + 1], row + 12l * width, scaled);
+  if constexpr (columns > 2) add_to_columns<3>(C, positions[j + 2], row + 24l * width, scaled);
+  row += 12l * columns * width;
+  for (int i = j + columns; i < rows; ++i, row += 12l * width) add_to_columns<columns>(C, positions[i], row, scaled);
+}
+
 void add_body_columns(const CoreBody& body, const FrontPlace& at, const LaneData& data) {
   const int* positions = data.row_positions + body.first_row;
-  for (int j = 0; j < body.rows; ++j) {
-    Native scaled[6];
-    LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-      scaled[k] = get(data.scratch, 12l * j + 6 + k);
-    double* C = at.column(positions[j]);
-    for (int i = j; i < body.rows; ++i) {
-      Native sum = get(C, positions[i]);
-      LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-        sum += get(data.scratch, 12l * i + k) * scaled[k];
-      put(C, positions[i], sum);
-    }
-  }
+  const int rows = body.rows;
+  const double* U = data.scratch;
+  int j = 0;
+  for (; j + 3 <= rows; j += 3) add_some_columns<3>(at, positions, U, j, rows);
+  if (rows - j == 2) add_some_columns<2>(at, positions, U, j, rows);
+  if (rows - j == 1) add_some_columns<1>(at, positions, U, j, rows);
 }
 
 template <bool right_hand_side_only>
@@ -157,110 +193,176 @@ void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& 
 
 LINKWORK_INLINE Native given(int unknown, const double* b) { return get(b, unknown); }
 
-/// Entries p, p + 1, ... of column c of a front less what the columns before it take: those of earlier blocks by L and
-/// D L^T, those of its own by U and L, the last in another order where `of_block`, the rows of the block itself.
-struct ColumnUpdate {
-  const double* panel;  ///< L
-  const double* U;      ///< of this block, scratch
-  std::ptrdiff_t stride;
-  const Native* DL;  ///< of the columns before the block: d_k L(c, k)
-  const Native* L;   ///< of the columns of the block: L(c, k)
-  Native last, last_inverse;
-  int k0, c;
+/// Calls f with the first and the count, 1 to 4, of some of the positions from `begin` to `end`.
+template <class Function>
+LINKWORK_INLINE void by_fours(int begin, int end, const Function& f) {
+  for (; begin + 4 <= end; begin += 4) f(begin, std::integral_constant<int, 4>());
+  if (begin < end) with_count<3>(end - begin, [&](auto count) { f(begin, count); });
+}
 
-  template <int rows, bool of_block>
-  LINKWORK_INLINE void apply(double* column, int p) const {
-    Native sum[rows];
-    LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-      sum[r] = get(column, p + r);
-    const double* from = panel + static_cast<std::ptrdiff_t>(p) * width;
-    for (int k = 0; k < k0; ++k, from += stride * width) LINKWORK_UNROLL
-      for (int r = 0; r < rows; ++r) sum[r] -= get(from, r) * DL[k];
-    const double* unscaled = U + static_cast<std::ptrdiff_t>(p) * width;
-    const int general = of_block && c > k0 ? c - 1 : c;
-    for (int k = k0; k < general; ++k, unscaled += stride * width) LINKWORK_UNROLL
-      for (int r = 0; r < rows; ++r) sum[r] -= get(unscaled, r) * L[k - k0];
-    if (of_block && c > k0) LINKWORK_UNROLL
-      for (int r = 0; r < rows; ++r) sum[r] -= (get(unscaled, r) * last) * last_inverse;
-    LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-      put(column, p + r, sum[r]);
-  }
-  template <bool of_block>
-  LINKWORK_INLINE void apply_from(double* column, int p, int end) const {
-    by_eights(p, end, [&](auto rows, int q) { apply<rows, of_block>(column, q); });
-  }
+/// Some columns, one `stride` after the other, of which position p of the first is number p.
+struct Columns {
+  double* first;
+  std::ptrdiff_t stride;
+
+  LINKWORK_INLINE double* operator[](int c) const { return first + c * stride * width; }
 };
 
-/// LDL^T of the eliminated columns and of the right-hand side: the panel is left with unit L, below 1/d on its
-/// diagonal, and D^-1 L^-1 of the right-hand side; `U` with L D of the last block; `pivots` with D.
-// Long: one column from its sums to its factor.
-void eliminate(const FrontPlace& at, const LaneData& data, const double* b, double* U_all, double* pivots,
-               SmallestPivots& smallest) {
+/// Subtracts the products of `depth` columns of a list, from `A` on, and of as many factors, from rows p, p + 1, ... of
+/// columns; where `diagonal`, p is the position of the first, and what is above the diagonal stays.
+template <int rows, int columns, bool diagonal>
+LINKWORK_INLINE void subtract_products(const Columns& to, int p, const Columns& A, int depth,
+                                       const Native (*factors)[columns]) {
+  Native sum[columns][rows];
+  LINKWORK_UNROLL for (int c = 0; c < columns; ++c) LINKWORK_UNROLL
+    for (int r = 0; r < rows; ++r) sum[c][r] = diagonal && r < c ? Native{} : get(to[c], p + r);
+  const double* from = A.first + static_cast<std::ptrdiff_t>(p) * width;
+  for (int k = 0; k < depth; ++k, from += A.stride * width) LINKWORK_UNROLL
+    for (int r = 0; r < rows; ++r) {
+      const Native x = get(from, r);
+      LINKWORK_UNROLL for (int c = 0; c < (diagonal ? r + 1 : columns); ++c)
+        sum[c][r] -= x * factors[k][c];
+    }
+  LINKWORK_UNROLL for (int c = 0; c < columns; ++c) LINKWORK_UNROLL
+    for (int r = diagonal ? c : 0; r < rows; ++r) put(to[c], p + r, sum[c][r]);
+}
+
+template <int columns>
+LINKWORK_INLINE void subtract_below(const Columns& to, int begin, int end, const Columns& A, int depth,
+                                    const Native (*factors)[columns]) {
+  by_fours(begin, end, [&](int p, auto rows) { subtract_products<rows, columns, false>(to, p, A, depth, factors); });
+}
+
+/// Columns c, c + 1, ... of a front, from the diagonal of each on, less the products of the first `before` columns: U L^T
+/// of a narrow front, L (D L^T) of a wide one.
+template <int columns>
+LINKWORK_INLINE void subtract_columns(const FrontPlace& at, int before, const double* U, const double* pivots, int c) {
   const Front& front = at.front;
   const std::ptrdiff_t stride = front.stride();
-  double* right = at.right();
-  Native DL[512], L[at_once];  // fronts are not wider: see Pack
-  for (int c = 0; c < front.width; ++c) {
-    const int k0 = c / at_once * at_once;
-    const int block_end = k0 + at_once < front.width ? k0 + at_once : front.width;
-    double* column = at.column(c);
-    double* U = U_all - static_cast<std::ptrdiff_t>(k0) * stride * width;  // column k of the block at k stride
-    for (int k = 0; k < k0; ++k) DL[k] = get(at.panel, k * stride + c) * get(pivots, k);
-    for (int k = k0; k < c; ++k) L[k - k0] = get(at.panel, k * stride + c);
-    ColumnUpdate update{at.panel, U + k0 * stride * width, stride, DL, L, Native{}, Native{}, k0, c};
-    if (c > k0) {
-      update.last = get(U, (c - 1) * stride + c);
-      update.last_inverse = get(at.panel, (c - 1) * stride + c - 1);
-    }
-    update.apply_from<true>(column, c, block_end);
-    update.apply_from<false>(column, block_end, front.width);
-    update.apply_from<false>(column, front.top, at.last());
-    if (c == k0)
-      for (int k = k0; k < block_end; ++k) put(right, k, get(right, k) + given(data.unknowns[front.unknown + k], b));
-    const Native pivot = get(column, c), inverse = 1.0 / pivot;
-    const Native z = get(right, c) * inverse;
-    put(pivots, c, pivot);
-    for (int p = at.next(c); p < at.last(); p = at.next(p)) {
-      const Native u = get(column, p);
-      put(U, c * stride + p, u);
-      put(column, p, u * inverse);
-      put(right, p, get(right, p) - u * z);
-    }
-    put(column, c, inverse);
-    put(right, c, z);
-    smallest.note(pivot, get(at.diagonal(), c));
+  const bool own = c < front.width;
+  const Columns to{at.column(c), own ? stride : front.contribution_rows};
+  Native factors[most_products][columns];
+  for (int first = 0; first < before; first += most_products) {
+    const int depth = before - first < most_products ? before - first : most_products;
+    for (int k = 0; k < depth; ++k) LINKWORK_UNROLL
+      for (int i = 0; i < columns; ++i) {
+        const Native L = get(at.panel, (first + k) * stride + c + i);
+        factors[k][i] = U ? L : L * get(pivots, first + k);
+      }
+    const Columns A{const_cast<double*>(U ? U : at.panel) + first * stride * width, stride};
+    subtract_products<columns, columns, true>(to, c, A, depth, factors);
+    if (own) subtract_below<columns>(to, c + columns, front.width, A, depth, factors);
+    subtract_below<columns>(to, own ? front.top : c + columns, at.last(), A, depth, factors);
   }
 }
 
-/// Entries of a kept column less the products of all columns: U L^T of a narrow front, L (D L^T) of a wide one.
-template <int rows>
-LINKWORK_INLINE void subtract_products(double* column, int p, const double* A, std::ptrdiff_t stride, int depth,
-                                       const Native* factors) {
-  Native sum[rows];
-  LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-    sum[r] = get(column, p + r);
-  A += static_cast<std::ptrdiff_t>(p) * width;
-  for (int k = 0; k < depth; ++k, A += stride * width) LINKWORK_UNROLL
-    for (int r = 0; r < rows; ++r) sum[r] -= get(A, r) * factors[k];
-  LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-    put(column, p + r, sum[r]);
+/// LDL^T of a block of columns, from which all columns before it are subtracted, and of their right-hand side: the panel
+/// is left with unit L, below 1/d on its diagonal, and D^-1 L^-1 of the right-hand side.
+template <int count>
+struct Block {
+  Columns own;    ///< its columns, such that position p is number p
+  double* right;  ///< of the front
+  Native L[count][count], inverse[count], z[count];
+
+  /// The rows k0, k0 + 1, ... `diagonal` and `pivots` from there on.
+  LINKWORK_INLINE void factor_diagonal(int k0, const double* diagonal, double* pivots, SmallestPivots& smallest) {
+    LINKWORK_UNROLL for (int k = 0; k < count; ++k) {
+      const Native pivot = L[k][k];
+      smallest.note(pivot, get(diagonal, k));
+      put(pivots, k, pivot);
+      inverse[k] = 1.0 / pivot;
+      z[k] *= inverse[k];
+      put(own[k], k0 + k, inverse[k]);
+      put(right, k0 + k, z[k]);
+      Native scaled[count];
+      LINKWORK_UNROLL for (int r = k + 1; r < count; ++r) {
+        scaled[r] = L[k][r] * inverse[k];
+        put(own[k], k0 + r, scaled[r]);
+        z[r] -= L[k][r] * z[k];
+      }
+      LINKWORK_UNROLL for (int c = k + 1; c < count; ++c) LINKWORK_UNROLL
+        for (int r = c; r < count; ++r) {
+          if (c == k + 1) L[c][r] -= (L[k][r] * L[k][c]) * inverse[k];
+          else L[c][r] -= L[k][r] * scaled[c];
+        }
+      LINKWORK_UNROLL for (int r = k + 1; r < count; ++r)
+        L[k][r] = scaled[r];
+    }
+  }
+
+  /// Rows p, p + 1, ... below the diagonal; U = L D of them, where it is wanted.
+  template <int rows, bool keeps_U>
+  LINKWORK_INLINE void solve_rows(int p, const Columns& U) const {
+    Native x[rows][count], sum[rows];
+    LINKWORK_UNROLL for (int r = 0; r < rows; ++r) {
+      sum[r] = get(right, p + r);
+      LINKWORK_UNROLL for (int c = 0; c < count; ++c)
+        x[r][c] = get(own[c], p + r);
+    }
+    LINKWORK_UNROLL for (int k = 0; k < count; ++k) LINKWORK_UNROLL
+      for (int c = k + 1; c < count; ++c) LINKWORK_UNROLL
+        for (int r = 0; r < rows; ++r) x[r][c] -= x[r][k] * L[k][c];
+    LINKWORK_UNROLL for (int r = 0; r < rows; ++r) {
+      LINKWORK_UNROLL for (int c = 0; c < count; ++c) {
+        sum[r] -= x[r][c] * z[c];
+        put(own[c], p + r, x[r][c] * inverse[c]);
+        if constexpr (keeps_U) put(U[c], p + r, x[r][c]);
+      }
+      put(right, p + r, sum[r]);
+    }
+  }
+  template <bool keeps_U>
+  LINKWORK_INLINE void solve_below(int begin, int end, const Columns& U) const {
+    for (; begin + 2 <= end; begin += 2) solve_rows<2, keeps_U>(begin, U);
+    if (begin < end) solve_rows<1, keeps_U>(begin, U);
+  }
+};
+
+template <int count, bool narrow>
+void eliminate_block(const FrontPlace& at, const LaneData& data, const double* b, int k0, double* U, double* pivots,
+                     SmallestPivots& smallest) {
+  const std::ptrdiff_t stride = at.front.stride();
+  if constexpr (!narrow) {
+    for (int c = k0; c < k0 + count; c += 4) {
+      if (c + 4 <= k0 + count) subtract_columns<4>(at, k0, nullptr, pivots, c);
+      else subtract_columns<count % 4 == 0 ? 1 : count % 4>(at, k0, nullptr, pivots, c);
+    }
+  }
+  Block<count> block{{at.column(k0), stride}, at.right(), {}, {}, {}};
+  const int* unknowns = data.unknowns + at.front.unknown + k0;
+  LINKWORK_UNROLL for (int c = 0; c < count; ++c) {
+    LINKWORK_UNROLL for (int r = c; r < count; ++r)
+      block.L[c][r] = get(block.own[c], k0 + r);
+    block.z[c] = get(block.right, k0 + c) + given(unknowns[c], b);
+  }
+  block.factor_diagonal(k0, at.diagonal() + std::ptrdiff_t{k0} * width, pivots + std::ptrdiff_t{k0} * width, smallest);
+  block.template solve_below<false>(k0 + count, at.front.width, {});
+  block.template solve_below<narrow>(at.front.top, at.last(), {U, stride});
+}
+
+LINKWORK_INLINE bool narrow(const Front& front) { return front.width <= at_once; }
+
+/// `U` with L D of the kept rows of a narrow front; `pivots` with D.
+void eliminate(const FrontPlace& at, const LaneData& data, const double* b, double* U, double* pivots,
+               SmallestPivots& smallest) {
+  const int columns = at.front.width;
+  if (narrow(at.front)) {
+    with_count<at_once>(columns, [&](auto count) {
+      eliminate_block<count, true>(at, data, b, 0, U, pivots, smallest);
+    });
+    return;
+  }
+  for (int k0 = 0; k0 < columns; k0 += at_once)
+    with_count<at_once>(columns - k0 < at_once ? columns - k0 : at_once, [&](auto count) {
+      eliminate_block<count, false>(at, data, b, k0, U, pivots, smallest);
+    });
 }
 
 void update_kept(const FrontPlace& at, const double* U, const double* pivots) {
   const Front& front = at.front;
-  const std::ptrdiff_t stride = front.stride();
-  const bool narrow = front.width <= at_once;
-  Native factors[512];
-  for (int c = front.top; c < at.last(); ++c) {
-    for (int k = 0; k < front.width; ++k) {
-      const Native L = get(at.panel, k * stride + c);
-      factors[k] = narrow ? L : L * get(pivots, k);
-    }
-    const double* A = narrow ? U : at.panel;
-    double* column = at.column(c);
-    by_eights(c, at.last(),
-              [&](auto rows, int p) { subtract_products<rows>(column, p, A, stride, front.width, factors); });
-  }
+  by_fours(front.top, at.last(), [&](int c, auto columns) {
+    subtract_columns<columns>(at, front.width, narrow(front) ? U : nullptr, pivots, c);
+  });
 }
 
 /// Adds the kept part of a list to the same rows of the parent's.

@@ -7,16 +7,15 @@
 namespace linkwork {
 namespace {
 
-/// M_b (its lower triangle) of a body, its own or articulated, and the right-hand side behind the rows of W.
-template <int rows>
+/// M_b (its lower triangle) of a body, its own or articulated, and its right-hand side.
 LINKWORK_INLINE void load_body(const block::TreeStep& step, const LaneData& data, const double* a, Native (*M)[6],
-                               Native (*W)[rows + 1]) {
+                               Native* right) {
   if (step.slot >= 0) {
     const double* from = data.articulated_inertias + step.slot * articulated * std::ptrdiff_t{width};
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
       LINKWORK_UNROLL for (int r = c; r < 6; ++r)
         M[c][r] = get(from, 8 * c + r);
-      W[c][rows] = get(from, 8 * c + right_hand_side);
+      right[c] = get(from, 8 * c + right_hand_side);
     }
     return;
   }
@@ -26,128 +25,115 @@ LINKWORK_INLINE void load_body(const block::TreeStep& step, const LaneData& data
       if (c < 3) M[c][r] = r == c ? get(mass, 0) : Native{};
       else M[c][r] = get(mass, 1 + 3 * (c - 3) + r - 3);
     }
-    W[c][rows] = get(a, 6l * step.body + c);
+    right[c] = get(a, 6l * step.body + c);
   }
 }
 
-/// M_b = L D L^T with W = D_b L^-T on its way, and G = W D^-1; right-hand sides behind. M is left with unit L.
-template <int rows>
-LINKWORK_INLINE void factor_body_of(Native (*M)[6], Native (*W)[rows + 1], Native (*G)[rows + 1],
-                                    SmallestPivots& smallest) {
-  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-    const Native pivot = M[k][k], inverse = 1.0 / pivot;
-    Native L[6];
-    LINKWORK_UNROLL for (int r = k + 1; r < 6; ++r)
-      L[r] = M[k][r] * inverse;
-    LINKWORK_UNROLL for (int r = 0; r <= rows; ++r)
-      G[k][r] = W[k][r] * inverse;
-    LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c) {
-      LINKWORK_UNROLL for (int r = c; r < 6; ++r) {
-        if (c == k + 1) M[c][r] -= (M[k][r] * M[k][c]) * inverse;
+/// M = L D L^T of so many rows, in place: unit L, with D^-1 apart. `note` is told of each pivot.
+template <int size, class Note>
+LINKWORK_INLINE void factor_square(Native (*M)[size], Native* inverse, const Note& note) {
+  LINKWORK_UNROLL for (int k = 0; k < size; ++k) {
+    note(k, M[k][k]);
+    inverse[k] = 1.0 / M[k][k];
+    Native L[size];
+    LINKWORK_UNROLL for (int r = k + 1; r < size; ++r)
+      L[r] = M[k][r] * inverse[k];
+    LINKWORK_UNROLL for (int c = k + 1; c < size; ++c) LINKWORK_UNROLL
+      for (int r = c; r < size; ++r) {
+        if (c == k + 1) M[c][r] -= (M[k][r] * M[k][c]) * inverse[k];
         else M[c][r] -= M[k][r] * L[c];
       }
-      LINKWORK_UNROLL for (int r = 0; r <= rows; ++r)
-        W[c][r] -= W[k][r] * L[c];
-    }
-    LINKWORK_UNROLL for (int r = k + 1; r < 6; ++r)
+    LINKWORK_UNROLL for (int r = k + 1; r < size; ++r)
       M[k][r] = L[r];
-    smallest.note_mass(pivot);
   }
 }
 
-/// S = K D' K^T with V = K^-1 D_p, T = D'^-1 V, from column `first` of V on; S is left with K.
-template <int rows, int first>
-LINKWORK_INLINE void factor_joint_of(Native (*S)[rows], Native (*V)[7], Native (*T)[7], SmallestPivots& smallest) {
-  Native diagonal[rows];
-  LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
-    diagonal[k] = S[k][k];
-  LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
-    const Native pivot = S[k][k], inverse = 1.0 / pivot;
-    smallest.note(pivot, diagonal[k]);
-    Native K[rows];
-    LINKWORK_UNROLL for (int r = k + 1; r < rows; ++r)
-      K[r] = S[k][r] * inverse;
-    LINKWORK_UNROLL for (int r = first; r < 7; ++r)
-      T[k][r] = V[k][r] * inverse;
-    LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) {
-      LINKWORK_UNROLL for (int r = c; r < rows; ++r) {
-        if (c == k + 1) S[c][r] -= (S[k][r] * S[k][c]) * inverse;
-        else S[c][r] -= S[k][r] * K[c];
-      }
-      LINKWORK_UNROLL for (int r = first; r < 7; ++r)
-        V[c][r] -= V[k][r] * K[c];
-    }
-    LINKWORK_UNROLL for (int r = k + 1; r < rows; ++r)
-      S[k][r] = K[r];
-  }
+/// x = L^-T x.
+template <int size>
+LINKWORK_INLINE void substitute_backward(const Native (*L)[size], Native* x) {
+  LINKWORK_UNROLL for (int k = size - 1; k >= 0; --k) LINKWORK_UNROLL
+    for (int c = k + 1; c < size; ++c) x[k] -= x[c] * L[k][c];
 }
 
-/// M_p += V^T T, which begins with the parent's own mass.
-template <int rows>
-LINKWORK_INLINE void add_to_parent(const block::TreeStep& step, const LaneData& data, const double* a,
-                                   const Native (*V)[7], const Native (*T)[7]) {
+/// Column c of M_p += V^T D'^-1 V, where T is column c of D'^-1 V; M_p begins with the parent's own mass.
+template <int rows, bool begins>
+LINKWORK_INLINE void add_to_parent(const block::TreeStep& step, const LaneData& data, const double* a, int c,
+                                   const Native (*V)[rows], const Native* T) {
   double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
   const double* mass = data.mass + 10l * width * step.parent;
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
-    for (int r = c; r < 7; ++r) {
-      Native sum{};
-      if (!step.parent_begins) sum = get(to, 8 * c + r);
-      else if (r == right_hand_side) sum = get(a, 6l * step.parent + c);
-      else if (c >= 3) sum = get(mass, 1 + 3 * (c - 3) + r - 3);
-      else if (r == c) sum = get(mass, 0);
-      LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
-        sum += V[k][r] * T[k][c];
-      put(to, 8 * c + r, sum);
-    }
-}
-
-/// The joint of a step, whose rows are W = D_b L^-T and G = W D^-1; `first`: 0, or 6 where it is on the ground.
-template <int rows, int first>
-LINKWORK_INLINE void eliminate_joint(const block::TreeStep& step, const LaneData& data, const double* a,
-                                     const double* b, const Native (*W)[rows + 1], const Native (*G)[rows + 1],
-                                     SmallestPivots& smallest) {
-  Native S[rows][rows], V[rows][7], T[rows][7];
-  LINKWORK_UNROLL for (int c = 0; c < rows; ++c) {
-    LINKWORK_UNROLL for (int r = c; r <= rows; ++r) {
-      Native sum = splat_native(r == c ? data.compliance[step.row + c] : 0.0);
-      LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-        sum += W[k][r] * G[k][c];
-      if (r < rows) S[c][r] = sum;
-      else V[c][right_hand_side] = get(b, step.row + c) - sum;
-    }
-    LINKWORK_UNROLL for (int k = first; k < 6; ++k)
-      V[c][k] = get(data.D, step.D_parent + 6 * c + k);
+  LINKWORK_UNROLL for (int r = c; r < 7; ++r) {
+    Native sum{};
+    if (!begins) sum = get(to, 8 * c + r);
+    else if (r == right_hand_side) sum = get(a, 6l * step.parent + c);
+    else if (c >= 3) sum = get(mass, 1 + 3 * (c - 3) + r - 3);
+    else if (r == c) sum = get(mass, 0);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+      sum += V[r][k] * T[k];
+    put(to, 8 * c + r, sum);
   }
-  factor_joint_of<rows, first>(S, V, T, smallest);
-  if constexpr (first == 0) add_to_parent<rows>(step, data, a, V, T);
-  double* factors = data.factors + (step.storage + 48) * width;
-  LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) LINKWORK_UNROLL
-    for (int r = first; r < 7; ++r) {
-      LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c)
-        T[k][r] -= T[c][r] * S[k][c];
-      put(factors, 8 * k + r, T[k][r]);
-    }
 }
 
+/// What a joint with S = K D' K^T = D_b M_b^-1 D_b^T takes from its parent by V = K^-1 D_p, with the right-hand side
+/// behind; `first`: 0, or 6 where it is on the ground.
+template <int rows, int first, bool begins>
+LINKWORK_INLINE void eliminate_joint(const block::TreeStep& step, const LaneData& data, const double* a,
+                                     Native (*S)[rows], const Native* right, SmallestPivots& smallest) {
+  Native V[7][rows], diagonal[rows], inverse[rows];
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+    diagonal[k] = S[k][k];
+  factor_square<rows>(S, inverse, [&](int k, Native pivot) { smallest.note(pivot, diagonal[k]); });
+  LINKWORK_UNROLL for (int r = first; r < 7; ++r) {
+    LINKWORK_UNROLL for (int c = 0; c < rows; ++c)
+      V[r][c] = r < right_hand_side ? get(data.D, step.D_parent + 6 * c + r) : right[c];
+    substitute_forward<rows>(S, V[r]);
+  }
+  double* factors = data.factors + (step.storage + 48) * width;
+  LINKWORK_UNROLL for (int c = first; c < 7; ++c) {
+    Native T[rows];
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+      T[k] = V[c][k] * inverse[k];
+    if (c < right_hand_side) add_to_parent<rows, begins>(step, data, a, c, V, T);
+    substitute_backward<rows>(S, T);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+      put(factors, 8 * k + c, T[k]);
+  }
+}
+
+/// One row of D, or the right-hand side, after the other, so that its numbers stay in registers: W = D_b L^-T, and
+/// W D^-1 L^-1 for the way back.
 template <int rows>
 void factor_step(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
                  SmallestPivots& smallest) {
-  Native M[6][6], W[6][rows + 1], G[6][rows + 1];
-  load_body<rows>(step, data, a, M, W);
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
-    for (int r = 0; r < rows; ++r) W[c][r] = get(data.D, step.D_body + 6 * r + c);
-  factor_body_of<rows>(M, W, G, smallest);
-  if constexpr (rows > 0) {
-    if (step.parent >= 0) eliminate_joint<rows, 0>(step, data, a, b, W, G, smallest);
-    else eliminate_joint<rows, 6>(step, data, a, b, W, G, smallest);
+  Native M[6][6], inverse[6], W[rows + 1][6], S[rows + 1][rows > 0 ? rows : 1], right[rows + 1];
+  load_body(step, data, a, M, W[rows]);
+  factor_square<6>(M, inverse, [&](int, Native pivot) { smallest.note_mass(pivot); });
+  LINKWORK_UNROLL for (int r = 0; r <= rows; ++r) {
+    if (r < rows) LINKWORK_UNROLL
+      for (int c = 0; c < 6; ++c) W[r][c] = get(data.D, step.D_body + 6 * r + c);
+    substitute_forward<6>(M, W[r]);
   }
   double* factors = data.factors + step.storage * width;
-  LINKWORK_UNROLL for (int k = 5; k >= 0; --k) LINKWORK_UNROLL
-    for (int r = 0; r <= rows; ++r) {
-      LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c)
-        G[k][r] -= G[c][r] * M[k][c];
-      put(factors, 8 * k + (r < rows ? r : right_hand_side), G[k][r]);
-    }
+  LINKWORK_UNROLL for (int c = 0; c <= rows; ++c) {
+    Native G[6];
+    LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+      G[k] = W[c][k] * inverse[k];
+    if (c < rows) LINKWORK_UNROLL
+      for (int r = c; r <= rows; ++r) {
+        Native sum = splat_native(r == c ? data.compliance[step.row + c] : 0.0);
+        LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+          sum += W[r][k] * G[k];
+        if (r < rows) S[c][r] = sum;
+        else right[c] = get(b, step.row + c) - sum;
+      }
+    substitute_backward<6>(M, G);
+    LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+      put(factors, 8 * k + (c < rows ? c : right_hand_side), G[k]);
+  }
+  if constexpr (rows > 0) {
+    if (step.parent < 0) eliminate_joint<rows, 6, false>(step, data, a, S, right, smallest);
+    else if (step.parent_begins) eliminate_joint<rows, 0, true>(step, data, a, S, right, smallest);
+    else eliminate_joint<rows, 0, false>(step, data, a, S, right, smallest);
+  }
 }
 
 template <int rows>

@@ -1,6 +1,6 @@
 #pragma once
 
-#if defined(__AVX512F__)
+#if defined(__AVX__)
 #include <immintrin.h>
 #endif
 
@@ -36,6 +36,17 @@ LINKWORK_INLINE Native spread_native(Native v, int k) {
   return splat_native(v[k]);
 #else  // which makes one instruction of it only where it is told of the permutation
   return __builtin_shuffle(v, k - NativeIndex{});
+#endif
+}
+
+/// Whether a comparison holds in any lane.
+LINKWORK_INLINE bool any(NativeIndex mask) {
+#if defined(__AVX512DQ__)
+  return _mm512_movepi64_mask((__m512i)mask) != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_pd((__m256d)mask) != 0;
+#else
+  return (mask[0] | mask[1]) != 0;
 #endif
 }
 

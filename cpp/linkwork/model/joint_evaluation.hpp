@@ -115,11 +115,8 @@ LINKWORK_INLINE void load_lanes_of(const double* from, Pack* out) {
   LINKWORK_UNROLL for (int k = 0; k < count; ++k)
     out[k].v = load_native(from + k * width);
 }
-template <int count>
-LINKWORK_INLINE void store_lanes_of(double* to, const Pack* in) {
-  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
-    store_native(to + k * width, in[k].v);
-}
+/// In place, of memory that is aligned to lines.
+LINKWORK_INLINE Pack* packs(double* from) { return reinterpret_cast<Pack*>(from); }
 
 LINKWORK_INLINE BodyState<Pack> load_state(const double* from, Pack* velocity) {
   BodyState<Pack> state;
@@ -141,18 +138,14 @@ LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const Constr
     for (int p = 0; p < joints.parameter_count; ++p, given += 3 * width)
       parameters[p] = {Pack(load_native(given)), Pack(load_native(given + width)),
                        Pack(load_native(given + 2 * width))};
-    Pack v_i[6], v_j[6], Phi[rows], Phi_t[rows], Phi_dot[rows], gamma[rows], D[12 * rows];
+    Pack v_i[6], v_j[6];
     const BodyState<Pack> i = load_state(joints.states + 18l * width * joints.body_i[joint], v_i);
     const BodyState<Pack> j = load_state(joints.states + 18l * width * joints.body_j[joint], v_j);
-    Joint::template evaluate<Pack>(load_attachment(joints.attachment + 24l * width * joint), parameters, i, j,
-                                   Rows<Pack, rows>{Phi, Phi_t, gamma, D, D + 6 * rows});
-    multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
-    for (int k = 0; k < 12 * rows; ++k) store_native(out.D + (joints.D[joint] + k) * width, D[k].v);
     const long row = static_cast<long>(joints.row[joint]) * width;
-    store_lanes_of<rows>(out.Phi + row, Phi);
-    store_lanes_of<rows>(out.Phi_dot + row, Phi_dot);
-    store_lanes_of<rows>(out.gamma + row, gamma);
-    store_lanes_of<rows>(out.Phi_t + row, Phi_t);
+    Pack *D = packs(out.D + joints.D[joint] * width), *Phi_t = packs(out.Phi_t + row);
+    Joint::template evaluate<Pack>(load_attachment(joints.attachment + 24l * width * joint), parameters, i, j,
+                                   Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D, D + 6 * rows});
+    multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, packs(out.Phi_dot + row));
   }
 }
 
