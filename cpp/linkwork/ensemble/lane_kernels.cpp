@@ -93,13 +93,13 @@ void normalize(int bodies, double* y) {
 void combine(int count, const double* y, int terms, const double* factors, const double* const* x, double* out) {
   for (int k = 0; k < count; ++k) {
     Native sum = get(y, k);
-    for (int term = 0; term < terms; ++term) sum += factors[term] * get(x[term], k);
+    for (int term = 0; term < terms; ++term) sum += get(factors, term) * get(x[term], k);
     put(out, k, sum);
   }
 }
 
-void weigh(int count, double f, const double* x, double g, const double* z, double* out) {
-  for (int k = 0; k < count; ++k) put(out, k, f * get(x, k) + g * get(z, k));
+void weigh(int count, const double* f, const double* x, const double* g, const double* z, double* out) {
+  for (int k = 0; k < count; ++k) put(out, k, get(f, 0) * get(x, k) + get(g, 0) * get(z, k));
 }
 
 void largest(int count, const double* x, double* out) {

@@ -5,17 +5,13 @@
 #include <vector>
 
 #include "linkwork/ensemble/lane.hpp"
-#include "linkwork/ensemble/lane_refinement.hpp"
-#include "linkwork/ensemble/lane_structure.hpp"
-#include "linkwork/integration/integrator.hpp"
-#include "linkwork/math/aligned.hpp"
+#include "linkwork/ensemble/lane_stepper.hpp"
 
 namespace linkwork {
 
 /// As many mechanisms of one structure as a register has lanes, simulated with fixed steps by an explicit Runge-Kutta
-/// method. What is not the same arithmetic for all of them is done lane by lane: functions of time, force elements,
-/// couplers, watches, frames.
-class LanePack {
+/// method; watches and frames are those of each lane.
+class LanePack final : private LaneGuard {
  public:
   /// At most as many lanes as registers have, which it refers to.
   LanePack(const LaneStructure& structure, const InstructionSet& instructions, std::vector<Lane*> lanes,
@@ -26,18 +22,14 @@ class LanePack {
 
   /// Right-hand sides with reactions at the initial states, again and again; for benchmarks.
   void evaluate_start(int times);
-  VectorXd accelerations(int l);  ///< of a lane, from the last one
+  VectorXd accelerations(int l) const { return stepper_.accelerations(l); }  ///< of a lane, from the last one
 
  private:
-  using Numbers = AlignedDoubles;
+  bool steps(int l) const override { return lanes_[l]->stepping(); }
+  bool looked(int l) const override { return lanes_[l]->looked(); }
+  void note(int l, double t, double pivot, bool first) override { lanes_[l]->note(t, pivot, first); }
+  void leave(int l, double t, std::string reason) override { lanes_[l]->leave(t, std::move(reason)); }
 
-  void load_numbers();
-  void load_masses();
-  void load_joints();
-  LaneData data();
-  double* lane(Numbers& numbers, std::ptrdiff_t k, int l) { return numbers.data() + k * width_ + l; }
-  void take(const Numbers& numbers, int l, std::ptrdiff_t first, VectorXd& out) const;
-  void give(const double* from, std::ptrdiff_t count, int l, Numbers& to, std::ptrdiff_t first) const;
   template <class Action>
   void each_lane(Action action);
   template <class Action>
@@ -48,39 +40,17 @@ class LanePack {
   void begin_step(std::int64_t step);
   void continue_lane(int l, std::int64_t step);
   void begin_lane(int l, std::int64_t step);
-  void evaluate(double t, const Numbers& y);
-  void evaluate_rest(int l, double t, const Numbers& y);
-  void give_parameters(int l, const Evaluation& at);
-  void give_special_joints(int l, const Evaluation& at);
-  void evaluate_joints();
-  void leave_out_rows();
-  void solve(double t, bool first);
-  void solve_as_looked();
-  void find_rates(const Numbers& y, Numbers& y_dot);
-  void take_step(std::int64_t step);
   void finish_step(std::int64_t step);
   void check_size(std::int64_t step);
 
   const LaneStructure& structure_;
-  const LaneKernels& kernels_;
-  const LaneElimination& elimination_;
-  int level_, width_;
   std::vector<Lane*> lanes_;
-  const ButcherTableau& tableau_;
   const FixedSteps& steps_;
-  bool rest_ = false, watches_ = false, judged_ = false;
-
-  LaneRefinement refinement_;
-
-  Numbers mass_, nearby_mass_, mass_factors_, gravity_, states_;
-  std::vector<Numbers> attachments_, parameters_;  ///< by kind
-  Numbers D_, Phi_, Phi_t_, Phi_dot_, gamma_, g_, b_, u_, v_dot_, lambda_, smallest_, power_, potential_;
-  Numbers looked_v_dot_, looked_lambda_, largest_;
-  Numbers factors_, articulated_inertias_, panels_, contributions_, scratch_;
-  Numbers y_, before_, stage_;
-  std::vector<Numbers> k_;
-  VectorXd state_, new_state_, rows_, rates_;
-  Gains gains_{0.0, 0.0};
+  LaneStepper stepper_;
+  LaneSpans spans_;
+  AlignedDoubles whole_;  ///< the shares of steps that are not parts
+  bool watches_ = false, judged_ = false;
+  VectorXd state_, new_state_;
 };
 
 }  // namespace linkwork

@@ -3,16 +3,17 @@
 #include <algorithm>
 
 #include "linkwork/ensemble/lane_structure.hpp"
+#include "linkwork/formulation/watched_formulation.hpp"
 
 namespace linkwork {
 
 LaneRefinement::LaneRefinement(const LaneStructure& structure, const LaneKernels& kernels,
-                               const std::vector<Lane*>& lanes)
-    : structure_(structure), kernels_(kernels), lanes_(lanes) {
+                               const std::vector<Dynamics*>& mechanisms)
+    : structure_(structure), kernels_(kernels), mechanisms_(mechanisms) {
   const auto inertia_of = [&](std::size_t lane) -> const RegularizedInertia& {
-    return lanes[lane]->dynamics().formulation().inertia();
+    return mechanisms[lane]->formulation().inertia();
   };
-  for (std::size_t l = 0; l < lanes.size(); ++l) refined_.push_back(inertia_of(l).refined(INFINITY));
+  for (std::size_t l = 0; l < mechanisms.size(); ++l) refined_.push_back(inertia_of(l).refined(INFINITY));
   needed_ = std::find(refined_.begin(), refined_.end(), true) != refined_.end();
   if (!needed_) return;
   const std::ptrdiff_t width = kernels.width;
@@ -20,12 +21,13 @@ LaneRefinement::LaneRefinement(const LaneStructure& structure, const LaneKernels
   for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure.rows * width, 0.0);
   for (AlignedDoubles* one : {&going_on_, &size_, &correction_}) one->assign(width, 0.0);
   lengths_.assign(structure.bodies * width, 1.0);
-  for (std::size_t l = 0; l < lanes.size(); ++l)
+  for (std::size_t l = 0; l < mechanisms.size(); ++l)
     for (std::ptrdiff_t body = 0; body < structure.bodies; ++body)
       lengths_[body * width + static_cast<std::ptrdiff_t>(l)] = inertia_of(l).lengths()[body];
 }
 
-void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby) {
+void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby,
+                            LaneGuard& guard) {
   const LaneEquations equations{.bodies = structure_.bodies,
                                 .rows = structure_.rows,
                                 .blocks = structure_.blocks.data(),
@@ -35,10 +37,10 @@ void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimi
                                 .D = problem.D};
   kernels_.free_motion(equations, problem.a, size_.data());
   std::vector<Corrections> corrections;
-  for (std::size_t l = 0; l < lanes_.size(); ++l) {
-    const bool other = lanes_[l]->dynamics().formulation().inertia().regularized();
+  for (std::size_t l = 0; l < mechanisms_.size(); ++l) {
+    const bool other = mechanisms_[l]->formulation().inertia().regularized();
     corrections.emplace_back(other ? Inexactness::inertia : Inexactness::roundoff, size_[l]);
-    going_on_[l] = lanes_[l]->stepping() && refined_[l];
+    going_on_[l] = guard.steps(static_cast<int>(l)) && refined_[l];
   }
   while (std::any_of(going_on_.begin(), going_on_.end(), [](double chosen) { return chosen != 0.0; })) {
     kernels_.residuals(equations, problem.a, problem.b, problem.x, problem.lambda, r_1_.data(), r_2_.data());
@@ -50,20 +52,21 @@ void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimi
     kernels_.add(structure_.rows, going_on_.data(), dlambda_.data(), problem.lambda);
     kernels_.motion(equations, problem.x, size_.data());
     kernels_.motion(equations, dx_.data(), correction_.data());
-    judge(problem.t, corrections);
+    judge(problem.t, corrections, guard);
   }
 }
 
-void LaneRefinement::judge(double t, std::vector<Corrections>& corrections) {
+void LaneRefinement::judge(const double* t, std::vector<Corrections>& corrections, LaneGuard& guard) {
   using Progress = Corrections::Progress;
-  for (std::size_t l = 0; l < lanes_.size(); ++l) {
+  for (std::size_t l = 0; l < mechanisms_.size(); ++l) {
     if (going_on_[l] == 0.0) continue;
     const Progress progress = corrections[l].judge(size_[l], correction_[l]);
     if (progress == Progress::going_on) continue;
     going_on_[l] = 0.0;
-    const bool other = lanes_[l]->dynamics().formulation().inertia().regularized();
-    if (progress == Progress::slow) lanes_[l]->leave(t, "very small inertias, which take conjugate gradients");
-    if (progress == Progress::diverged && other) lanes_[l]->leave(t, "a motion without inertia");
+    const int lane = static_cast<int>(l);
+    const bool other = mechanisms_[l]->formulation().inertia().regularized();
+    if (progress == Progress::slow) guard.leave(lane, t[l], "very small inertias, which take conjugate gradients");
+    if (progress == Progress::diverged && other) guard.leave(lane, t[l], "a motion without inertia");
   }
 }
 

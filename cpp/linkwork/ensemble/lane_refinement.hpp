@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "linkwork/constraints/refinement.hpp"
-#include "linkwork/ensemble/lane.hpp"
+#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/ensemble/lane_guard.hpp"
 #include "linkwork/ensemble/lanes.hpp"
 #include "linkwork/math/aligned.hpp"
 
@@ -15,25 +16,25 @@ class LaneStructure;
 /// would go on with conjugate gradients, or do not converge, leave.
 class LaneRefinement {
  public:
-  LaneRefinement(const LaneStructure& structure, const LaneKernels& kernels, const std::vector<Lane*>& lanes);
+  LaneRefinement(const LaneStructure& structure, const LaneKernels& kernels, const std::vector<Dynamics*>& mechanisms);
 
   /// Whether any lane needs it.
   bool needed() const { return needed_; }
 
   /// Of x and lambda where nothing else than a, b, M and D decides; `elimination` has factors of nearby equations.
   struct Problem {
-    double t;
-    const double *mass, *D, *a, *b;
+    const double *t, *mass, *D, *a, *b;
     double *x, *lambda;
   };
-  void refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby);
+  void refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby,
+              LaneGuard& guard);
 
  private:
-  void judge(double t, std::vector<Corrections>& corrections);
+  void judge(const double* t, std::vector<Corrections>& corrections, LaneGuard& guard);
 
   const LaneStructure& structure_;
   const LaneKernels& kernels_;
-  const std::vector<Lane*>& lanes_;
+  std::vector<Dynamics*> mechanisms_;
   bool needed_ = false;
   std::vector<char> refined_;
   AlignedDoubles lengths_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;

@@ -56,10 +56,10 @@ struct LaneKernels {
   void (*rates)(int bodies, const double* y, const double* v_dot, double* y_dot);
   /// Every p to unit length.
   void (*normalize)(int bodies, double* y);
-  /// out = y + sum_k factors[k] x[k], of `count` numbers.
+  /// out = y + sum_k factors[k] x[k], of `count` numbers; factors of each lane its own.
   void (*combine)(int count, const double* y, int terms, const double* factors, const double* const* x, double* out);
-  /// out = f x + g z.
-  void (*weigh)(int count, double f, const double* x, double g, const double* z, double* out);
+  /// out = f x + g z, likewise.
+  void (*weigh)(int count, const double* f, const double* x, const double* g, const double* z, double* out);
   /// The largest amount of all numbers in each lane; infinite where one is no number.
   void (*largest)(int count, const double* x, double* out);
   /// r_1 = a - M x + D^T lambda, r_2 = b - D x.

@@ -1,0 +1,359 @@
+#include "linkwork/ensemble/lane_stepper.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/linear/block/block_solver.hpp"
+#include "linkwork/math/error.hpp"
+#include "linkwork/model/joint_kind.hpp"
+
+namespace linkwork {
+
+LaneStepper::LaneStepper(const LaneStructure& structure, const InstructionSet& instructions,
+                         std::vector<Dynamics*> mechanisms, const ButcherTableau& tableau)
+    : structure_(structure),
+      kernels_(lane_kernels(instructions)),
+      elimination_(lane_elimination(instructions)),
+      level_(instructions.level),
+      width_(kernels_.width),
+      mechanisms_(std::move(mechanisms)),
+      tableau_(tableau),
+      stabilization_(mechanisms_.front()->stabilization()),
+      refinement_(structure, kernels_, mechanisms_) {
+  for (const Dynamics* it : mechanisms_) rest_ = rest_ || it->system().has_rest();
+  const auto size = [&](Numbers& numbers, std::ptrdiff_t count) { numbers.assign(count * width_, 0.0); };
+  const auto& symbolic = structure.symbolic;
+  const int n = structure.bodies, m = structure.rows;
+  size(states_, 18 * (n + 1));
+  size(D_, structure.D_size);
+  for (Numbers* rows : {&Phi_, &Phi_t_, &Phi_dot_, &gamma_, &b_, &u_, &lambda_, &looked_lambda_}) size(*rows, m);
+  for (Numbers* velocities : {&g_, &v_dot_, &looked_v_dot_}) size(*velocities, velocity_size * n);
+  for (Numbers* one : {&smallest_, &power_, &potential_, &largest_, &stage_t_, &velocity_gains_, &position_gains_})
+    size(*one, 1);
+  ones_.assign(width_, 1.0);
+  size(factors_, symbolic.factor_size);
+  size(articulated_inertias_, block::articulated_inertia_size * symbolic.articulated_inertia_count);
+  size(panels_, symbolic.panel_size);
+  size(contributions_, symbolic.contribution_size);
+  int most_rows = 0;
+  for (const block::CoreBody& body : symbolic.bodies) most_rows = std::max(most_rows, body.rows);
+  size(scratch_, std::max(12 * most_rows, 8 * symbolic.highest_front + symbolic.widest_front));
+  for (Numbers* state : {&y_, &before_, &stage_}) size(*state, structure.y_size());
+  k_.assign(tableau.b.size(), y_);
+  size(weights_, tableau.b.size());
+  load_numbers();
+}
+
+const Dynamics& LaneStepper::mechanism(int l) const { return *mechanisms_[std::min(l, count() - 1)]; }
+
+void LaneStepper::take(const Numbers& numbers, int l, std::ptrdiff_t first, VectorXd& out) const {
+  const double* from = numbers.data() + first * width_ + l;
+  for (Eigen::Index k = 0; k < out.size(); ++k) out[k] = from[k * width_];
+}
+
+void LaneStepper::give(const double* from, std::ptrdiff_t count, int l, Numbers& to, std::ptrdiff_t first) const {
+  double* place = to.data() + first * width_ + l;
+  for (std::ptrdiff_t k = 0; k < count; ++k) place[k * width_] = from[k];
+}
+
+template <class Action>
+void LaneStepper::each_lane(const LaneGuard& guard, Action action) {
+  for (int l = 0; l < count(); ++l)
+    if (guard.steps(l)) action(l);
+}
+
+void LaneStepper::load_numbers() {
+  state_.resize(structure_.y_size());
+  rows_.resize(structure_.rows);
+  rates_.resize(structure_.rows);
+  load_masses();
+  load_joints();
+  for (int l = 0; l < width_; ++l) set_state(l, mechanism(l).initial_y());
+}
+
+void LaneStepper::load_masses() {
+  gravity_.assign(3 * width_, 0.0);
+  for (Numbers* all : {&mass_, &nearby_mass_}) all->assign(std::ptrdiff_t{10} * structure_.bodies * width_, 0.0);
+  mass_factors_.assign(std::ptrdiff_t{9} * structure_.symbolic.mass_factor_count * width_, 0.0);
+  for (int l = 0; l < width_; ++l) {
+    const Dynamics& dynamics = mechanism(l);
+    const System &system = dynamics.system(), &nearby = dynamics.formulation().inertia().system();
+    give(system.model().gravity().data(), 3, l, gravity_, 0);
+    for (int body = 0; body < structure_.bodies; ++body) {
+      give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
+      give(&nearby.mass_blocks()[body].m, 10, l, nearby_mass_, 10l * body);
+    }
+    for (const block::CoreBody& body : structure_.symbolic.bodies) {
+      if (body.mass_factor < 0) continue;
+      const block::MassFactor factor = block::mass_factor(nearby, body.body);
+      give(&factor.L43, 9, l, mass_factors_, 9l * body.mass_factor);
+    }
+  }
+}
+
+void LaneStepper::load_joints() {
+  for (const LaneStructure::Joints& joints : structure_.joints) {
+    const auto count = static_cast<std::ptrdiff_t>(joints.joint.size());
+    const auto parameters = static_cast<std::ptrdiff_t>(joint_kinds()[joints.kind].info.parameters.size());
+    attachments_.emplace_back(24 * count * width_, 0.0);
+    parameters_.emplace_back(3 * parameters * count * width_, 0.0);
+    for (int l = 0; l < width_; ++l) {
+      const Model& model = mechanism(l).system().model();
+      for (std::ptrdiff_t k = 0; k < count; ++k) {
+        const Attachment<double>& at = model.joints()[joints.joint[k]].at;
+        give(at.s_i.data(), 3, l, attachments_.back(), 24 * k);
+        give(at.s_j.data(), 3, l, attachments_.back(), 24 * k + 3);
+        give(at.C_i.data(), 9, l, attachments_.back(), 24 * k + 6);
+        give(at.C_j.data(), 9, l, attachments_.back(), 24 * k + 15);
+        const auto first = static_cast<std::ptrdiff_t>(model.joints()[joints.joint[k]].first_parameter);
+        for (std::ptrdiff_t p = 0; p < parameters; ++p)
+          *lane(parameters_.back(), 3 * (parameters * k + p), l) = model.joint_parameters()[first + p].constant;
+      }
+    }
+  }
+}
+
+LaneData LaneStepper::data() {
+  const block::SymbolicFactorization& s = structure_.symbolic;
+  return {.steps = s.steps.data(),
+          .step_count = std::ssize(s.steps),
+          .fronts = s.fronts.data(),
+          .front_count = std::ssize(s.fronts),
+          .relative_indices = s.relative_indices.data(),
+          .bodies = s.bodies.data(),
+          .rows = s.rows.data(),
+          .row_positions = structure_.row_positions.data(),
+          .unknowns = s.unknowns.data(),
+          .compliance = structure_.compliance.data(),
+          .mass = nearby_mass_.data(),
+          .mass_factors = mass_factors_.data(),
+          .D = D_.data(),
+          .factors = factors_.data(),
+          .articulated_inertias = articulated_inertias_.data(),
+          .panels = panels_.data(),
+          .contributions = contributions_.data(),
+          .scratch = scratch_.data()};
+}
+
+void LaneStepper::violations(int l, VectorXd& Phi, VectorXd& Phi_dot) const {
+  take(Phi_, l, 0, Phi);
+  take(Phi_dot_, l, 0, Phi_dot);
+}
+
+const double* LaneStepper::largest_number() {
+  kernels_.largest(structure_.y_size(), y_.data(), largest_.data());
+  return largest_.data();
+}
+
+const double* LaneStepper::largest_velocity() {
+  const std::ptrdiff_t q_size = position_size * structure_.bodies;
+  kernels_.largest(velocity_size * structure_.bodies, y_.data() + q_size * width_, largest_.data());
+  return largest_.data();
+}
+
+void LaneStepper::normalize() { kernels_.normalize(structure_.bodies, y_.data()); }
+
+void LaneStepper::evaluate_rates(const LaneSpans& spans, LaneGuard& guard) {
+  evaluate(spans, guard);
+  solve(spans.t, false, guard);
+  find_rates(y_, k_.front(), guard);
+}
+
+VectorXd LaneStepper::accelerations(int l) const {
+  VectorXd out(velocity_size * structure_.bodies);
+  take(v_dot_, l, 0, out);
+  return out;
+}
+
+// --- one step ---
+
+void LaneStepper::hold(const LaneSpans& spans, const double* share) {
+  if (stabilization_ == StabilizationKind::none) return;
+  const bool sampled = stabilization_ == StabilizationKind::sampled_baumgarte;
+  const Options& options = mechanism(0).options();
+  const double lag = tableau_.b.dot(tableau_.c);
+  for (int l = 0; l < width_; ++l) {
+    Gains gains = textbook_gains;
+    if (sampled) gains = deadbeat_gains(lag, spans.h[l]);
+    if (sampled && share[l] < 1.0) gains = {gains.alpha * share[l], gains.beta * share[l]};
+    const double alpha = options.baumgarte_alpha.value_or(gains.alpha);
+    const double beta = options.baumgarte_beta.value_or(gains.beta);
+    velocity_gains_[l] = -2.0 * alpha;
+    position_gains_[l] = -(beta * beta);
+  }
+  if (sampled) correct();
+}
+
+void LaneStepper::correct() {
+  kernels_.weigh(structure_.rows, velocity_gains_.data(), Phi_dot_.data(), position_gains_.data(), Phi_.data(),
+                 u_.data());
+}
+
+/// y + h sum weights k.
+void LaneStepper::combine(const LaneSpans& spans, const ConstVector& weights, Eigen::Index count, Numbers& out) {
+  terms_.clear();
+  for (Eigen::Index j = 0; j < count; ++j) {
+    if (weights[j] == 0.0) continue;
+    double* factors = weights_.data() + std::ssize(terms_) * width_;
+    for (int l = 0; l < width_; ++l) factors[l] = spans.h[l] * weights[j];
+    terms_.push_back(k_[j].data());
+  }
+  kernels_.combine(structure_.y_size(), y_.data(), static_cast<int>(terms_.size()), weights_.data(), terms_.data(),
+                   out.data());
+}
+
+void LaneStepper::step(const LaneSpans& spans, LaneGuard& guard) {
+  const bool continuous = stabilization_ == StabilizationKind::baumgarte;
+  for (Eigen::Index i = 0; i < tableau_.b.size(); ++i) {
+    if (i > 0) {
+      for (int l = 0; l < width_; ++l) stage_t_[l] = spans.t[l] + tableau_.c[i] * spans.h[l];
+      combine(spans, tableau_.A.row(i), i, stage_);
+      evaluate(stage_t_, stage_, guard);
+    }
+    if (continuous) correct();
+    solve(i == 0 ? spans.t : stage_t_, i == 0, guard);
+    find_rates(i == 0 ? y_ : stage_, k_[i], guard);
+  }
+  combine(spans, tableau_.b, tableau_.b.size(), before_);
+  std::swap(y_, before_);
+}
+
+// --- one evaluation ---
+
+void LaneStepper::evaluate(const Numbers& t, const Numbers& y, LaneGuard& guard) {
+  kernels_.states(structure_.bodies, y.data(), states_.data());
+  kernels_.body_forces(structure_.bodies, mass_.data(), gravity_.data(), y.data(), g_.data(), potential_.data());
+  if (rest_) each_lane(guard, [&](int l) { evaluate_rest(l, t[l], y, guard); });
+  evaluate_joints();
+  leave_out_rows();
+}
+
+/// Functions of time, special joints, forces.
+void LaneStepper::evaluate_rest(int l, double t, const Numbers& y, LaneGuard& guard) {
+  Dynamics& dynamics = *mechanisms_[l];
+  const System& system = dynamics.system();
+  take(y, l, 0, state_);
+  Evaluation& at = dynamics.begin_elsewhere(t, state_);
+  const int nq = system.q_size(), nv = system.v_size();
+  const double* g = g_.data() + l;
+  for (int k = 0; k < nv; ++k) at.g[k] = g[static_cast<std::ptrdiff_t>(k) * width_];
+  at.potential = *lane(potential_, 0, l);
+  try {
+    system.evaluate_rest(t, state_.head(nq), state_.segment(nq, nv), dynamics.history(), at);
+  } catch (const Error& error) {
+    return guard.leave(l, t, error.what());
+  }
+  give(at.g.data(), nv, l, g_, 0);
+  *lane(power_, 0, l) = at.power;
+  *lane(potential_, 0, l) = at.potential;
+  give_parameters(l, at);
+  give_special_joints(l, at);
+}
+
+/// Functions of time among the parameters of joints.
+void LaneStepper::give_parameters(int l, const Evaluation& at) {
+  const Model& model = mechanisms_[l]->system().model();
+  for (std::size_t kind = 0; kind < structure_.joints.size(); ++kind) {
+    const LaneStructure::Joints& joints = structure_.joints[kind];
+    const auto count = static_cast<std::ptrdiff_t>(joint_kinds()[joints.kind].info.parameters.size());
+    if (count == 0) continue;
+    std::ptrdiff_t place = 0;
+    for (const int joint : joints.joint) {
+      const auto first = static_cast<std::ptrdiff_t>(model.joints()[joint].first_parameter);
+      for (std::ptrdiff_t p = 0; p < count; ++p, place += 3) {
+        const Parameter& parameter = model.joint_parameters()[first + p];
+        if (parameter.signal < 0) continue;
+        const Signal<double>& signal = at.signals[parameter.signal];
+        const double numbers[3] = {signal.value, signal.rate, signal.acceleration};
+        give(numbers, 3, l, parameters_[kind], place);
+      }
+    }
+  }
+}
+
+void LaneStepper::give_special_joints(int l, const Evaluation& at) {
+  const System& system = mechanisms_[l]->system();
+  for (const int joint : structure_.special) {
+    const int row = system.model().joint_rows()[joint], rows = system.model().joint_rows()[joint + 1] - row;
+    give(at.Phi.data() + row, rows, l, Phi_, row);
+    give(at.Phi_t.data() + row, rows, l, Phi_t_, row);
+    give(at.Phi_dot.data() + row, rows, l, Phi_dot_, row);
+    give(at.gamma.data() + row, rows, l, gamma_, row);
+    for (const int index : system.joint_blocks(joint)) {
+      const ConstraintBlock& block = system.blocks()[index];
+      give(at.D.data() + block.offset, std::ptrdiff_t{velocity_size} * rows, l, D_, block.offset);
+    }
+  }
+}
+
+void LaneStepper::evaluate_joints() {
+  const ConstraintArrays out{Phi_.data(), Phi_t_.data(), Phi_dot_.data(), gamma_.data(), D_.data()};
+  for (std::size_t kind = 0; kind < structure_.joints.size(); ++kind) {
+    const LaneStructure::Joints& joints = structure_.joints[kind];
+    const JointKind& it = joint_kinds()[joints.kind];
+    it.evaluate_lanes[level_](
+        {static_cast<int>(joints.joint.size()), joints.body_i.data(), joints.body_j.data(), attachments_[kind].data(),
+         parameters_[kind].data(), static_cast<int>(it.info.parameters.size()), joints.row.data(), joints.D.data(),
+         states_.data()},
+        out);
+  }
+}
+
+void LaneStepper::leave_out_rows() {
+  for (const std::ptrdiff_t D : structure_.dropped_D)
+    std::fill_n(D_.begin() + D * width_, std::ptrdiff_t{velocity_size} * width_, 0.0);
+}
+
+void LaneStepper::solve(const Numbers& t, bool first, LaneGuard& guard) {
+  if (stabilization_ == StabilizationKind::none) std::copy(gamma_.begin(), gamma_.end(), b_.begin());
+  else {
+    const double* const u = u_.data();
+    kernels_.combine(structure_.rows, gamma_.data(), 1, ones_.data(), &u, b_.data());
+  }
+  for (const int row : structure_.dropped) std::fill_n(b_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
+  const LaneData at = data();
+  elimination_.factor(at, g_.data(), b_.data(), smallest_.data());
+  for (const int row : structure_.dropped) std::fill_n(lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
+  elimination_.backward(at, g_.data(), v_dot_.data(), lambda_.data());
+  bool looked = false;
+  each_lane(guard, [&](int l) {
+    guard.note(l, t[l], smallest_[l], first);
+    looked = looked || (first && guard.looked(l));
+  });
+  if (looked) solve_as_looked(guard);
+  if (refinement_.needed())
+    refinement_.refine({t.data(), mass_.data(), D_.data(), g_.data(), b_.data(), v_dot_.data(), lambda_.data()},
+                       elimination_, at, guard);
+}
+
+/// Lanes that were looked at ahead have factors already there, where a single run substitutes in another order.
+void LaneStepper::solve_as_looked(const LaneGuard& guard) {
+  const LaneData at = data();
+  elimination_.forward(at, g_.data(), b_.data());
+  for (const int row : structure_.dropped)
+    std::fill_n(looked_lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
+  elimination_.backward(at, g_.data(), looked_v_dot_.data(), looked_lambda_.data());
+  each_lane(guard, [&](int l) {
+    if (!guard.looked(l)) return;
+    for (std::size_t k = l; k < v_dot_.size(); k += width_) v_dot_[k] = looked_v_dot_[k];
+    for (std::size_t k = l; k < lambda_.size(); k += width_) lambda_[k] = looked_lambda_[k];
+  });
+}
+
+/// With the power of forces and drivers last.
+void LaneStepper::find_rates(const Numbers& y, Numbers& y_dot, const LaneGuard& guard) {
+  kernels_.rates(structure_.bodies, y.data(), v_dot_.data(), y_dot.data());
+  if (!rest_) return;
+  each_lane(guard, [&](int l) {
+    double power = power_[l];
+    if (structure_.time_dependent) {
+      take(lambda_, l, 0, rows_);
+      take(Phi_t_, l, 0, rates_);
+      power -= rows_.dot(rates_);
+    }
+    *lane(y_dot, structure_.y_size() - 1, l) = power;
+  });
+}
+
+}  // namespace linkwork

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "linkwork/ensemble/lane_refinement.hpp"
+#include "linkwork/ensemble/lane_structure.hpp"
+#include "linkwork/integration/integrator.hpp"
+#include "linkwork/math/aligned.hpp"
+
+namespace linkwork {
+
+/// Where the steps of the lanes begin and how long they are [s]: of each its own.
+struct LaneSpans {
+  explicit LaneSpans(int width) : t(width, 0.0), h(width, 0.0) {}
+  void set(int l, double begin, double length) { t[l] = begin, h[l] = length; }
+
+  AlignedDoubles t, h;
+};
+
+/// Steps of an explicit Runge-Kutta method by as many mechanisms of one structure as a register has lanes. What is not
+/// the same arithmetic for all of them is done lane by lane: functions of time, force elements, couplers.
+class LaneStepper {
+ public:
+  /// At most as many mechanisms as registers have lanes, which it refers to. They begin with their initial states;
+  /// lanes that are not used hold the numbers of the last mechanism.
+  LaneStepper(const LaneStructure& structure, const InstructionSet& instructions, std::vector<Dynamics*> mechanisms,
+              const ButcherTableau& tableau);
+
+  int width() const { return width_; }
+  int count() const { return static_cast<int>(mechanisms_.size()); }
+
+  // y = (q, v, work) of one lane.
+  void set_state(int l, const VectorXd& y) { give(y.data(), y.size(), l, y_, 0); }
+  void state(int l, VectorXd& y) const { take(y_, l, 0, y); }
+  void state_before_step(int l, VectorXd& y) const { take(before_, l, 0, y); }
+  double potential(int l) const { return potential_[l]; }  ///< [J] at the last evaluation
+  void violations(int l, VectorXd& Phi, VectorXd& Phi_dot) const;
+  /// The largest number of a state in amount, and of its velocities; infinite where one is no number.
+  const double* largest_number();
+  const double* largest_velocity();
+
+  /// Positions, forces and joints of the current states.
+  void evaluate(const LaneSpans& spans, LaneGuard& guard) { evaluate(spans.t, y_, guard); }
+  /// The correction of violations that steps hold: of steps of `share` of the lengths, from the last evaluation.
+  void hold(const LaneSpans& spans, const double* share);
+  /// From states that were evaluated, not normalized yet.
+  void step(const LaneSpans& spans, LaneGuard& guard);
+  void normalize();
+
+  /// A right-hand side with reactions.
+  void evaluate_rates(const LaneSpans& spans, LaneGuard& guard);
+  VectorXd accelerations(int l) const;  ///< from the last one
+
+ private:
+  using Numbers = AlignedDoubles;
+
+  void load_numbers();
+  void load_masses();
+  void load_joints();
+  LaneData data();
+  const Dynamics& mechanism(int l) const;
+  double* lane(Numbers& numbers, std::ptrdiff_t k, int l) { return numbers.data() + k * width_ + l; }
+  void take(const Numbers& numbers, int l, std::ptrdiff_t first, VectorXd& out) const;
+  void give(const double* from, std::ptrdiff_t count, int l, Numbers& to, std::ptrdiff_t first) const;
+  template <class Action>
+  void each_lane(const LaneGuard& guard, Action action);
+
+  void evaluate(const Numbers& t, const Numbers& y, LaneGuard& guard);
+  void evaluate_rest(int l, double t, const Numbers& y, LaneGuard& guard);
+  void give_parameters(int l, const Evaluation& at);
+  void give_special_joints(int l, const Evaluation& at);
+  void evaluate_joints();
+  void leave_out_rows();
+  void correct();
+  void combine(const LaneSpans& spans, const ConstVector& weights, Eigen::Index count, Numbers& out);
+  void solve(const Numbers& t, bool first, LaneGuard& guard);
+  void solve_as_looked(const LaneGuard& guard);
+  void find_rates(const Numbers& y, Numbers& y_dot, const LaneGuard& guard);
+
+  const LaneStructure& structure_;
+  const LaneKernels& kernels_;
+  const LaneElimination& elimination_;
+  int level_, width_;
+  std::vector<Dynamics*> mechanisms_;
+  const ButcherTableau& tableau_;
+  bool rest_ = false;
+  StabilizationKind stabilization_;
+
+  LaneRefinement refinement_;
+
+  Numbers mass_, nearby_mass_, mass_factors_, gravity_, states_;
+  std::vector<Numbers> attachments_, parameters_;  ///< by kind
+  Numbers D_, Phi_, Phi_t_, Phi_dot_, gamma_, g_, b_, u_, v_dot_, lambda_, smallest_, power_, potential_;
+  Numbers looked_v_dot_, looked_lambda_, largest_;
+  Numbers factors_, articulated_inertias_, panels_, contributions_, scratch_;
+  Numbers y_, before_, stage_, stage_t_, weights_, ones_, velocity_gains_, position_gains_;
+  std::vector<Numbers> k_;
+  std::vector<const double*> terms_;
+  VectorXd state_, rows_, rates_;
+};
+
+}  // namespace linkwork
