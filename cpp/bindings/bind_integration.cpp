@@ -81,14 +81,14 @@ double relative_violation(const Run& run, RelativeViolation& measure) {
 }
 
 py::dict judged(const StepSampling& sampling, const Dynamics& run, double end_violation, Dynamics& dynamics,
-                SecondTake take) {
+                SecondTake take, const std::vector<VectorXd>& retaken = {}) {
   std::optional<Busy> busy;
   if (&dynamics != &run) busy.emplace(dynamics);
   AccumulatedError found;
   {
     const py::gil_scoped_release release;
     const double length = RelativeViolation(dynamics.system()).length();
-    found = accumulate(judge_run(sampling, dynamics, std::move(take)), length);
+    found = accumulate(judge_run(sampling, dynamics, std::move(take), retaken), length);
     found.violation = std::max(found.violation, end_violation);
   }
   return to_dict(found);
@@ -105,8 +105,9 @@ double relative_violation_of_lane(const LaneRun& run) {
 }
 
 py::dict judge_lane(const LaneRun& run, Dynamics& dynamics, const py::object& method, bool other) {
-  return judged(run.sampling, run.dynamics, relative_violation_of_lane(run), dynamics,
-                second_take(method, other, false));
+  const bool same = &dynamics == &run.dynamics && !other;
+  return judged(run.sampling, run.dynamics, relative_violation_of_lane(run), dynamics, second_take(method, other, false),
+                same ? run.retaken : std::vector<VectorXd>());
 }
 
 py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/integration/crossing.hpp"
@@ -46,6 +47,7 @@ struct LaneRun {
   double t = 0.0;
   VectorXd y;  ///< at t, the end
   std::int64_t steps = 0;
+  std::vector<VectorXd> retaken;  ///< see LaneRetake
 };
 
 /// One mechanism of an ensemble: what watches it, as a single run is watched, and what is recorded of it. Whatever a
@@ -95,6 +97,7 @@ class Lane {
   /// One step of a leap, to its state at t, or to where it ends.
   void follow_leap(double t, double step, VectorXd& y);
   bool judged() const { return run_ != nullptr; }
+  LaneRun* run() const { return run_; }
   /// For the verdict.
   void sample(double t, const VectorXd& y, double potential);
   void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new);

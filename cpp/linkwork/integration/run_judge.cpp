@@ -20,26 +20,18 @@ class RunJudge {
         every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
         judge_(dynamics, std::move(take), sampling.breaks()) {
     out_.corrections = sampling.corrections();
-    judge_.divide_parts(sampling.steps() <= few_steps ? few_divisions : usual_divisions);
-    out_.parts = sampling.parts();
-    for (RunPart& part : sampling.broken()) out_.parts.push_back(std::move(part));
-    for (RunPart& part : sampling.contacts()) out_.parts.push_back(std::move(part));
-    const std::vector<KeptStep> outliers = sampling.outliers(out_.parts);
-    for (const KeptStep& step : outliers) {  // each a part of its own
-      out_.parts.push_back({1, step.t, step.h, step.change, {}, {}});
-      out_.parts.back().any = step;
-    }
+    judge_.divide_parts(divisions(sampling));
+    out_.parts = parts_to_judge(sampling);
   }
 
-  RunErrors judge() {
-    for (std::size_t k = 0; k < out_.parts.size(); ++k)
-      for (const KeptStep* step : {&out_.parts[k].any, &out_.parts[k].steepest}) {
-        if (!step->kept()) continue;
-        const std::size_t count = out_.steps.size();
-        out_.steps.push_back(judge_.judge(*step, count % every_reaction == 0, count % every_inside_ == 0));
-        out_.part_of.push_back(static_cast<int>(k));
-        kept_.push_back(step);
-      }
+  RunErrors judge(const std::vector<VectorXd>& retaken) {
+    each_kept_step(out_.parts, [&](const KeptStep& step, int part) {
+      const std::size_t count = out_.steps.size();
+      const VectorXd& end = count < retaken.size() ? retaken[count] : nowhere_;
+      out_.steps.push_back(judge_.judge(step, count % every_reaction == 0, count % every_inside_ == 0, end));
+      out_.part_of.push_back(part);
+      kept_.push_back(&step);
+    });
     look_again();
     out_.diagonal = judge_.diagonal();
     return std::move(out_);
@@ -77,12 +69,29 @@ class RunJudge {
   StepJudge judge_;
   RunErrors out_;
   std::vector<const KeptStep*> kept_;
+  const VectorXd nowhere_;
 };
 
 }  // namespace
 
-RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take) {
-  return RunJudge(sampling, dynamics, std::move(take)).judge();
+std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
+  std::vector<RunPart> out = sampling.parts();
+  for (RunPart& part : sampling.broken()) out.push_back(std::move(part));
+  for (RunPart& part : sampling.contacts()) out.push_back(std::move(part));
+  for (const KeptStep& step : sampling.outliers(out)) {  // each a part of its own
+    out.push_back({1, step.t, step.h, step.change, {}, {}});
+    out.back().any = step;
+  }
+  return out;
+}
+
+int divisions(const StepSampling& sampling) {
+  return sampling.steps() <= few_steps ? few_divisions : usual_divisions;
+}
+
+RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take,
+                    const std::vector<VectorXd>& retaken) {
+  return RunJudge(sampling, dynamics, std::move(take)).judge(retaken);
 }
 
 }  // namespace linkwork

@@ -18,7 +18,21 @@ struct RunErrors {
   double diagonal = 0.0;        ///< see StepJudge
 };
 
-/// `dynamics` and `take` as in StepJudge.
-RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take);
+/// The parts of a run whose kept steps are taken again, and how often those steps are divided.
+std::vector<RunPart> parts_to_judge(const StepSampling& sampling);
+int divisions(const StepSampling& sampling);
+
+/// Calls f with the kept steps of parts, in order, and the place of their part.
+template <class Function>
+void each_kept_step(const std::vector<RunPart>& parts, const Function& f) {
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (const KeptStep* step : {&parts[k].any, &parts[k].steepest})
+      if (step->kept()) f(*step, static_cast<int>(k));
+}
+
+/// `dynamics` and `take` as in StepJudge; `retaken`: where the steps in the order of each_kept_step end in parts, empty
+/// where that has to be found.
+RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take,
+                    const std::vector<VectorXd>& retaken = {});
 
 }  // namespace linkwork

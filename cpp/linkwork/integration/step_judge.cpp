@@ -12,7 +12,7 @@
 namespace linkwork {
 namespace {
 
-constexpr double golden = 0.6180339887498949;
+constexpr double golden = golden_share;
 constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
 
 /// One step of a one-step method in two parts, with the correction that a multistep method adds.
@@ -66,8 +66,8 @@ SecondTake by_starter(const MultistepCoefficients& method) {
 StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks)
     : dynamics_(dynamics),
       take_(std::move(take)),
+      parts_(std::move(breaks), take_.share),
       factor_(1.0 / (1.0 - take_.left)),
-      breaks_(std::move(breaks)),
       projection_(dynamics),
       projects_(projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization())),
       violation_(dynamics.system()),
@@ -85,14 +85,15 @@ StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> br
     vectors->setZero(3, dynamics.system().joint_count());
 }
 
-StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside) {
+StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, const VectorXd& retaken) {
   StepError out;
   out.t = step.t;
   out.h = step.h;
   out.change = step.change;
   out.force = out.torque = out.largest_force = out.largest_torque = NAN;
   try {
-    take_again(step);
+    if (retaken.size() > 0 && dynamics_.dropped().rows() == step.left_out) y_ = retaken;
+    else take_again(step);
     compare(step, out);
     if (step.history_new.size() > 0) compare_history(step, out);
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
@@ -107,7 +108,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside) {
 }
 
 void StepJudge::take_again(const KeptStep& step) {
-  const std::vector<Span> parts = parts_of(step);
+  const std::vector<Span> parts = parts_.of(step);
   const double end_of_first = step.t + take_.share * step.h;
   came_inside_ = false;
   y_ = step.y;
@@ -128,25 +129,24 @@ void StepJudge::take_again(const KeptStep& step) {
 }
 
 void StepJudge::divide_parts(int times) {
-  divisions_ = times;
+  parts_.divide(times);
   factor_ = 1.0 / (1.0 - elementary::power(take_.left, times));
 }
 
-void StepJudge::divide(Span whole, int times, std::vector<Span>& parts) const {
+void StepParts::divide(Span whole, int times, std::vector<Span>& parts) const {
   if (times == 0) return parts.push_back(whole);
-  const double middle = whole.from + take_.share * (whole.to - whole.from);
+  const double middle = whole.from + share_ * (whole.to - whole.from);
   divide({whole.from, middle}, times - 1, parts);
   divide({middle, whole.to}, times - 1, parts);
 }
 
-/// What lies between breaks, on its own side of them, and the share of each.
-std::vector<StepJudge::Span> StepJudge::parts_of(const KeptStep& step) const {
+std::vector<Span> StepParts::of(const KeptStep& step) const {
   const double end = step.t + step.h;
   const double side = std::max(beside * step.h, 4.0 * std::numeric_limits<double>::epsilon() * std::abs(end));
   std::vector<Span> parts;
   double from = step.t;
   const auto add = [&](double to) {
-    if (to - from > 2.0 * side) divide({from, to}, take_.share < 1.0 ? divisions_ : 0, parts);
+    if (to - from > 2.0 * side) divide({from, to}, share_ < 1.0 ? divisions_ : 0, parts);
   };
   for (auto it = std::lower_bound(breaks_.begin(), breaks_.end(), from - side); it != breaks_.end(); ++it) {
     if (*it > end + side) break;

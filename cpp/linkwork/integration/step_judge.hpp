@@ -32,6 +32,33 @@ SecondTake in_parts(std::unique_ptr<Integrator> integrator);
 /// error is small beside its own, from the same state and with the same correction of the violation.
 SecondTake by_starter(const MultistepCoefficients& method);
 
+/// The share of the first of two parts.
+constexpr double golden_share = 0.6180339887498949;
+
+/// From one time to another [s].
+struct Span {
+  double from, to;
+};
+
+/// Where the parts of steps begin and end.
+class StepParts {
+ public:
+  /// `breaks`, ascending [s]: parts end there. `share` of the first of two parts; 1: there is but one.
+  StepParts(std::vector<double> breaks, double share) : breaks_(std::move(breaks)), share_(share) {}
+  /// Parts are divided so many times, which makes two, four, eight: very long steps are far from what Richardson's
+  /// extrapolation asks for.
+  void divide(int times) { divisions_ = times; }
+  /// What lies between breaks, on its own side of them, and the share of each.
+  std::vector<Span> of(const KeptStep& step) const;
+
+ private:
+  void divide(Span whole, int times, std::vector<Span>& parts) const;
+
+  std::vector<double> breaks_;
+  double share_;
+  int divisions_ = 1;
+};
+
 /// What a step was off by at its end, the largest of any body or joint, and how large the motion was there. All of it
 /// in the local error of that step alone.
 struct StepError {
@@ -50,23 +77,17 @@ class StepJudge {
  public:
   /// `breaks`, ascending [s]: where something is not smooth; parts end there.
   StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks = {});
-  /// Parts are divided so many times, which makes two, four, eight: very long steps are far from what Richardson's
-  /// extrapolation asks for.
+  /// As of StepParts.
   void divide_parts(int times);
 
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
-  /// more step.
-  StepError judge(const KeptStep& step, bool reactions, bool inside = false);
+  /// more step. `retaken`: where the step ends in parts, if somebody else has taken it again.
+  StepError judge(const KeptStep& step, bool reactions, bool inside = false, const VectorXd& retaken = {});
   /// Diagonal of the box around the centers of mass at the steps that were judged [m].
   double diagonal() const { return (high_ - low_).matrix().norm(); }
 
  private:
   void take_again(const KeptStep& step);
-  struct Span {
-    double from, to;
-  };
-  std::vector<Span> parts_of(const KeptStep& step) const;
-  void divide(Span whole, int times, std::vector<Span>& parts) const;
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
@@ -77,9 +98,8 @@ class StepJudge {
 
   Dynamics& dynamics_;
   SecondTake take_;
-  int divisions_ = 1;
+  StepParts parts_;
   double factor_;
-  std::vector<double> breaks_;
   Projection projection_;
   bool projects_;
   RelativeViolation violation_;
