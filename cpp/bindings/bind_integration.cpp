@@ -80,15 +80,15 @@ double relative_violation(const Run& run, RelativeViolation& measure) {
   return measure.largest(run.t(), run.y(), run.dynamics().history());
 }
 
-py::dict judged(const StepSampling& sampling, const Dynamics& run, double end_violation, Dynamics& dynamics,
-                SecondTake take, const std::vector<VectorXd>& retaken = {}) {
+py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics,
+                const std::function<RunErrors()>& errors) {
   std::optional<Busy> busy;
   if (&dynamics != &run) busy.emplace(dynamics);
   AccumulatedError found;
   {
     const py::gil_scoped_release release;
     const double length = RelativeViolation(dynamics.system()).length();
-    found = accumulate(judge_run(sampling, dynamics, std::move(take), retaken), length);
+    found = accumulate(errors(), length);
     found.violation = std::max(found.violation, end_violation);
   }
   return to_dict(found);
@@ -96,8 +96,9 @@ py::dict judged(const StepSampling& sampling, const Dynamics& run, double end_vi
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
   RelativeViolation violation(dynamics.system());
-  return judged(run.sampling(), run.dynamics(), relative_violation(run, violation), dynamics,
-                second_take(method, other, run.records_inside()));
+  SecondTake take = second_take(method, other, run.records_inside());
+  return judged(run.dynamics(), relative_violation(run, violation), dynamics,
+                [&] { return judge_run(run.sampling(), dynamics, std::move(take)); });
 }
 
 double relative_violation_of_lane(const LaneRun& run) {
@@ -105,9 +106,11 @@ double relative_violation_of_lane(const LaneRun& run) {
 }
 
 py::dict judge_lane(const LaneRun& run, Dynamics& dynamics, const py::object& method, bool other) {
-  const bool same = &dynamics == &run.dynamics && !other;
-  return judged(run.sampling, run.dynamics, relative_violation_of_lane(run), dynamics, second_take(method, other, false),
-                same ? run.retaken : std::vector<VectorXd>());
+  SecondTake take = second_take(method, other, false);
+  return judged(run.dynamics, relative_violation_of_lane(run), dynamics, [&] {
+    if (run.errors && &dynamics == &run.dynamics && !other) return *run.errors;
+    return judge_run(run.sampling, dynamics, std::move(take));
+  });
 }
 
 py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {

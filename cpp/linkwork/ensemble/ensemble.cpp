@@ -72,15 +72,15 @@ void Ensemble::run_moved(const std::vector<Lane*>& lanes, const std::function<vo
   run_pack(structure, moved, look);
 }
 
-/// Kept steps of runs that have ended, for their verdicts.
-void Ensemble::take_again(const LaneStructure& structure, const std::vector<Lane*>& lanes,
+/// Runs that have ended, for their verdicts.
+void Ensemble::judge(const LaneStructure& structure, const std::vector<Lane*>& lanes,
                           const std::function<void()>& look) {
   std::vector<LaneRun*> ended;
   for (const Lane* lane : lanes)
     if (lane->run() && lane->alive()) ended.push_back(lane->run());
   if (ended.empty()) return;
   const InstructionSet fitting = instruction_set_for(static_cast<int>(ended.size()), widest_);
-  LaneRetake(structure, fitting, ended, tableau_).run(look);
+  judge_runs(structure, fitting, ended, tableau_, look);
 }
 
 void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
@@ -101,7 +101,7 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   run_pack(task.group->structure, alive, look);
   while (std::any_of(alive.begin(), alive.end(), [](const Lane* lane) { return lane->moves(); }))
     run_moved(alive, look);
-  take_again(task.group->structure, alive, look);
+  judge(task.group->structure, alive, look);
   for (std::size_t k = 0; k < members.size(); ++k)
     members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
 }

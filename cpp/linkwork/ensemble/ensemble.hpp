@@ -43,7 +43,7 @@ class Ensemble {
   void run_tasks(Work& work, const std::function<void()>& look);
   void run_task(const Task& task, const std::function<void()>& look);
   void run_pack(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);
-  void take_again(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);
+  void judge(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);
   void run_moved(const std::vector<Lane*>& lanes, const std::function<void()>& look);
 
   std::vector<Dynamics*> dynamics_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/history_watch.hpp"
 #include "linkwork/integration/recorder.hpp"
+#include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/step_sampling.hpp"
 
 namespace linkwork {
@@ -47,7 +49,7 @@ struct LaneRun {
   double t = 0.0;
   VectorXd y;  ///< at t, the end
   std::int64_t steps = 0;
-  std::vector<VectorXd> retaken;  ///< see LaneRetake
+  std::optional<RunErrors> errors;  ///< of its steps, where they have been taken again
 };
 
 /// One mechanism of an ensemble: what watches it, as a single run is watched, and what is recorded of it. Whatever a

@@ -1,9 +1,12 @@
 #include "linkwork/ensemble/lane_retake.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/integration/runge_kutta.hpp"
+#include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
@@ -16,55 +19,54 @@ std::vector<Dynamics*> mechanisms_of(const std::vector<LaneRun*>& runs) {
 
 }  // namespace
 
-LaneRetake::LaneRetake(const LaneStructure& structure, const InstructionSet& instructions, std::vector<LaneRun*> runs,
-                       const ButcherTableau& tableau)
+LaneRetake::LaneRetake(const LaneStructure& structure, const InstructionSet& instructions,
+                       const std::vector<LaneRun*>& runs, const ButcherTableau& tableau)
     : structure_(structure),
       stepper_(structure, instructions, mechanisms_of(runs), tableau),
       spans_(stepper_.width()),
       shares_(stepper_.width(), 1.0) {
   std::fill(spans_.h.begin(), spans_.h.end(), 1.0);  // of lanes that have no step
-  lanes_.reserve(runs.size());
-  for (LaneRun* run : runs) {
-    lanes_.push_back({run, parts_to_judge(run->sampling), {}, {run->sampling.breaks(), golden_share}, nullptr, false, {}});
-    Lane& lane = lanes_.back();
-    lane.divided.divide(divisions(run->sampling));
-    each_kept_step(lane.parts, [&](const KeptStep& step, int) { lane.steps.push_back(&step); });
-    run->retaken.assign(lane.steps.size(), VectorXd());
-  }
+  for (LaneRun* run : runs) lanes_.push_back({run, {run->sampling.breaks(), golden_share}, nullptr, {}, false});
 }
 
-void LaneRetake::run(const std::function<void()>& look) {
+std::vector<RetakenSteps> LaneRetake::retake(const std::vector<std::vector<const KeptStep*>>& steps, int divisions,
+                                             const std::function<void()>& look) {
+  std::vector<RetakenSteps> out;
   std::size_t most = 0;
-  for (const Lane& lane : lanes_) most = std::max(most, lane.steps.size());
+  for (const auto& of_run : steps) {
+    out.emplace_back(of_run.size());
+    most = std::max(most, of_run.size());
+  }
+  for (Lane& lane : lanes_) lane.parts.divide(divisions);
+  const std::size_t parts = std::size_t{1} << divisions;
   for (std::size_t step = 0; step < most; ++step) {
-    for (Lane& lane : lanes_) begin(lane, step);
-    take_parts();
-    for (int l = 0; l < static_cast<int>(lanes_.size()); ++l) {
+    for (int l = 0; l < stepper_.count(); ++l) {
+      lanes_[l].active = step < steps[l].size();
+      if (lanes_[l].active) begin(l, *steps[l][step], parts);
+    }
+    take(parts);
+    for (int l = 0; l < stepper_.count(); ++l) {
       if (!lanes_[l].active) continue;
-      VectorXd& end = lanes_[l].run->retaken[step];
-      end.resize(structure_.y_size());
-      stepper_.state(l, end);
+      out[l][step].resize(structure_.y_size());
+      stepper_.state(l, out[l][step]);
     }
     look();
   }
+  return out;
 }
 
-void LaneRetake::begin(Lane& lane, std::size_t step) {
-  lane.active = step < lane.steps.size() && lane.run->dynamics.system().history_size() == 0 &&
-                lane.steps[step]->left_out == structure_.dropped;
-  if (!lane.active) return;
-  lane.step = lane.steps[step];
-  lane.spans = lane.divided.of(*lane.step);
-  const std::size_t usual = std::size_t{1} << divisions(lane.run->sampling);
-  const auto l = static_cast<int>(&lane - lanes_.data());
-  lane.active = lane.spans.size() == usual && usual == std::size_t{1} << divisions(lanes_.front().run->sampling);
-  if (lane.active) stepper_.set_state(l, lane.step->y);
+void LaneRetake::begin(int l, const KeptStep& step, std::size_t parts) {
+  Lane& lane = lanes_[l];
+  lane.step = &step;
+  lane.spans = lane.parts.of(step);
+  lane.active = lane.spans.size() == parts && step.left_out == structure_.dropped &&
+                lane.run->dynamics.system().history_size() == 0;
+  if (lane.active) stepper_.set_state(l, step.y);
 }
 
-void LaneRetake::take_parts() {
-  const auto parts = std::size_t{1} << divisions(lanes_.front().run->sampling);
+void LaneRetake::take(std::size_t parts) {
   for (std::size_t part = 0; part < parts; ++part) {
-    for (int l = 0; l < static_cast<int>(lanes_.size()); ++l) {
+    for (int l = 0; l < stepper_.count(); ++l) {
       if (!lanes_[l].active) continue;
       const Span& span = lanes_[l].spans[part];
       spans_.set(l, span.from, span.to - span.from);
@@ -78,7 +80,7 @@ void LaneRetake::take_parts() {
 
 /// The correction that a step holds is that of the whole, in all of its parts.
 void LaneRetake::hold() {
-  for (int l = 0; l < static_cast<int>(lanes_.size()); ++l)
+  for (int l = 0; l < stepper_.count(); ++l)
     if (lanes_[l].active) shares_[l] = spans_.h[l] / lanes_[l].step->h;
   stepper_.hold(spans_, shares_.data());
 }
@@ -87,6 +89,59 @@ void LaneRetake::note(int l, double t, double pivot, bool) {
   SingularWatch& watch = lanes_[l].run->dynamics.formulation().watch();
   watch.note(t, pivot);
   if (!watch.usual(pivot)) lanes_[l].active = false;
+}
+
+namespace {
+
+/// What a run found on its way, which taking steps again changes.
+class Findings {
+ public:
+  explicit Findings(Dynamics& dynamics)
+      : dynamics_(dynamics), history_(dynamics.history()), watch_(dynamics.formulation().watch()) {}
+  Findings(const Findings&) = delete;
+  Findings& operator=(const Findings&) = delete;
+  ~Findings() {
+    dynamics_.set_history(history_);
+    dynamics_.formulation().watch() = watch_;
+  }
+
+ private:
+  Dynamics& dynamics_;
+  VectorXd history_;
+  SingularWatch watch_;
+};
+
+}  // namespace
+
+// Runs whose steps are divided otherwise than those of the first, and those whose judging fails, are judged by
+// themselves by whoever asks for it.
+void judge_runs(const LaneStructure& structure, const InstructionSet& instructions, const std::vector<LaneRun*>& runs,
+                const ButcherTableau& tableau, const std::function<void()>& look) {
+  std::vector<std::unique_ptr<Findings>> findings;
+  for (const LaneRun* run : runs) findings.push_back(std::make_unique<Findings>(run->dynamics));
+  std::vector<RunJudge> judges;
+  judges.reserve(runs.size());
+  for (LaneRun* run : runs)
+    judges.emplace_back(run->sampling, run->dynamics, in_parts(make_runge_kutta(tableau)));
+  LaneRetake lanes(structure, instructions, runs, tableau);
+  std::vector<std::vector<const KeptStep*>> steps(runs.size());
+  const int divisions = judges.front().divisions();
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (judges[k].divisions() == divisions) steps[k] = judges[k].steps();
+  const std::vector<RetakenSteps> first = lanes.retake(steps, divisions, look);
+  std::vector<char> judged(runs.size(), 0);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    steps[k].clear();
+    try {
+      judges[k].judge(first[k]);
+      judged[k] = 1;
+      steps[k] = judges[k].worst_steps();
+    } catch (const Error&) {  // told by whoever asks
+    }
+  }
+  const std::vector<RetakenSteps> again = lanes.retake(steps, RunJudge::worst_divisions(), look);
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (judged[k]) runs[k]->errors = judges[k].judge_worst(again[k]);
 }
 
 }  // namespace linkwork

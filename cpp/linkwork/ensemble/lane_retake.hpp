@@ -16,21 +16,21 @@ namespace linkwork {
 class LaneRetake final : private LaneGuard {
  public:
   /// The runs, at most as many as registers have lanes, took their steps by this method.
-  LaneRetake(const LaneStructure& structure, const InstructionSet& instructions, std::vector<LaneRun*> runs,
+  LaneRetake(const LaneStructure& structure, const InstructionSet& instructions, const std::vector<LaneRun*>& runs,
              const ButcherTableau& tableau);
 
-  /// Leaves the ends in `retaken` of each run. `look` is called between steps; what it throws ends it.
-  void run(const std::function<void()>& look);
+  /// Where the steps of each run end in parts that are divided so many times. `look` is called between steps; what it
+  /// throws ends it.
+  std::vector<RetakenSteps> retake(const std::vector<std::vector<const KeptStep*>>& steps, int divisions,
+                                   const std::function<void()>& look);
 
  private:
   struct Lane {
     LaneRun* run;
-    std::vector<RunPart> parts;
-    std::vector<const KeptStep*> steps;
-    StepParts divided;
+    StepParts parts;
     const KeptStep* step = nullptr;  ///< that is taken
-    bool active = false;
     std::vector<Span> spans;
+    bool active = false;
   };
 
   bool steps(int l) const override { return lanes_[l].active; }
@@ -38,8 +38,8 @@ class LaneRetake final : private LaneGuard {
   void note(int l, double t, double pivot, bool first) override;
   void leave(int l, double, std::string) override { lanes_[l].active = false; }
 
-  void begin(Lane& lane, std::size_t step);
-  void take_parts();
+  void begin(int l, const KeptStep& step, std::size_t parts);
+  void take(std::size_t parts);
   void hold();
 
   const LaneStructure& structure_;
@@ -48,5 +48,9 @@ class LaneRetake final : private LaneGuard {
   AlignedDoubles shares_;
   std::vector<Lane> lanes_;
 };
+
+/// Judges runs of a structure, at most as many as registers have lanes, with the errors of their steps side by side.
+void judge_runs(const LaneStructure& structure, const InstructionSet& instructions, const std::vector<LaneRun*>& runs,
+                const ButcherTableau& tableau, const std::function<void()>& look);
 
 }  // namespace linkwork

@@ -18,21 +18,37 @@ struct RunErrors {
   double diagonal = 0.0;        ///< see StepJudge
 };
 
-/// The parts of a run whose kept steps are taken again, and how often those steps are divided.
-std::vector<RunPart> parts_to_judge(const StepSampling& sampling);
-int divisions(const StepSampling& sampling);
+/// Where kept steps end in parts, in their order; empty where that has to be found.
+using RetakenSteps = std::vector<VectorXd>;
 
-/// Calls f with the kept steps of parts, in order, and the place of their part.
-template <class Function>
-void each_kept_step(const std::vector<RunPart>& parts, const Function& f) {
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    for (const KeptStep* step : {&parts[k].any, &parts[k].steepest})
-      if (step->kept()) f(*step, static_cast<int>(k));
-}
+/// Judges a run by its kept steps, and then the worst of them once more in smaller parts.
+class RunJudge {
+ public:
+  /// `dynamics` and `take` as in StepJudge.
+  RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take);
 
-/// `dynamics` and `take` as in StepJudge; `retaken`: where the steps in the order of each_kept_step end in parts, empty
-/// where that has to be found.
-RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take,
-                    const std::vector<VectorXd>& retaken = {});
+  /// What is to be taken again, and how often the parts of those steps are divided.
+  const std::vector<const KeptStep*>& steps() const { return kept_; }
+  int divisions() const { return divisions_; }
+  void judge(const RetakenSteps& retaken = {});
+
+  /// After that likewise.
+  std::vector<const KeptStep*> worst_steps() const;
+  static int worst_divisions();
+  RunErrors judge_worst(const RetakenSteps& retaken = {});
+
+ private:
+  double size(const StepError& error) const;
+
+  double length_, speed_ = 0.0;
+  std::size_t every_inside_;
+  int divisions_;
+  StepJudge judge_;
+  RunErrors out_;
+  std::vector<const KeptStep*> kept_;
+  std::vector<std::size_t> worst_;  ///< of them
+};
+
+RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take);
 
 }  // namespace linkwork
