@@ -206,14 +206,27 @@ py::tuple to_python(const EnergyRange& it) {
   return py::make_tuple(it.kinetic, it.least_potential, it.largest_potential, it.work);
 }
 
+py::dict balance_to_dict(LaneRun& run) {
+  EnergyFrames frames = std::exchange(run.balance, {});
+  const auto count = static_cast<py::ssize_t>(frames.t.size());
+  py::dict out;
+  out["t"] = to_numpy(std::move(frames.t), {count});
+  out["kinetic"] = to_numpy(std::move(frames.kinetic), {count});
+  out["potential"] = to_numpy(std::move(frames.potential), {count});
+  out["work"] = to_numpy(std::move(frames.work), {count});
+  return out;
+}
+
 /// What the verdict of a member of an ensemble is made of.
 void bind_lane_runs(py::module_& module) {
   py::class_<LaneRun>(module, "LaneRun", "What the verdict of a member of an ensemble is made of, as that of a Run.")
-      .def(py::init([](Dynamics& dynamics, double t_end, double step) {
+      .def(py::init([](Dynamics& dynamics, double t_end, double step, std::int64_t balance_every) {
              const Busy busy(dynamics);
-             return std::make_unique<LaneRun>(dynamics, FixedSteps(t_end, step, 1));
+             const FixedSteps steps(t_end, step, std::max<std::int64_t>(balance_every, 1));
+             return std::make_unique<LaneRun>(dynamics, steps, balance_every > 0);
            }),
-           py::arg("dynamics"), py::arg("t_end"), py::arg("step"), py::keep_alive<1, 2>())
+           py::arg("dynamics"), py::arg("t_end"), py::arg("step"), py::arg("balance_every") = 0,
+           py::keep_alive<1, 2>(), "balance_every: steps between the energies that are kept; 0: none.")
       .def(
           "expect_breaks",
           [](LaneRun& run, std::vector<double> times) { run.sampling.expect_breaks(std::move(times)); },
@@ -221,6 +234,7 @@ void bind_lane_runs(py::module_& module) {
       .def_property_readonly("t", [](const LaneRun& run) { return run.t; })
       .def_property_readonly("steps_done", [](const LaneRun& run) { return run.steps; })
       .def_property_readonly("energies", [](const LaneRun& run) { return to_python(run.sampling.energies()); })
+      .def("take_balance", &balance_to_dict, "Energies by name as in frames, which are handed over.")
       .def("relative_violation", exclusive(&relative_violation_of_lane))
       .def("judge", exclusive(&judge_lane), py::arg("dynamics"), py::arg("method"), py::arg("other") = false);
 }

@@ -26,8 +26,12 @@ FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every)
   whole_ = std::abs(t_end - end) <= same_time * step + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_end);
 }
 
-LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps)
-    : dynamics(mechanism), sampling(mechanism), y(mechanism.initial_y()) {
+LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balance)
+    : dynamics(mechanism),
+      fixed_steps(steps),
+      balanced(keeps_balance),
+      sampling(mechanism),
+      y(mechanism.initial_y()) {
   sampling.expect(steps.count());
 }
 
@@ -93,6 +97,24 @@ void Lane::finish_record(double t) {
     dynamics_.observe_now();
   });
   dynamics_.formulation().look(false);
+}
+
+void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
+  if (!run_ || !run_->balanced || !run_->fixed_steps.records(step)) return;
+  const double t = run_->fixed_steps.frame_time(step);
+  const System& system = dynamics_.system();
+  guarded(t, [&] {
+    if (leaping_ || leapt_) {  // the pack has not evaluated its forces
+      dynamics_.evaluate(t, y);
+      potential = dynamics_.evaluation().potential;
+    }
+    EnergyFrames& out = run_->balance;
+    out.t.push_back(t);
+    out.kinetic.push_back(
+        system.kinetic_energy(dynamics_.evaluation(), y.segment(system.q_size(), system.v_size())));
+    out.potential.push_back(potential);
+    out.work.push_back(y[y.size() - 1]);
+  });
 }
 
 void Lane::sample(double t, const VectorXd& y, double potential) {

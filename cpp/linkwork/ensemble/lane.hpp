@@ -40,11 +40,20 @@ class FixedSteps {
   bool whole_ = false;
 };
 
+/// Energies at some times of a run [J], as of its frames.
+struct EnergyFrames {
+  std::vector<double> t, kinetic, potential, work;
+};
+
 /// What the verdict of a lane is made of, as that of a Run.
 struct LaneRun {
-  LaneRun(Dynamics& mechanism, const FixedSteps& steps);
+  /// `steps`: records are those at which energies are kept; `balanced`: whether they are.
+  LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool balanced);
 
   Dynamics& dynamics;
+  FixedSteps fixed_steps;
+  bool balanced;
+  EnergyFrames balance;  ///< for runs whose frames are too few to see it
   StepSampling sampling;
   double t = 0.0;
   VectorXd y;  ///< at t, the end
@@ -96,6 +105,8 @@ class Lane {
   /// A frame of a state from which a step goes on waits for what is found ahead of it.
   void record(double t, double frame_t, const VectorXd& y, bool last);
   void finish_record(double t);
+  /// Energies, where the verdict looks at them.
+  void balance(std::int64_t step, const VectorXd& y, double potential);
   /// One step of a leap, to its state at t, or to where it ends.
   void follow_leap(double t, double step, VectorXd& y);
   bool judged() const { return run_ != nullptr; }

@@ -117,8 +117,9 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     lane.watch_redundant_rows(t, state_);
   }
   if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), state_, last);
-  if (!lane.stepping()) return;
   const double potential = stepper_.potential(l);
+  if (lane.alive()) lane.balance(step, state_, potential);
+  if (!lane.stepping()) return;
   if (last) {
     lane.sample(steps_.t_end(), state_, potential);
     if (lane.watches()) lane.end(steps_.t_end(), state_);

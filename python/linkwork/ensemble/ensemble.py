@@ -175,7 +175,8 @@ class Ensemble:
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
                      "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
         wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
-        method = method_of(example, float(t_end), arguments, count, judged=True)
+        last_state = asked is not None and times is None and all(it.of_last_state for it in asked)
+        method = method_of(example, float(t_end), arguments, count, judged=True, last_state=last_state)
         _check_run(self._members, method)
         if asked is not None:
             found = probe(example, arguments)

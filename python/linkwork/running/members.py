@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
@@ -53,6 +54,14 @@ class Method:
     alone: str  # why none of them can run in lanes; empty where they can
     plan: schedule.Fixed | schedule.Adaptive
     judged: bool = False  # whether members have a verdict
+    last_state: bool = False  # in lanes the first and the last frame are enough
+
+    @property
+    def lanes_record_every(self) -> int:
+        """Steps between the frames of lanes."""
+        assert isinstance(self.plan, schedule.Fixed)
+        steps = max(1, math.ceil(self.plan.t_end / self.plan.step))
+        return steps if self.last_state and self.judged else self.plan.record_every
 
     @property
     def given(self) -> dict[str, Any]:
@@ -84,9 +93,10 @@ class _Ready:
 
 
 def method_of(
-    example: Model, t_end: float, arguments: Mapping[str, Any], threads: int, *, judged: bool = False
-) -> Method:
-    """OptionError: a plan that makes no sense."""
+    example: Model, t_end: float, arguments: Mapping[str, Any], threads: int, *,
+    judged: bool = False, last_state: bool = False,
+) -> Method:  # fmt: skip
+    """`last_state`: the frames before are for the verdict alone. OptionError: a plan that makes no sense."""
     step, rtol, atol, every, at = (
         arguments.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
     )
@@ -101,7 +111,7 @@ def method_of(
         alone = "lanes have explicit Runge-Kutta methods only"
     elif arguments.get("events"):
         alone = "lanes have no events"
-    return Method(t_end, given, threads, alone, plan, judged)
+    return Method(t_end, given, threads, alone, plan, judged, last_state)
 
 
 def refusal(model: Model, method: Method) -> str:
@@ -156,7 +166,8 @@ def _follow(it: _Ready, method: Method) -> None:
     """Its steps, for the verdict."""
     plan = method.plan
     assert isinstance(plan, schedule.Fixed)
-    it.run = _core.LaneRun(it.system.compiled(), plan.t_end, plan.step)
+    every = plan.record_every if method.last_state else 0
+    it.run = _core.LaneRun(it.system.compiled(), plan.t_end, plan.step, every)
     it.estimator = estimation.ErrorEstimator(
         it.run, it.stepped.method, it.system, it.stepped.options, None, plan, breaks=it.stepped.breaks
     )
@@ -171,7 +182,7 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
     assert isinstance(tableau, _core.Tableau)  # others run alone
     with Interrupts() as interrupts, interrupts.computing():
         answers = _core.run_ensemble(
-            [it.system.compiled() for it in ready], tableau, plan.t_end, plan.step, plan.record_every,
+            [it.system.compiled() for it in ready], tableau, plan.t_end, plan.step, method.lanes_record_every,
             method.threads, [it.run for it in ready if it.run is not None],
         )  # fmt: skip
     found = {}
@@ -214,7 +225,7 @@ def _judged(
     if it.run is None or it.estimator is None:
         return {}
     with _core.OnePath(method.options.get("deterministic") is True):
-        it.estimator.look(frames)
+        it.estimator.look(it.run.take_balance() if method.last_state else frames)
         counts: dict[str, Any] = {
             **poses,
             "steps": it.run.steps_done,

@@ -89,6 +89,12 @@ class Output:
         """Whether the last frame is enough."""
         return self.reduction == "final" or self.function in (_final_q, _final_v)
 
+    @property
+    def of_last_state(self) -> bool:
+        """Whether it does not depend on the frames before, as angles over full turns do."""
+        followed = any(step[1:2] == ("coordinate",) for step in self.steps)
+        return self.at_end and not followed
+
     def value(self, result: Result, times: Floats | None) -> Floats:
         """OptionError: what is no number, or no frame at a time."""
         if self.function is not None:
