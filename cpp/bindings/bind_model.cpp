@@ -376,6 +376,8 @@ void bind_state(py::class_<Model>& model) {
            py::arg("history") = std::vector<double>(),
            "A copy whose bodies are elsewhere at t = 0; joints stay where they are on the bodies.")
       .def_property_readonly("initial_history", &Model::initial_history, "See with_initial_state.")
+      .def("with_weights", &Model::with_weights, py::arg("gravity"), py::arg("bodies"), py::arg("masses"),
+           py::arg("inertias"), "A copy with another gravity, and other masses and inertias (3, 3) of some bodies.")
       .def(
           "joint_arrays", [](const Model& model) { return element_arrays(model.joints(), model.joint_parameters()); },
           "kind, bodies, origin, frame, first_parameter, parameters, signals: what add_joints took.")

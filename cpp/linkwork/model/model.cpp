@@ -371,6 +371,22 @@ Model Model::without_inertances() const {
   return out;
 }
 
+Model Model::with_weights(const Vec3<double>& gravity, const std::vector<int>& bodies, const std::vector<double>& masses,
+                          const std::vector<Mat3<double>>& inertias) const {
+  if (!gravity.allFinite()) throw ModelError("gravity", "gravity must be finite");
+  Model out = *this;
+  out.gravity_ = gravity;
+  if (bodies.empty()) return out;
+  std::vector<Body>& list = out.bodies_.own();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    Body& body = list.at(static_cast<std::size_t>(bodies[k]));
+    body.mass = masses.at(k);
+    body.inertia = inertias.at(k);
+    check_body(body, body_name(bodies[k]));
+  }
+  return out;
+}
+
 Model Model::with_masses(const std::vector<Body>& bodies) const {
   Model out = *this;
   std::vector<Body>& list = out.bodies_.own();

@@ -122,6 +122,9 @@ class Model {
   Model without_inertances() const;
   /// A copy with other masses and inertias of all bodies; nothing else of `bodies` counts.
   Model with_masses(const std::vector<Body>& bodies) const;
+  /// A copy with another gravity, and with other masses and inertias of some bodies. ModelError: no body has them.
+  Model with_weights(const Vec3<double>& gravity, const std::vector<int>& bodies, const std::vector<double>& masses,
+                     const std::vector<Mat3<double>>& inertias) const;
 
  private:
   enum class Role { joint, force };

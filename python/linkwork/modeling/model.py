@@ -101,9 +101,13 @@ class Model(ModelBuilder):
             arguments.shaped(q, [(n, 7), (7 * n,)], "model", "q"),
             arguments.shaped(v, [(n, 6), (6 * n,)], "model", "v"),
         )
-        out = Model(self._core.gravity, self.name)
         past = arguments.array(history, "model: history", ModelError).ravel().tolist()
-        out._core = self._core.with_initial_state(q.ravel(), v.ravel(), past)
+        return self._with_core(self._core.with_initial_state(q.ravel(), v.ravel(), past))
+
+    def _with_core(self, core: _core.Model) -> Model:
+        """The same names, functions and shapes with other numbers."""
+        out = Model(core.gravity, self.name)
+        out._core = core
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
         out._drivers = self._drivers.copy()

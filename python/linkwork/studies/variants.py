@@ -12,13 +12,14 @@ import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
 
 from linkwork import rotation
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.errors import LinkworkError, ModelError, OptionError, nearest
 from linkwork.modeling.editing import ATTACHED, NAMES, ROLES, SECTIONS, built
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import record_of
@@ -122,6 +123,9 @@ class Changed:
     record: Record
     addresses: Mapping[str, _Address]
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.record, self.addresses)  # without what is found anew
+
     @classmethod
     def of(cls, model: Model, names: Sequence[str]) -> Changed:
         """OptionError: a path that leads nowhere, or two to the same value. ModelError: a Python function."""
@@ -142,10 +146,34 @@ class Changed:
 
     def model(self, case: Mapping[str, Any]) -> Model:
         record = self._copy()
-        order = sorted(self.addresses, key=lambda name: self.addresses[name].where[:1] != ("bodies",))
-        for name in order:
+        for name in self._order:
             _put(record, self.addresses[name], plain(case[name]))
+        if self._weights_alone:
+            try:
+                return _with_weights(self._base, record, self._bodies)
+            except (LinkworkError, TypeError, ValueError):  # which is told below by the name of the object
+                pass
         return built(Model(name=record.get("name", "")), record)
+
+    @cached_property
+    def _order(self) -> list[str]:
+        return sorted(self.addresses, key=lambda name: self.addresses[name].where[:1] != ("bodies",))
+
+    @cached_property
+    def _weights_alone(self) -> bool:
+        """Nothing but gravity, masses and inertias changes, which takes no new model."""
+        return all(
+            not it.where or (it.where[0] == "bodies" and it.field in ("mass", "inertia"))
+            for it in self.addresses.values()
+        )
+
+    @cached_property
+    def _bodies(self) -> list[int]:
+        return sorted({int(it.where[1]) for it in self.addresses.values() if it.where})
+
+    @cached_property
+    def _base(self) -> Model:
+        return built(Model(name=self.record.get("name", "")), self.record)
 
     def _copy(self) -> Record:
         """Of what is to be changed; the rest is that of every case."""
@@ -190,6 +218,18 @@ class Changed:
 
     def identity(self) -> str:
         return digest("changed", canonical(self.record))
+
+
+def _with_weights(model: Model, record: Record, bodies: Sequence[int]) -> Model:
+    """LinkworkError: no body has such a mass or inertia."""
+    masses, inertias = [], []
+    for body in bodies:
+        found = record["bodies"][body]
+        moments = np.array(found["inertia"], dtype=float)
+        masses.append(float(found["mass"]))
+        inertias.append(np.diag(moments) if moments.ndim == 1 else moments)
+    core = model.compiled()
+    return model._with_core(core.with_weights(record.get("gravity", core.gravity), bodies, masses, inertias))
 
 
 def _moves(address: _Address, record: Record) -> bool:
