@@ -71,15 +71,37 @@ Crossing::Crossing(Dynamics& dynamics)
   prepared_ = loops.row_count() > 0;
 }
 
+namespace {
+
+/// speed t + acceleration t^2 / 2 = way
+double time_of(double way, double speed, double acceleration) {
+  return 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * acceleration * way));
+}
+
+}  // namespace
+
 /// Time in which the mechanism, with these velocities and accelerations, moves by `reach`; infinite for one at rest.
 double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) const {
-  const auto time = [](double way, double speed, double acceleration) {  // speed t + acceleration t^2 / 2 = way
-    return 2.0 * way / (speed + std::sqrt(speed * speed + 2.0 * acceleration * way));
-  };
   double least = INFINITY;
   for (int body = 0; body < dynamics_.system().body_count(); ++body) {
     const double way = in_loops_[static_cast<std::size_t>(body)] ? reach : fastest;
-    least = std::min(least, time(way, step_.rate(v.segment<6>(6 * body)), step_.rate(v_dot.segment<6>(6 * body))));
+    least =
+        std::min(least, time_of(way, step_.rate(v.segment<6>(6 * body)), step_.rate(v_dot.segment<6>(6 * body))));
+  }
+  return least;
+}
+
+double Crossing::usual_length(const ConstVector& v) const {
+  double linear[2]{}, angular[2]{};  // the largest squares, of bodies outside of loops and in them
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    const int in_loop = in_loops_[static_cast<std::size_t>(body)] ? 1 : 0;
+    linear[in_loop] = std::max(linear[in_loop], v.segment<3>(6 * body).squaredNorm());
+    angular[in_loop] = std::max(angular[in_loop], v.segment<3>(6 * body + 3).squaredNorm());
+  }
+  double least = INFINITY;
+  for (const int in_loop : {0, 1}) {
+    const double speed = std::max(std::sqrt(linear[in_loop]) / step_.length(), std::sqrt(angular[in_loop]));
+    least = std::min(least, time_of(in_loop ? reach : fastest, speed, 0.0));
   }
   return least;
 }
@@ -176,7 +198,7 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
   turned_ += fastest_ * (t - std::exchange(turned_until_, t));
-  const double usual = usual_length(v, VectorXd::Zero(v.size())), enough = near_enough(usual, h, adaptive);
+  const double usual = usual_length(v), enough = near_enough(usual, h, adaptive);
   keep_rows_good();
   if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls_to_ - t <= enough) look(t);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
@@ -297,9 +319,9 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   if (starting_) step_.begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
-  const bool beside = std::abs(foreseen) < beside_pose * usual_length(v, VectorXd::Zero(v.size()));
+  const bool beside = std::abs(foreseen) < beside_pose * usual_length(v);
   if (!starting_ && !step_.begin(t, y, !beside)) return false;
-  if (beside_ > 0.0) return leap_beside(most, usual_length(v, VectorXd::Zero(v.size())));
+  if (beside_ > 0.0) return leap_beside(most, usual_length(v));
   const VectorXd& v_dot = step_.start_accelerations();
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot.size()), v_dot);
   const double pose = starting_ ? 0.0 : foreseen;

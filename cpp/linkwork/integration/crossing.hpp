@@ -103,6 +103,7 @@ class Crossing final : public Interpolant {
   bool pivot_changes(double t, const VectorXd& y, double root);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
+  double usual_length(const ConstVector& v) const;  ///< without accelerations
   bool beside_a_pose(double time) const;
   [[noreturn]] void throw_no_branch(double t) const;
   void keep_rows_good();

@@ -39,12 +39,12 @@ def _versions() -> Mapping[str, str]:
 
 def platform_facts() -> dict[str, Any]:
     """Versions, platform, processor and its cores."""
-    return {
-        "versions": dict(_versions()),
-        "platform": platform.platform(),
-        "cpu": _cpu(),
-        "cores": os.cpu_count(),
-    }
+    return {"versions": dict(_versions()), **_machine()}
+
+
+@functools.cache
+def _machine() -> Mapping[str, Any]:
+    return {"platform": platform.platform(), "cpu": _cpu(), "cores": os.cpu_count()}
 
 
 def _plain(value: Any) -> Any:
