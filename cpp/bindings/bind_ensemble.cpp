@@ -1,6 +1,7 @@
 #include "bindings.hpp"
 #include "linkwork/ensemble/ensemble.hpp"
 #include "linkwork/ensemble/lane_timing.hpp"
+#include "linkwork/ensemble/lane_trials.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -36,6 +37,15 @@ py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTable
   return out;
 }
 
+std::vector<std::string> advance_together(const std::vector<AdaptiveSimulation*>& runs, int threads) {
+  std::vector<Dynamics*> dynamics;
+  for (AdaptiveSimulation* it : runs) dynamics.push_back(&it->mechanism());
+  const AllBusy busy(dynamics);
+  const InstructionSet widest = best_instruction_set();
+  const py::gil_scoped_release release;
+  return run_trials(runs, widest, threads);
+}
+
 py::tuple timed_lanes(const std::vector<Dynamics*>& dynamics, int repetitions, int threads) {
   const InstructionSet widest = best_instruction_set();
   const AllBusy busy(dynamics);
@@ -56,6 +66,10 @@ void bind_ensemble(py::module_& module) {
              "v_dot (6n,)).");
   module.def("lane_refusal", &LaneStructure::refusal, py::arg("dynamics"),
              "Why lanes cannot run this, in words that end a sentence; empty where they can.");
+  module.def("trial_refusal", &refusal_of_trials, py::arg("dynamics"), "lane_refusal for steps that follow tolerances.");
+  module.def("advance_together", &advance_together, py::arg("runs"), py::arg("threads"),
+             "Advances runs of equal options by one method to their ends, in the lanes of the processor. Of each why it "
+             "did not come there, and has to be simulated by itself; empty: it did.");
   module.def(
       "run_ensemble", &run_ensemble, py::arg("dynamics"), py::arg("tableau"), py::arg("t_end"), py::arg("step"),
       py::arg("record_every"), py::arg("threads"), py::arg("runs") = std::vector<LaneRun*>(),

@@ -1,25 +1,12 @@
 #include "linkwork/ensemble/ensemble.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "linkwork/ensemble/lane_retake.hpp"
+#include "linkwork/ensemble/lane_threads.hpp"
 #include "linkwork/integration/runge_kutta.hpp"
-#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
-namespace {
-
-constexpr auto between_looks = std::chrono::milliseconds(20);
-
-/// Ends a pack.
-struct Stopped {};
-
-}  // namespace
 
 Ensemble::Ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, const FixedSteps& steps,
                    const InstructionSet& widest, std::vector<LaneRun*> runs)
@@ -106,56 +93,11 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
     members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
 }
 
-/// What the threads of a run share.
-struct Ensemble::Work {
-  std::atomic<std::size_t> next{0};
-  std::atomic<int> working{0};
-  std::atomic<bool> stopped{false};
-  std::exception_ptr failure;
-  std::mutex access;
-
-  void stop(std::exception_ptr why) {
-    const std::lock_guard<std::mutex> lock(access);
-    if (!failure) failure = std::move(why);
-    stopped = true;
-  }
-};
-
-void Ensemble::run_tasks(Work& work, const std::function<void()>& look) {
-  const OnePath path(true);  // whatever is computed lane by lane
-  try {
-    for (std::size_t task = work.next++; task < tasks_.size(); task = work.next++) run_task(tasks_[task], look);
-  } catch (const Stopped&) {
-  } catch (...) {
-    work.stop(std::current_exception());
-  }
-  work.working -= 1;
-}
-
 void Ensemble::run(int threads) {
-  Work work;
-  if (threads <= 1 || tasks_.size() <= 1) {
-    run_tasks(work, [] { look_for_interruption(); });
-  } else {
-    const auto look = [&] {
-      if (work.stopped) throw Stopped();
-    };
-    std::vector<std::thread> workers;
-    const auto count = std::min<std::size_t>(threads, tasks_.size());
-    work.working = static_cast<int>(count);
-    for (std::size_t k = 0; k < count; ++k) workers.emplace_back([&] { run_tasks(work, look); });
-    while (work.working > 0) {
-      std::this_thread::sleep_for(between_looks);
-      try {
-        look_for_interruption();
-      } catch (...) {
-        work.stop(std::current_exception());
-        break;
-      }
-    }
-    for (std::thread& worker : workers) worker.join();
-  }
-  if (work.failure) std::rethrow_exception(work.failure);
+  std::vector<LaneTask> tasks;
+  for (const Task& task : tasks_)
+    tasks.emplace_back([this, &task](const std::function<void()>& look) { run_task(task, look); });
+  run_on_threads(tasks, threads);
 }
 
 std::vector<Ensemble::Member> Ensemble::take() { return std::exchange(members_, {}); }

@@ -39,8 +39,6 @@ class Ensemble {
     std::vector<int> members;
   };
 
-  struct Work;
-  void run_tasks(Work& work, const std::function<void()>& look);
   void run_task(const Task& task, const std::function<void()>& look);
   void run_pack(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);
   void judge(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);

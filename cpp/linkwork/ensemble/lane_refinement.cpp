@@ -9,21 +9,30 @@ namespace linkwork {
 
 LaneRefinement::LaneRefinement(const LaneStructure& structure, const LaneKernels& kernels,
                                const std::vector<Dynamics*>& mechanisms)
-    : structure_(structure), kernels_(kernels), mechanisms_(mechanisms) {
-  const auto inertia_of = [&](std::size_t lane) -> const RegularizedInertia& {
-    return mechanisms[lane]->formulation().inertia();
-  };
-  for (std::size_t l = 0; l < mechanisms.size(); ++l) refined_.push_back(inertia_of(l).refined(INFINITY));
+    : structure_(structure), kernels_(kernels), mechanisms_(mechanisms), refined_(mechanisms.size(), 0) {
+  for (std::size_t l = 0; l < mechanisms.size(); ++l) load(l);
+}
+
+void LaneRefinement::replace(int l, Dynamics& mechanism) {
+  mechanisms_[l] = &mechanism;
+  load(l);
+}
+
+void LaneRefinement::load(std::size_t l) {
+  refined_[l] = mechanisms_[l]->formulation().refines();
   needed_ = std::find(refined_.begin(), refined_.end(), true) != refined_.end();
   if (!needed_) return;
-  const std::ptrdiff_t width = kernels.width;
-  for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure.bodies * width, 0.0);
-  for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure.rows * width, 0.0);
-  for (AlignedDoubles* one : {&going_on_, &size_, &correction_}) one->assign(width, 0.0);
-  lengths_.assign(structure.bodies * width, 1.0);
-  for (std::size_t l = 0; l < mechanisms.size(); ++l)
-    for (std::ptrdiff_t body = 0; body < structure.bodies; ++body)
-      lengths_[body * width + static_cast<std::ptrdiff_t>(l)] = inertia_of(l).lengths()[body];
+  const std::ptrdiff_t width = kernels_.width;
+  if (lengths_.empty()) {
+    for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure_.bodies * width, 0.0);
+    for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure_.rows * width, 0.0);
+    for (AlignedDoubles* one : {&going_on_, &size_, &correction_}) one->assign(width, 0.0);
+    lengths_.assign(structure_.bodies * width, 1.0);
+  }
+  for (std::size_t lane = 0; lane < mechanisms_.size(); ++lane)
+    for (std::ptrdiff_t body = 0; body < structure_.bodies; ++body)
+      lengths_[body * width + static_cast<std::ptrdiff_t>(lane)] =
+          mechanisms_[lane]->formulation().inertia().lengths()[body];
 }
 
 void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby,

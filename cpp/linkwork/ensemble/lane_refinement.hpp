@@ -18,6 +18,8 @@ class LaneRefinement {
  public:
   LaneRefinement(const LaneStructure& structure, const LaneKernels& kernels, const std::vector<Dynamics*>& mechanisms);
 
+  /// Another mechanism in a lane.
+  void replace(int l, Dynamics& mechanism);
   /// Whether any lane needs it.
   bool needed() const { return needed_; }
 
@@ -30,6 +32,7 @@ class LaneRefinement {
               LaneGuard& guard);
 
  private:
+  void load(std::size_t l);
   void judge(const double* t, std::vector<Corrections>& corrections, LaneGuard& guard);
 
   const LaneStructure& structure_;

@@ -42,12 +42,23 @@ LaneStepper::LaneStepper(const LaneStructure& structure, const InstructionSet& i
   for (Numbers* state : {&y_, &before_, &stage_}) size(*state, structure.y_size());
   k_.assign(tableau.b.size(), y_);
   size(weights_, tableau.b.size());
-  load_numbers();
+  size(gravity_, 3);
+  for (Numbers* all : {&mass_, &nearby_mass_}) size(*all, 10l * n);
+  size(mass_factors_, 9l * symbolic.mass_factor_count);
+  for (const LaneStructure::Joints& joints : structure.joints) {
+    const std::ptrdiff_t count = std::ssize(joints.joint);
+    attachments_.emplace_back(24 * count * width_, 0.0);
+    parameters_.emplace_back(3 * count * std::ssize(joint_kinds()[joints.kind].info.parameters) * width_, 0.0);
+  }
+  state_.resize(structure.y_size());
+  rows_.resize(m);
+  rates_.resize(m);
+  for (int l = 0; l < width_; ++l) load(l, mechanism(l));
 }
 
 const Dynamics& LaneStepper::mechanism(int l) const { return *mechanisms_[std::min(l, count() - 1)]; }
 
-void LaneStepper::take(const Numbers& numbers, int l, std::ptrdiff_t first, VectorXd& out) const {
+void LaneStepper::take(const Numbers& numbers, int l, std::ptrdiff_t first, MutableVector out) const {
   const double* from = numbers.data() + first * width_ + l;
   for (Eigen::Index k = 0; k < out.size(); ++k) out[k] = from[k * width_];
 }
@@ -63,53 +74,46 @@ void LaneStepper::each_lane(const LaneGuard& guard, Action action) {
     if (guard.steps(l)) action(l);
 }
 
-void LaneStepper::load_numbers() {
-  state_.resize(structure_.y_size());
-  rows_.resize(structure_.rows);
-  rates_.resize(structure_.rows);
-  load_masses();
-  load_joints();
-  for (int l = 0; l < width_; ++l) set_state(l, mechanism(l).initial_y());
+void LaneStepper::replace(int l, Dynamics& mechanism) {
+  mechanisms_[l] = &mechanism;
+  rest_ = rest_ || mechanism.system().has_rest();
+  refinement_.replace(l, mechanism);
+  load(l, mechanism);
 }
 
-void LaneStepper::load_masses() {
-  gravity_.assign(3 * width_, 0.0);
-  for (Numbers* all : {&mass_, &nearby_mass_}) all->assign(std::ptrdiff_t{10} * structure_.bodies * width_, 0.0);
-  mass_factors_.assign(std::ptrdiff_t{9} * structure_.symbolic.mass_factor_count * width_, 0.0);
-  for (int l = 0; l < width_; ++l) {
-    const Dynamics& dynamics = mechanism(l);
-    const System &system = dynamics.system(), &nearby = dynamics.formulation().inertia().system();
-    give(system.model().gravity().data(), 3, l, gravity_, 0);
-    for (int body = 0; body < structure_.bodies; ++body) {
-      give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
-      give(&nearby.mass_blocks()[body].m, 10, l, nearby_mass_, 10l * body);
-    }
-    for (const block::CoreBody& body : structure_.symbolic.bodies) {
-      if (body.mass_factor < 0) continue;
-      const block::MassFactor factor = block::mass_factor(nearby, body.body);
-      give(&factor.L43, 9, l, mass_factors_, 9l * body.mass_factor);
-    }
+void LaneStepper::load(int l, const Dynamics& mechanism) {
+  load_masses(l, mechanism);
+  load_joints(l, mechanism.system().model());
+  set_state(l, mechanism.initial_y());
+}
+
+void LaneStepper::load_masses(int l, const Dynamics& mechanism) {
+  const System &system = mechanism.system(), &nearby = mechanism.formulation().inertia().system();
+  give(system.model().gravity().data(), 3, l, gravity_, 0);
+  for (int body = 0; body < structure_.bodies; ++body) {
+    give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
+    give(&nearby.mass_blocks()[body].m, 10, l, nearby_mass_, 10l * body);
+  }
+  for (const block::CoreBody& body : structure_.symbolic.bodies) {
+    if (body.mass_factor < 0) continue;
+    const block::MassFactor factor = block::mass_factor(nearby, body.body);
+    give(&factor.L43, 9, l, mass_factors_, 9l * body.mass_factor);
   }
 }
 
-void LaneStepper::load_joints() {
-  for (const LaneStructure::Joints& joints : structure_.joints) {
-    const auto count = static_cast<std::ptrdiff_t>(joints.joint.size());
-    const auto parameters = static_cast<std::ptrdiff_t>(joint_kinds()[joints.kind].info.parameters.size());
-    attachments_.emplace_back(24 * count * width_, 0.0);
-    parameters_.emplace_back(3 * parameters * count * width_, 0.0);
-    for (int l = 0; l < width_; ++l) {
-      const Model& model = mechanism(l).system().model();
-      for (std::ptrdiff_t k = 0; k < count; ++k) {
-        const Attachment<double>& at = model.joints()[joints.joint[k]].at;
-        give(at.s_i.data(), 3, l, attachments_.back(), 24 * k);
-        give(at.s_j.data(), 3, l, attachments_.back(), 24 * k + 3);
-        give(at.C_i.data(), 9, l, attachments_.back(), 24 * k + 6);
-        give(at.C_j.data(), 9, l, attachments_.back(), 24 * k + 15);
-        const auto first = static_cast<std::ptrdiff_t>(model.joints()[joints.joint[k]].first_parameter);
-        for (std::ptrdiff_t p = 0; p < parameters; ++p)
-          *lane(parameters_.back(), 3 * (parameters * k + p), l) = model.joint_parameters()[first + p].constant;
-      }
+void LaneStepper::load_joints(int l, const Model& model) {
+  for (std::size_t kind = 0; kind < structure_.joints.size(); ++kind) {
+    const LaneStructure::Joints& joints = structure_.joints[kind];
+    const std::ptrdiff_t parameters = std::ssize(joint_kinds()[joints.kind].info.parameters);
+    for (std::ptrdiff_t k = 0; k < std::ssize(joints.joint); ++k) {
+      const Element& joint = model.joints()[joints.joint[k]];
+      give(joint.at.s_i.data(), 3, l, attachments_[kind], 24 * k);
+      give(joint.at.s_j.data(), 3, l, attachments_[kind], 24 * k + 3);
+      give(joint.at.C_i.data(), 9, l, attachments_[kind], 24 * k + 6);
+      give(joint.at.C_j.data(), 9, l, attachments_[kind], 24 * k + 15);
+      const auto first = static_cast<std::ptrdiff_t>(joint.first_parameter);
+      for (std::ptrdiff_t p = 0; p < parameters; ++p)
+        *lane(parameters_[kind], 3 * (parameters * k + p), l) = model.joint_parameters()[first + p].constant;
     }
   }
 }
@@ -169,20 +173,19 @@ VectorXd LaneStepper::accelerations(int l) const {
 // --- one step ---
 
 void LaneStepper::hold(const LaneSpans& spans, const double* share) {
-  if (stabilization_ == StabilizationKind::none) return;
-  const bool sampled = stabilization_ == StabilizationKind::sampled_baumgarte;
+  if (!sampled() && !continuous()) return;
   const Options& options = mechanism(0).options();
   const double lag = tableau_.b.dot(tableau_.c);
   for (int l = 0; l < width_; ++l) {
     Gains gains = textbook_gains;
-    if (sampled) gains = deadbeat_gains(lag, spans.h[l]);
-    if (sampled && share[l] < 1.0) gains = {gains.alpha * share[l], gains.beta * share[l]};
+    if (sampled()) gains = deadbeat_gains(lag, spans.h[l]);
+    if (sampled() && share[l] < 1.0) gains = {gains.alpha * share[l], gains.beta * share[l]};
     const double alpha = options.baumgarte_alpha.value_or(gains.alpha);
     const double beta = options.baumgarte_beta.value_or(gains.beta);
     velocity_gains_[l] = -2.0 * alpha;
     position_gains_[l] = -(beta * beta);
   }
-  if (sampled) correct();
+  if (sampled()) correct();
 }
 
 void LaneStepper::correct() {
@@ -204,20 +207,33 @@ void LaneStepper::combine(const LaneSpans& spans, const ConstVector& weights, Ei
 }
 
 void LaneStepper::step(const LaneSpans& spans, LaneGuard& guard) {
-  const bool continuous = stabilization_ == StabilizationKind::baumgarte;
-  for (Eigen::Index i = 0; i < tableau_.b.size(); ++i) {
-    if (i > 0) {
-      for (int l = 0; l < width_; ++l) stage_t_[l] = spans.t[l] + tableau_.c[i] * spans.h[l];
-      combine(spans, tableau_.A.row(i), i, stage_);
-      evaluate(stage_t_, stage_, guard);
-    }
-    if (continuous) correct();
-    solve(i == 0 ? spans.t : stage_t_, i == 0, guard);
-    find_rates(i == 0 ? y_ : stage_, k_[i], guard);
-  }
+  if (continuous()) correct();
+  solve(spans.t, true, guard);
+  find_rates(y_, k_[0], guard);
+  later_stages(spans, guard);
   combine(spans, tableau_.b, tableau_.b.size(), before_);
   std::swap(y_, before_);
 }
+
+void LaneStepper::begin_stages(int l, const VectorXd& y, const ConstVector& rates, const VectorXd& held) {
+  set_state(l, y);
+  give(rates.data(), rates.size(), l, k_[0], 0);
+  if (sampled()) give(held.data(), held.size(), l, u_, 0);
+}
+
+void LaneStepper::later_stages(const LaneSpans& spans, LaneGuard& guard) {
+  for (Eigen::Index i = 1; i < tableau_.b.size(); ++i) {
+    for (int l = 0; l < width_; ++l)
+      stage_t_[l] = std::clamp(spans.t[l] + tableau_.c[i] * spans.h[l], spans.earliest[l], spans.latest[l]);
+    combine(spans, tableau_.A.row(i), i, stage_);
+    evaluate(stage_t_, stage_, guard);
+    if (continuous()) correct();
+    solve(stage_t_, false, guard);
+    find_rates(stage_, k_[i], guard);
+  }
+}
+
+void LaneStepper::rates(int l, int stage, MutableVector out) const { take(k_[stage], l, 0, out); }
 
 // --- one evaluation ---
 
@@ -306,7 +322,7 @@ void LaneStepper::leave_out_rows() {
 }
 
 void LaneStepper::solve(const Numbers& t, bool first, LaneGuard& guard) {
-  if (stabilization_ == StabilizationKind::none) std::copy(gamma_.begin(), gamma_.end(), b_.begin());
+  if (!sampled() && !continuous()) std::copy(gamma_.begin(), gamma_.end(), b_.begin());
   else {
     const double* const u = u_.data();
     kernels_.combine(structure_.rows, gamma_.data(), 1, ones_.data(), &u, b_.data());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,15 @@ namespace linkwork {
 
 /// Where the steps of the lanes begin and how long they are [s]: of each its own.
 struct LaneSpans {
-  explicit LaneSpans(int width) : t(width, 0.0), h(width, 0.0) {}
+  explicit LaneSpans(int width) : t(width, 0.0), h(width, 0.0), earliest(width, -INFINITY), latest(width, INFINITY) {}
   void set(int l, double begin, double length) { t[l] = begin, h[l] = length; }
+  void set(int l, const StepSpan& span) {
+    set(l, span.t, span.h);
+    earliest[l] = span.earliest;
+    latest[l] = span.latest;
+  }
 
-  AlignedDoubles t, h;
+  AlignedDoubles t, h, earliest, latest;  ///< as in StepSpan
 };
 
 /// Steps of an explicit Runge-Kutta method by as many mechanisms of one structure as a register has lanes. What is not
@@ -29,6 +35,9 @@ class LaneStepper {
 
   int width() const { return width_; }
   int count() const { return static_cast<int>(mechanisms_.size()); }
+
+  /// Another mechanism in a lane.
+  void replace(int l, Dynamics& mechanism);
 
   // y = (q, v, work) of one lane.
   void set_state(int l, const VectorXd& y) { give(y.data(), y.size(), l, y_, 0); }
@@ -48,6 +57,11 @@ class LaneStepper {
   void step(const LaneSpans& spans, LaneGuard& guard);
   void normalize();
 
+  // The stages of a step without its end. The first one and the correction that it holds, of one lane:
+  void begin_stages(int l, const VectorXd& y, const ConstVector& rates, const VectorXd& held);
+  void later_stages(const LaneSpans& spans, LaneGuard& guard);
+  void rates(int l, int stage, MutableVector out) const;
+
   /// A right-hand side with reactions.
   void evaluate_rates(const LaneSpans& spans, LaneGuard& guard);
   VectorXd accelerations(int l) const;  ///< from the last one
@@ -55,13 +69,13 @@ class LaneStepper {
  private:
   using Numbers = AlignedDoubles;
 
-  void load_numbers();
-  void load_masses();
-  void load_joints();
+  void load(int l, const Dynamics& mechanism);
+  void load_masses(int l, const Dynamics& mechanism);
+  void load_joints(int l, const Model& model);
   LaneData data();
   const Dynamics& mechanism(int l) const;
   double* lane(Numbers& numbers, std::ptrdiff_t k, int l) { return numbers.data() + k * width_ + l; }
-  void take(const Numbers& numbers, int l, std::ptrdiff_t first, VectorXd& out) const;
+  void take(const Numbers& numbers, int l, std::ptrdiff_t first, MutableVector out) const;
   void give(const double* from, std::ptrdiff_t count, int l, Numbers& to, std::ptrdiff_t first) const;
   template <class Action>
   void each_lane(const LaneGuard& guard, Action action);
@@ -72,6 +86,8 @@ class LaneStepper {
   void give_special_joints(int l, const Evaluation& at);
   void evaluate_joints();
   void leave_out_rows();
+  bool sampled() const { return stabilization_ == StabilizationKind::sampled_baumgarte; }
+  bool continuous() const { return stabilization_ == StabilizationKind::baumgarte; }
   void correct();
   void combine(const LaneSpans& spans, const ConstVector& weights, Eigen::Index count, Numbers& out);
   void solve(const Numbers& t, bool first, LaneGuard& guard);

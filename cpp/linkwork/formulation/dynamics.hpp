@@ -129,6 +129,7 @@ class Dynamics {
   bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
   /// Computes u from the current state with these gains (the user's, where given) and holds it for `rates`.
   void begin_zero_order_hold(Gains gains);
+  const VectorXd& held_correction() const { return held_u_; }  ///< u, while it is held
   void end_zero_order_hold() { held_ = held_ && first_part_ > 0.0; }
   /// From here to end_parts a step is taken in parts, the first of this share: the correction that it holds is that of
   /// the whole, and stays.

@@ -36,6 +36,8 @@ class Formulation : public ConstrainedSolver {
   virtual void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) = 0;
   /// After analyze: roundoff in solutions must not show where only relative errors of this size are tolerated.
   virtual void require_accuracy(double) {}
+  /// Whether solutions are refined where they stand, see Refinement.
+  virtual bool refines() const { return false; }
   virtual void factorize(const Evaluation& at) = 0;
   /// After factorize, for any number of right-hand sides.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override = 0;

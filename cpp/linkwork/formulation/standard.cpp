@@ -31,6 +31,7 @@ class Standard final : public DirectFormulation {
     refined_ = inertia_->refined(accuracy_);
     if (refined_) refinement_ = Refinement(*system_, inertia_->lengths());
   }
+  bool refines() const override { return refined_; }
 
  private:
   void refine(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {

@@ -37,6 +37,7 @@ class WatchedFormulation final : public Formulation {
 
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override;
   void require_accuracy(double relative) override { formulation_->require_accuracy(relative); }
+  bool refines() const override { return formulation_->refines(); }
   void factorize(const Evaluation& at) override;
   /// Whatever b has in rows that are left out.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override;

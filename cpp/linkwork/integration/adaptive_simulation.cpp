@@ -77,11 +77,36 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
 }
 
 void AdaptiveSimulation::take_step() {
+  if (go_on()) finish_trial();
+}
+
+/// Up to where a step is to be tried; false where something else was to be done.
+bool AdaptiveSimulation::go_on() {
   if (!accepted_) mark(begun_ && near_end());
-  if (!begun_) return begin();
-  if (!accepted_) return attempt();
-  if (output_inside()) return record_inside();
-  finish_step();
+  if (!begun_) begin();
+  else if (!accepted_) return prepare_trial();
+  else if (output_inside()) record_inside();
+  else finish_step();
+  return false;
+}
+
+bool AdaptiveSimulation::advance_to_trial() {
+  while (true) {
+    stop_at_singular_pose();
+    if (finished_) return false;
+    if (go_on()) return true;
+  }
+}
+
+bool AdaptiveSimulation::begin_trial() {
+  try {
+    stepper_.begin(dynamics_, trial_span());
+    return true;
+  } catch (const OptionError&) {
+    throw;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 /// What is left of the run limits the step from here.
@@ -151,9 +176,9 @@ double AdaptiveSimulation::initial_step() {
   return std::min({100.0 * first, second, most});
 }
 
-void AdaptiveSimulation::attempt() {
+bool AdaptiveSimulation::prepare_trial() {
   if (!evaluated_) evaluate(clock(), y_);
-  if (leap()) return;
+  if (leap()) return false;
   sampling_.before(dynamics_, y_);
   double h = proposed_ = std::min(step_, schedule_.largest_step);
   h = std::min(h, crossing_.most_step());
@@ -161,6 +186,12 @@ void AdaptiveSimulation::attempt() {
   Phi_ = dynamics_.evaluation().Phi;
   Phi_dot_ = dynamics_.evaluation().Phi_dot;
   dynamics_.take_switched();
+  trial_h_ = h;
+  return true;
+}
+
+void AdaptiveSimulation::finish_trial() {
+  const double h = trial_h_;
   const BodyMaximum error = trial(h);
   if (error.value <= 1.0 && TurnGuard::too_far(turns_.largest(h))) reject(h, {too_far, -1});
   else if (error.value <= 1.0 && end_at_switch(h)) return;

@@ -52,6 +52,20 @@ class AdaptiveSimulation final : public Run {
   double t() const override { return t_; }
   bool records_inside() const override { return !schedule_.times.empty(); }
   const StepStatistics& step_statistics() const { return statistics_; }
+
+  // For somebody who evaluates the stages of several runs side by side:
+  Dynamics& mechanism() { return dynamics_; }
+  const EmbeddedPair& pair() const { return stepper_.pair(); }
+  /// Goes on to where a step is to be tried. False: the run is finished.
+  bool advance_to_trial();
+  /// The first stage of that step. False where there is none, which `finish_trial` will find.
+  bool begin_trial();
+  StepSpan trial_span() const { return {t_, trial_h_, breaks_.after(t_), breaks_.before(t_new_)}; }
+  const VectorXd& trial_start() const { return y_; }
+  PairStepper& stepper() { return stepper_; }
+  /// Tries it, with the stages that were supplied to the stepper, and evaluates those that were not.
+  void finish_trial();
+
   /// The events of the steps finished since the last call.
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
 
@@ -67,7 +81,8 @@ class AdaptiveSimulation final : public Run {
   bool near_end() const;
   void begin();
   double initial_step();
-  void attempt();
+  bool go_on();
+  bool prepare_trial();
   BodyMaximum trial(double h);
   void accept(double h, double error);
   bool end_at_switch(double h);
@@ -119,6 +134,7 @@ class AdaptiveSimulation final : public Run {
   double start_ = 0.0;      ///< of this run, which may have been resumed from before it
   VectorXd y_new_;          ///< at t_new_
   VectorXd y_before_;       ///< the start of the last finished step
+  double trial_h_ = 0.0;    ///< of the step that is to be tried
   double step_ = 0.0;       ///< what the controller proposes
   double proposed_ = 0.0;   ///< what it proposed for this one
   VectorXd Phi_, Phi_dot_;  ///< where the step begins

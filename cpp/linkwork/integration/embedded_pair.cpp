@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linkwork/integration/runge_kutta.hpp"
 #include "linkwork/math/error.hpp"
@@ -46,6 +47,12 @@ void PairStepper::start(int y_size) {
   weights_.resize(pair_.interpolant.rows());
 }
 
+void PairStepper::begin(Dynamics& dynamics, const StepSpan& step) {
+  begun_ = supplied_ = false;
+  evaluate_first_stage(pair_.method, dynamics, step, k_);
+  begun_ = true;
+}
+
 // p is made a unit vector before the last stage: the first of the next step is then at the same state, and only its
 // correction differs. That changes k_s by O(h^order), along p alone.
 bool PairStepper::take(Dynamics& dynamics, const StepSpan& step, const VectorXd& y) {
@@ -54,7 +61,8 @@ bool PairStepper::take(Dynamics& dynamics, const StepSpan& step, const VectorXd&
   h_ = h;
   y_ = y;
   prepared_ = false;
-  evaluate_stages(pair_.method, dynamics, step, y, k_, workspace_);
+  if (!std::exchange(begun_, false)) evaluate_first_stage(pair_.method, dynamics, step, k_);
+  if (!std::exchange(supplied_, false)) evaluate_later_stages(pair_.method, dynamics, step, y, k_, workspace_);
   y_new_ = y;
   add_combination(h, pair_.method.b, k_, y_new_);
   if (!y_new_.allFinite()) return false;

@@ -36,6 +36,17 @@ class PairStepper final : public Interpolant {
   bool take(Dynamics& dynamics, const StepSpan& step, const VectorXd& y);
   const VectorXd& y_new() const { return y_new_; }
 
+  /// Ahead of `trial` or `take` of the same step, for somebody who evaluates the later stages: the first one.
+  void begin(Dynamics& dynamics, const StepSpan& step);
+  ConstVector first_stage() const { return k_.col(0); }
+  /// The others, of which `fill(i, k_i)` gives number i.
+  template <class Fill>
+  void supply(const Fill& fill) {
+    for (Eigen::Index i = 1; i < stages_; ++i) fill(static_cast<int>(i), k_.col(i));
+    supplied_ = true;
+  }
+  void take_back() { supplied_ = false; }
+
   /// Evaluates what the interpolant still needs. True where `dynamics` is no longer at the new state.
   bool prepare_interpolation(Dynamics& dynamics);
   void interpolate(const System& system, double theta, VectorXd& y) const override;
@@ -47,6 +58,7 @@ class PairStepper final : public Interpolant {
   Eigen::Index stages_;
   StepSpan step_;
   double h_ = 0.0;
+  bool begun_ = false, supplied_ = false;  ///< stages of the step that comes are there: the first; the others
   bool prepared_ = false;
   VectorXd y_, y_new_, workspace_;
   mutable VectorXd weights_;

@@ -27,14 +27,24 @@ void add_combination(double h, const ConstVector& weights, const MatrixXd& k, Ve
 
 void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage) {
+  evaluate_first_stage(tableau, dynamics, step, k);
+  evaluate_later_stages(tableau, dynamics, step, y, k, stage);
+}
+
+void evaluate_first_stage(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, MatrixXd& k) {
   dynamics.begin_zero_order_hold(deadbeat_gains(tableau.b.dot(tableau.c), step.h));
-  evaluate_free_stages(tableau, dynamics, step, y, k, stage);
+  dynamics.rates(k.col(0));
 }
 
 void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                           MatrixXd& k, VectorXd& stage) {
-  const double h = step.h;
   dynamics.rates(k.col(0));
+  evaluate_later_stages(tableau, dynamics, step, y, k, stage);
+}
+
+void evaluate_later_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
+                           MatrixXd& k, VectorXd& stage) {
+  const double h = step.h;
   for (Eigen::Index i = 1; i < tableau.b.size(); ++i) {
     stage.resize(y.size());
     in_pieces(dynamics.system().threads(), y.size(), [&](Eigen::Index first, Eigen::Index count) {

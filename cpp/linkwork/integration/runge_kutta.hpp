@@ -12,6 +12,11 @@ void check(const ButcherTableau& tableau);
 void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                      MatrixXd& k, VectorXd& stage);
 
+/// Its two parts: the first stage, with the correction, then all others.
+void evaluate_first_stage(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, MatrixXd& k);
+void evaluate_later_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
+                           MatrixXd& k, VectorXd& stage);
+
 /// The same with the correction as it is held, or none.
 void evaluate_free_stages(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, const VectorXd& y,
                           MatrixXd& k, VectorXd& stage);
