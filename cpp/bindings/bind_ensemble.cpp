@@ -38,10 +38,10 @@ py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTable
 }
 
 std::vector<std::string> advance_together(const std::vector<AdaptiveSimulation*>& runs, int threads) {
+  const InstructionSet widest = best_instruction_set();
   std::vector<Dynamics*> dynamics;
   for (AdaptiveSimulation* it : runs) dynamics.push_back(&it->mechanism());
   const AllBusy busy(dynamics);
-  const InstructionSet widest = best_instruction_set();
   const py::gil_scoped_release release;
   return run_trials(runs, widest, threads);
 }
