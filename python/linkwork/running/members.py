@@ -13,7 +13,7 @@ from typing import Any
 from linkwork import _core
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
-from linkwork.integrators import ButcherTableau, Integrator, named
+from linkwork.integrators import ButcherTableau, EmbeddedPair, Integrator, named
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.options import TABLE
@@ -21,7 +21,7 @@ from linkwork.results.result import Result
 from linkwork.running import checks, estimation, recording, schedule
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
-from linkwork.running.simulation import Stepped, simulate, what_steps
+from linkwork.running.simulation import Prepared, Stepped, concluded, prepared, simulate, what_steps
 
 __all__ = ["FRAMES", "Member", "Method", "facts_of", "method_of", "refusal", "remarked", "run_members"]
 
@@ -65,7 +65,7 @@ class Method:
 
     @property
     def given(self) -> dict[str, Any]:
-        usual = {"integrator": None, "breaks": (), "assemble": True}
+        usual = {"integrator": None, "breaks": (), "assemble": True, "on_inaccurate": "pass"}
         return {**usual, "t_end": self.t_end, **self.arguments}
 
     @property
@@ -106,7 +106,8 @@ def method_of(
     found = named(integrator) if isinstance(integrator, str) else integrator
     alone = ""
     if not isinstance(plan, schedule.Fixed):
-        alone = "lanes have fixed steps only"
+        if not isinstance(found, EmbeddedPair):
+            alone = "lanes follow tolerances by embedded Runge-Kutta pairs only"
     elif not isinstance(found, ButcherTableau):
         alone = "lanes have explicit Runge-Kutta methods only"
     elif arguments.get("events"):
@@ -120,13 +121,17 @@ def refusal(model: Model, method: Method) -> str:
         return method.alone
     with remarked():
         try:
-            return _core.lane_refusal(_stepped(model, method).system.compiled())
+            compiled = _stepped(model, method).system.compiled()
+            fixed = isinstance(method.plan, schedule.Fixed)
+            return _core.lane_refusal(compiled) if fixed else _core.trial_refusal(compiled)
         except LinkworkError as error:
             return str(error)
 
 
 def run_members(models: Sequence[Model | Exception], method: Method) -> list[Member]:
     """In the order of the models; an exception in place of a model is why there is none."""
+    if not method.alone and isinstance(method.plan, schedule.Adaptive):
+        return _side_by_side(models, method)
     found: dict[int, Member] = {}
     ready: list[_Ready] = []
     for place, model in enumerate(models):
@@ -143,6 +148,42 @@ def run_members(models: Sequence[Model | Exception], method: Method) -> list[Mem
     if ready:
         found.update(_in_lanes(ready, method))
     return [found[place] for place in range(len(models))]
+
+
+def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[Member]:
+    """With steps that follow tolerances: each is the run that it is by itself, some of whose stages lanes take."""
+    found: dict[int, Member] = {}
+    runs: dict[int, tuple[Prepared, list[str]]] = {}
+    for place, model in enumerate(models):
+        if isinstance(model, Exception):
+            found[place] = Member(None, error=facts_of(model))
+            continue
+        with remarked() as remarks:
+            try:
+                with _core.OnePath(method.options.get("deterministic") is True):
+                    checks.check_bodies(model)
+                    it = prepared(model, method.plan, method.given, method.options)
+                runs[place] = it, remarks
+            except Exception as error:
+                found[place] = Member(None, error=facts_of(error))
+    with Interrupts() as interrupts, interrupts.computing():
+        reasons = _core.advance_together([it.run for it, _ in runs.values()], method.threads)
+    for (place, (it, remarks)), reason in zip(runs.items(), reasons, strict=True):
+        found[place] = _concluded(it, method, reason, remarks)
+    return [found[place] for place in range(len(models))]
+
+
+def _concluded(it: Prepared, method: Method, reason: str, remarks: Sequence[str]) -> Member:
+    if reason:
+        return _alone(it.system.model, method, reason, remarks)
+    with remarked() as more:
+        try:
+            with _core.OnePath(method.options.get("deterministic") is True):
+                result = concluded(it)
+        except Exception as error:
+            return Member(None, error=facts_of(error), remarks=[*remarks, *more])
+    result.manifest["lane"] = result.statistics["lane"] = True
+    return Member(result, remarks=list(dict.fromkeys([*remarks, *more])))
 
 
 def _prepared(place: int, model: Model, method: Method) -> _Ready | Member:

@@ -268,6 +268,8 @@ def pieces(
 def _compiled_pieces(run: _core.Run, interrupts: Interrupts, frame_bytes: int) -> Iterator[Frames]:
     """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
     most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
+    if run.finished:  # by somebody who took its steps beside those of other runs
+        yield run.take_frames()
     while not run.finished:
         with interrupts.computing(), StopIterationIsError():
             frames = run.advance(most_frames, PIECE_SECONDS)

@@ -165,7 +165,7 @@ simulate.__doc__ = (
 
 
 @dataclass(frozen=True)
-class _Prepared:
+class Prepared:
     """A run before its first step."""
 
     plan: schedule.Fixed | schedule.Adaptive
@@ -199,7 +199,7 @@ def _prepared(
     options: Options,
     watched: Sequence[tuple[str, _core.Event]],
     start: Snapshot | None,
-) -> _Prepared:
+) -> Prepared:
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
     t_start = checks.start_time(start)
     stepped = what_steps(model, plan, given, options, start)
@@ -226,7 +226,7 @@ def _prepared(
         "events": [label for label, _ in watched],
         **({} if start is None else {"resumed": resume is not None}),
     }
-    return _Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
+    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
 
 
 class Stepped(NamedTuple):
@@ -257,6 +257,19 @@ def what_steps(
     return Stepped(method, options, system, assembly, breaks)
 
 
+def prepared(
+    model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options
+) -> Prepared:
+    """A run without events before its first step. OptionError, ModelError: what cannot be run."""
+    return _prepared(model, plan, given, options, compile_events((), model), None)
+
+
+def concluded(it: Prepared) -> Result:
+    """The result of a run that has come to its end."""
+    with Interrupts() as interrupts:
+        return _carried_out(it, None, False, time.perf_counter(), interrupts)[0]
+
+
 def check_run(
     model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options
 ) -> None:
@@ -265,7 +278,7 @@ def check_run(
 
 
 def _carried_out(
-    it: _Prepared,
+    it: Prepared,
     output: str | os.PathLike[str] | None,
     progress: ProgressOption,
     started: float,
