@@ -13,6 +13,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 import random_mechanisms
+from ensembles import KNOWN, alone, bits, variants, with_functions
 from hypothesis import given
 from light_mechanisms import light_mechanisms
 from linkwork import _core, mechanisms
@@ -20,53 +21,6 @@ from linkwork.modeling.files import record_of
 from linkwork.studies.variants import Changed
 
 pytestmark = pytest.mark.filterwarnings("ignore")
-
-#: Trees, loops, redundant equations, drivers, gears, springs; step [s].
-KNOWN: dict[str, tuple[Callable[[], lw.Model], float]] = {
-    "chain": (mechanisms.chain, 1e-3),
-    "binary_tree": (mechanisms.binary_tree, 1e-3),
-    "hub": (mechanisms.hub, 1e-3),
-    "heavy_top": (mechanisms.heavy_top, 1e-3),
-    "gyroscope": (mechanisms.gyroscope, 1e-3),
-    "rolling_disc": (mechanisms.rolling_disc, 1e-3),
-    "four_bar": (lambda: mechanisms.four_bar(2), 1e-3),
-    "spatial_slider_crank": (mechanisms.spatial_slider_crank, 1e-3),
-    "bricard": (mechanisms.bricard, 1e-3),
-    "bennett": (mechanisms.bennett, 1e-3),
-    "watt_six_bar": (mechanisms.watt_six_bar, 1e-3),
-    "stewart_platform": (mechanisms.stewart_platform, 1e-3),
-    "double_wishbone": (mechanisms.double_wishbone, 1e-3),
-    "flyball_governor": (mechanisms.flyball_governor, 1e-4),
-    "delta_robot": (mechanisms.delta_robot, 1e-4),
-}
-
-FIELDS = ("t", "q", "v", "vdot", "lambda", "kinetic", "potential", "work", "violation", "history")
-
-
-def variants(model: lw.Model, count: int, seed: int) -> list[lw.Model]:
-    """Other masses, inertias and gravity; nothing that the joints notice."""
-    rng = np.random.default_rng(seed)
-    bodies = record_of(model, {})["bodies"]
-    names = [f"{it['name']}.{field}" for it in bodies for field in ("mass", "inertia")]
-    source = Changed.of(model, [*names, "gravity"])
-    record = {name: source.value(name) for name in (*names, "gravity")}
-
-    def scaled() -> dict[str, Any]:
-        factor = {name.rpartition(".")[0]: rng.uniform(0.5, 2.0) for name in record}
-        return {name: (np.asarray(value) * factor[name.rpartition(".")[0]]).tolist()
-                for name, value in record.items()}  # fmt: skip
-
-    return [source.model(scaled()) for _ in range(count)]
-
-
-def alone(model: lw.Model, t_end: float, step: float, **options: Any) -> lw.Result:
-    chosen = {"deterministic": True, "on_inaccurate": "pass", "progress": False, **options}
-    return lw.simulate(model, t_end, step, **chosen)
-
-
-def bits(result: lw.Result) -> dict[str, bytes]:
-    return {name: result.recorded(name).tobytes() for name in FIELDS}
-
 
 def many(models: Sequence[lw.Model], t_end: float, step: float, **options: Any) -> lw.EnsembleResult:
     return lw.simulate_many(
@@ -145,20 +99,6 @@ def test_random_mechanisms_with_thin_rods_and_points_have_them_and_the_verdict(l
     single = alone(model, 1.2e-3, 2e-4, **options)
     assert bits(found.member(0)) == bits(found.member(1)) == bits(single)
     assert found.member(0).verdict == single.verdict
-
-
-def with_functions(amplitude: float, stiffness: float) -> lw.Model:
-    """A crank that is driven, and a rod on a spring with history; lanes differ in functions of time."""
-    model = lw.Model(name="functions")
-    crank = model.body("crank", mass=1.0, inertia=(0.01, 0.02, 0.02), position=(0.5, 0, 0))
-    rod = model.body("rod", mass=2.0, inertia=(0.02, 0.3, 0.3), position=(1.5, 0, 0))
-    model.revolute(model.ground, crank, at=(0, 0, 0), axis=(0, 1, 0), name="motor pin")
-    model.revolute(crank, rod, at=(1, 0, 0), axis=(0, 1, 0), name="elbow")
-    motion = lw.functions.harmonic(amplitude=amplitude, frequency=2.0, phase=np.pi / 2, offset=-amplitude)
-    model.angle_driver(model.ground, crank, angle=motion, at=(0, 0, 0), axis=(0, 1, 0), name="motor")
-    model.rotational_spring_damper(crank, rod, at=(1, 0, 0), axis=(0, 1, 0), stiffness=stiffness, damping=0.1,
-                                   free_angle=0.2, torque=0.0, name="spring")  # fmt: skip
-    return model
 
 
 def test_functions_of_time_and_forces_with_history_are_those_of_each_lane() -> None:
@@ -328,12 +268,6 @@ def test_what_lanes_do_not_have_is_simulated_alone_and_says_so(options: dict[str
     found = many([model, model], 0.02, 1e-3, **options)
     assert set(found.alone) == {0, 1} and reason in found.alone[0]
     assert bits(found.member(1)) == bits(alone(model, 0.02, 1e-3, **options))
-
-
-def test_steps_that_follow_tolerances_are_simulated_alone() -> None:
-    model = mechanisms.spatial_slider_crank()
-    found = lw.simulate_many([model], None, 0.05, rtol=1e-6, progress=False)
-    assert "fixed steps" in found.alone[0] and found.status[0] == "finished"
 
 
 def far_apart() -> lw.Model:

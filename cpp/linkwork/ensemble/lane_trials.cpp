@@ -130,8 +130,8 @@ void LaneTrials::leave(int l, double, std::string) {
 }
 
 std::string refusal_of_trials(const Dynamics& dynamics) {
-  if (dynamics.system().history_size() > 0 || !dynamics.system().switches().empty())
-    return "steps that follow tolerances have no full turns, contacts and stops in lanes";
+  if (!dynamics.system().switches().empty())
+    return "steps that follow tolerances end where contacts and stops begin, which lanes do not see";
   return LaneStructure::refusal(dynamics);
 }
 

@@ -1,0 +1,138 @@
+"""Ensembles whose steps follow tolerances: each run tries steps of its own, and has the bits that it has alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+import random_mechanisms
+from ensembles import KNOWN, alone, bits, variants, with_functions
+from hypothesis import given
+from linkwork import mechanisms
+
+pytestmark = pytest.mark.filterwarnings("ignore")
+
+RTOL = 1e-6
+
+
+def many(models: list[lw.Model], t_end: float, **options: Any) -> lw.EnsembleResult:
+    return lw.simulate_many(models, None, t_end, **{"rtol": RTOL, "progress": False, **options})
+
+
+def same(result: lw.Result, single: lw.Result) -> bool:
+    """Motion, steps and verdict."""
+    counts = ("steps", "rejected_steps", "singular_poses", "row_changes")
+    found = [[it.statistics[name] for name in counts] for it in (result, single)]
+    return bits(result) == bits(single) and result.verdict == single.verdict and found[0] == found[1]
+
+
+@pytest.mark.parametrize("pair", ["bs32", "dopri5", "tsit5", "dop853"])
+#: Of the others one is stiff, one has a contact.
+@pytest.mark.parametrize("name", sorted(set(KNOWN) - {"flyball_governor", "double_wishbone"}))
+def test_a_run_in_a_lane_has_the_bits_of_its_run_by_itself(name: str, pair: str) -> None:
+    models = variants(KNOWN[name][0](), 11, seed=len(name))
+    options: dict[str, Any] = {"integrator": pair, "rtol": 1e-4 if pair == "bs32" else RTOL}
+    found = many(models, 0.03, threads=1, **options)
+    assert found.alone == {}
+    for k in (0, 7, 10):  # more than there are lanes: the last ones were taken up by lanes that were free
+        assert same(found.member(k), alone(models[k], 0.03, **options))
+
+
+@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "baumgarte", "none"])
+def test_it_has_them_with_every_stabilization_that_lanes_have(stabilization: str) -> None:
+    models = variants(mechanisms.bricard(), 3, seed=2)
+    found = many(models, 0.5, stabilization=stabilization)
+    assert found.alone == {}
+    assert same(found.member(1), alone(models[1], 0.5, rtol=RTOL, stabilization=stabilization))
+
+
+@random_mechanisms.examples(12)
+@given(mechanism=random_mechanisms.mechanisms())
+def test_random_mechanisms_with_all_joints_and_forces_have_them(mechanism: Any) -> None:
+    options: dict[str, Any] = {"assemble": False, "rtol": 1e-4}
+    try:
+        single = alone(mechanism.model, 1e-3, **options)
+    except lw.LinkworkError as error:
+        found = many([mechanism.model, mechanisms.chain(2)], 1e-3, **options)
+        assert found.status.tolist() == ["failed", "finished"]
+        assert found.errors[0]["type"] == type(error).__name__
+        return
+    found = many([mechanism.model] * 3, 1e-3, threads=1, **options)
+    assert bits(found.member(0)) == bits(found.member(2)) == bits(single)
+
+
+def test_functions_of_time_and_full_turns_are_those_of_each_lane() -> None:
+    models = [with_functions(0.1 * (k + 1), 5.0 + k) for k in range(10)]
+    found = many(models, 0.3)
+    assert found.alone == {}
+    for k in (0, 9):
+        assert same(found.member(k), alone(models[k], 0.3, rtol=RTOL))
+
+
+def test_bits_do_not_depend_on_place_neighbors_and_threads() -> None:
+    models = variants(mechanisms.spatial_slider_crank(), 21, seed=3)
+    order = np.random.default_rng(4).permutation(len(models))
+    first = many(models, 0.3, threads=1)
+    for threads in (1, 2, 3):
+        shuffled = many([models[k] for k in order], 0.3, threads=threads)
+        for place, k in enumerate(order):
+            assert bits(shuffled.member(place)) == bits(first.member(int(k)))
+
+
+def test_runs_leap_over_singular_poses_and_change_their_rows_by_themselves() -> None:
+    models = [*variants(mechanisms.four_bar(1), 5, seed=5), *(mechanisms.planetary_gear() for _ in range(3))]
+    found = many(models, 1.0)
+    passed = 0
+    for k, model in enumerate(models):
+        passed += found.member(k).statistics["singular_poses"] + found.member(k).statistics["row_changes"]
+        assert same(found.member(k), alone(model, 1.0, rtol=RTOL))
+    assert passed > 0
+
+
+def with_stop(k: int) -> lw.Model:
+    """A rod that falls onto a stop."""
+    model = lw.Model(name="stop")
+    rod = model.body("rod", mass=1.0 + 0.1 * k, inertia=(0.01, 0.1, 0.1), position=(0.5, 0, 0))
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    model.rotational_stop(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), lower=-1.0, upper=0.1, stiffness=1e4)
+    return model
+
+
+def failing(t: float) -> lw.Model:
+    """A force that is no number from t [s] on."""
+    model = mechanisms.chain(3)
+    burst = lambda now: 0.0 if now < t else float("nan")  # noqa: E731
+    model.force(model.find("link[0]"), force=(burst, 0.0, 0.0), name="burst")
+    return model
+
+
+def test_what_lanes_do_not_have_runs_alone_and_what_fails_disturbs_no_other() -> None:
+    good = variants(mechanisms.chain(3), 20, seed=8)
+    before = many(good, 0.2)
+    models = list(good)
+    for place in (3, 11):
+        models[place] = failing(0.05)
+    models[7] = with_stop(0)
+    after = many(models, 0.2, threads=2)
+    for k in range(20):
+        if k not in {3, 7, 11}:
+            assert after.status[k] == "finished" and k not in after.alone
+            assert bits(after.member(k)) == bits(before.member(k))
+    assert after.status[[3, 11]].tolist() == ["failed", "failed"]
+    assert after.errors[3]["type"] == "StepSizeError"
+    assert after.errors[3]["reached"] == pytest.approx(0.05, abs=5e-3)
+    assert "stops" in after.alone[7]
+    assert same(after.member(7), alone(with_stop(0), 0.2, rtol=RTOL))
+
+
+def test_studies_that_follow_tolerances_run_in_lanes() -> None:
+    asked = {"end": "final", "force": "reaction('crank pin').force.max"}
+    study = lw.sweep(mechanisms.spatial_slider_crank(), {"gravity[2]": [-9.81, -5.0, -1.0]}, asked,
+                     t_end=0.1, rtol=RTOL, processes=1, progress=False)  # fmt: skip
+    assert study.manifest["lanes"]
+    model = mechanisms.spatial_slider_crank()
+    source = lw.Ensemble(model, {"gravity[2]": [-9.81, -5.0, -1.0]})
+    single = source.single(1, 0.1, rtol=RTOL, record_every=1, progress=False)
+    assert study.outputs["force"][1] == np.linalg.norm(single.reaction("crank pin").force, axis=1).max()
