@@ -1,4 +1,5 @@
 #include "linkwork/ensemble/ensemble.hpp"
+#include "linkwork/ensemble/lane_trials.hpp"
 
 #include "integrators.hpp"
 
@@ -55,6 +56,36 @@ TEST_CASE("lanes have the same bits at every width of registers, and those of th
       CAPTURE(level);
       const std::vector<VectorXd> q = last_states(models, instruction_set(level), threads);
       for (std::size_t k = 0; k < models.size(); ++k) CHECK(q[k] == single[k]);
+    }
+}
+
+TEST_CASE("runs that follow tolerances side by side are those by themselves, at every width, in every order") {
+  const std::vector<Model> models = trees_and_loops();
+  const AdaptiveSchedule schedule{.t_end = 0.2, .tolerances = {1e-5, 1e-8}, .record_every = 1};
+  std::vector<Frames> single;
+  for (const Model& model : models) {
+    Dynamics dynamics(model, deterministic());
+    AdaptiveSimulation run(dynamics, bs32(), schedule);
+    single.push_back(run.advance(100000, INFINITY));
+  }
+  for (int level = 0; level < instruction_set_count(); ++level)
+    for (const int threads : {1, 3}) {
+      CAPTURE(level);
+      std::vector<std::unique_ptr<Dynamics>> dynamics;
+      std::vector<std::unique_ptr<AdaptiveSimulation>> owned;
+      std::vector<AdaptiveSimulation*> runs;
+      for (std::size_t k = models.size(); k-- > 0;) {
+        dynamics.push_back(std::make_unique<Dynamics>(models[k], deterministic()));
+        owned.push_back(std::make_unique<AdaptiveSimulation>(*dynamics.back(), bs32(), schedule));
+        runs.push_back(owned.back().get());
+      }
+      for (const std::string& reason : run_trials(runs, instruction_set(level), threads)) CHECK(reason == "");
+      for (std::size_t k = 0; k < models.size(); ++k) {
+        const Frames frames = runs[models.size() - 1 - k]->take_frames();
+        CHECK(frames.t == single[k].t);
+        CHECK(frames.q == single[k].q);
+        CHECK(frames.lambda == single[k].lambda);
+      }
     }
 }
 
