@@ -269,15 +269,9 @@ def cluster_of_dask(folder: Path) -> Iterator[tuple[Any, Any]]:
     """The cluster of the tests, with two workers, and its client."""
     from test_cluster import Cluster, client_of
 
-    class OnLoopback(Cluster):
-        """Also the pages that a scheduler and its workers have of themselves."""
-
-        def start(self, what: str, *options: str) -> subprocess.Popen[bytes]:
-            return super().start(what, *options, "--dashboard-address", "127.0.0.1:0")
-
     logging.disable(logging.CRITICAL)  # what Dask says of those that are killed
     folder.mkdir()
-    cluster = OnLoopback(folder)
+    cluster = Cluster(folder)
     client: Any = None
     try:
         for _ in range(2):

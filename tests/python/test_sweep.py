@@ -21,7 +21,7 @@ import pytest
 from linkwork.cli import run
 from linkwork.studies.chunks import FILES, chunked
 from linkwork.studies.files import read_study
-from linkwork.studies.fingerprints import digest
+from linkwork.studies.fingerprints import digest, digests
 from linkwork.studies.variants import Changed
 from numpy.testing import assert_array_equal
 
@@ -592,6 +592,15 @@ def test_digests_tell_functions_apart_by_what_they_do() -> None:
     assert digest({"a": 1, "b": 2.0}) == digest({"b": 2.0, "a": 1})
     assert digest(0.1) != digest(np.nextafter(0.1, 1))
     assert digest(np.array([1.0, 2.0])) == digest([1.0, 2.0])
+
+
+@pytest.mark.parametrize("columns", [
+    {"b'x": [1.0, 2.5, float("inf")], "a": [-0.0, 1e-300, 3.0], "ab": [1.0, 2.0, 3.0]},
+    {"z": [1, 2.5], "a": [[1.0, 2.0], [3.0]]},
+])  # fmt: skip
+def test_digests_of_rows_are_those_of_each(columns: dict[str, Any]) -> None:
+    rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    assert digests("head", columns) == [digest("head", row) for row in rows]
 
 
 # --- files and the command line ---

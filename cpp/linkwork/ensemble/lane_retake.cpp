@@ -11,7 +11,7 @@
 namespace linkwork {
 namespace {
 
-std::vector<Dynamics*> mechanisms_of(const std::vector<LaneRun*>& runs) {
+std::vector<Dynamics*> mechanisms_of_runs(const std::vector<LaneRun*>& runs) {
   std::vector<Dynamics*> out;
   for (LaneRun* run : runs) out.push_back(&run->dynamics);
   return out;
@@ -22,7 +22,7 @@ std::vector<Dynamics*> mechanisms_of(const std::vector<LaneRun*>& runs) {
 LaneRetake::LaneRetake(const LaneStructure& structure, const InstructionSet& instructions,
                        const std::vector<LaneRun*>& runs, const ButcherTableau& tableau)
     : structure_(structure),
-      stepper_(structure, instructions, mechanisms_of(runs), tableau),
+      stepper_(structure, instructions, mechanisms_of_runs(runs), tableau),
       spans_(stepper_.width()),
       shares_(stepper_.width(), 1.0) {
   std::fill(spans_.h.begin(), spans_.h.end(), 1.0);  // of lanes that have no step

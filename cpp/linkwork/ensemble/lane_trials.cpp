@@ -9,7 +9,7 @@
 namespace linkwork {
 namespace {
 
-constexpr double singular_pivot = 1e-15;
+constexpr double least_pivot = 1e-15;
 
 /// The first ones, which lanes begin with.
 std::vector<Dynamics*> first_mechanisms(const TrialQueue& queue, const InstructionSet& instructions) {
@@ -119,7 +119,7 @@ void LaneTrials::run(const std::function<void()>& look) {
 void LaneTrials::note(int l, double t, double pivot, bool) {
   SingularWatch& watch = watch_of(lanes_[l]);
   watch.note(t, pivot);
-  if (!(pivot > singular_pivot) || !watch.usual(pivot)) leave(l, t, "");
+  if (!(pivot > least_pivot) || !watch.usual(pivot)) leave(l, t, "");
 }
 
 /// For this step: the run takes the stages by itself, and finds what there is to find.

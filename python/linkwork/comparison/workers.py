@@ -55,8 +55,12 @@ def processor_count() -> int:
 
 
 def can_fork() -> bool:
-    """Whether `in_processes` has processes, and so can end what takes too long."""
-    return hasattr(os, "fork") and sys.platform.startswith("linux")
+    """Whether `in_processes` has processes, and so can end what takes too long: workers of pools have none."""
+    return (
+        hasattr(os, "fork")
+        and sys.platform.startswith("linux")
+        and not multiprocessing.current_process().daemon
+    )
 
 
 def in_processes(
@@ -89,7 +93,7 @@ def in_processes(
                 if worker.place is None and todo:
                     worker.place = todo.pop()
                     worker.deadline = time.monotonic() + seconds if seconds else float("inf")
-                    with contextlib.suppress(BrokenPipeError):  # it died: seen below
+                    with contextlib.suppress(OSError):  # it died: seen below
                         worker.connection.send(worker.place)
             beat([worker.place for worker in crew if worker.place is not None])
             yield from _answers(crew, seconds)
@@ -161,7 +165,7 @@ def _serve(connection: Connection, others: Sequence[Connection], task: Any, item
     while True:
         try:
             place = connection.recv()
-        except EOFError:
+        except (EOFError, OSError):  # whoever asked is gone
             return
         try:
             answer: tuple[Any, BaseException | None] = task(items[place]), None
@@ -169,7 +173,7 @@ def _serve(connection: Connection, others: Sequence[Connection], task: Any, item
             answer = None, error
         try:
             connection.send(answer)
-        except BrokenPipeError:
+        except OSError:
             return
 
 

@@ -144,8 +144,8 @@ class Ensemble:
 
             many = ensemble.simulate(0.1, step=1e-3, outputs=["body('rod').position.z.min"])
 
-        step          [s] fixed
-        integrator    as of `simulate`; None: "rk4"
+        step          [s] fixed, or the largest with rtol or atol among the options
+        integrator    as of `simulate`; None: "rk4", or "dopri5" with rtol or atol
         outputs       names of quantities as in `sweep`, "reaction('pin').force.max", "final", functions of a
                       Result: kept instead of motions, so that memory does not grow with time
         times         [s] of outputs that are arrays; multiples of the step
@@ -155,7 +155,8 @@ class Ensemble:
         options       of `simulate`. `deterministic` is always on
 
         Lanes have formulation "standard" by linear solver "block", explicit Runge-Kutta methods with a fixed
-        step, stabilization "sampled_baumgarte", "baumgarte" or "none". What they do not have, and members
+        step or steps that follow tolerances, each member its own, stabilization "sampled_baumgarte",
+        "baumgarte" or "none". What they do not have, and members
         that leave their lane (a small pivot that nothing foretold), are simulated by themselves from the
         start: `EnsembleResult.alone` says which and why.
 

@@ -1,8 +1,8 @@
 """Cases in tasks of a few seconds, on local processes or on any executor of concurrent.futures.
 
 What one case costs is learned from the first ones, which go alone, and of cases in lanes from the first
-tasks. A task whose process dies is given up; its cases are tried once more, each alone, so that what kills a
-process takes no other with it.
+tasks. A task whose process dies is tried once more in halves, and these in halves, until what kills a process
+is alone and takes no other case with it.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def run_cases(
     workers = workers_of(executor, processes)
     local = executor is None
     pool = _local(processes, beat, case_seconds) if local else _on(adapted(executor), workers, beat)
-    lost: list[Case] = []
+    lost: list[Chunk] = []
     rest, mean = cases, 0.0
     for turn in range(3 if runner.lanes else 2):
         if turn == 0:
@@ -64,13 +64,29 @@ def run_cases(
         seconds: list[float] = []
         for chunk, answer in pool(runner, chunks):
             if isinstance(answer, Lost) and not (answer.late and len(chunk) == 1):
-                lost.extend(chunk)
+                lost.extend(_parts(chunk, answer))
                 continue
             if isinstance(answer, Answer):
                 seconds.extend(run.seconds for run in answer.runs)
             yield chunk, answer
         mean = sum(seconds) / len(seconds) if seconds else TASK_SECONDS
-    yield from pool(runner, [[case] for case in lost])
+    while lost:
+        again, lost = lost, []
+        for chunk, answer in pool(runner, again):
+            if isinstance(answer, Lost) and len(chunk) > 1:
+                lost.extend(_parts(chunk, answer))
+            else:
+                yield chunk, answer
+
+
+def _parts(chunk: Chunk, lost: Lost) -> list[Chunk]:
+    """Halves, so that few of many cases are taken once more by themselves; of what took too long each case."""
+    if lost.late or len(chunk) == 1:
+        return [[case] for case in chunk]
+    middle = (len(chunk) + 1) // 2
+    if middle > PACK:
+        middle = math.ceil(middle / PACK) * PACK
+    return [chunk[:middle], chunk[middle:]]
 
 
 def chunked(cases: Sequence[Case], seconds: float, workers: int, pack: int = 1) -> list[Chunk]:
@@ -114,7 +130,7 @@ def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:
 
 def _submitted(executor: Any, runner: Runner, chunk: Chunk) -> futures.Future[Answer]:
     try:
-        future: futures.Future[Answer] = executor.submit(runner, chunk)
+        future: futures.Future[Answer] = executor.submit(runner, list(chunk))
     except Exception as error:  # every library has its own: it is shut down, its scheduler is gone
         raise _broken(error) from error
     return future
@@ -132,8 +148,9 @@ def _answer(future: futures.Future[Answer]) -> Answer | Lost:
 
 
 def _broken(error: Exception) -> LinkworkError:
+    cause = str(error) or "its scheduler, or all of its workers, are gone"
     return LinkworkError(
-        f"executor: works no more ({type(error).__name__}: {error}); what is done is kept where a directory "
+        f"executor: works no more ({type(error).__name__}: {cause}); what is done is kept where a directory "
         "was given: run the study again with a new one",
         code="executor",
     )

@@ -6,13 +6,13 @@ import dataclasses
 import functools
 import hashlib
 import re
-from collections.abc import Mapping, Set
+from collections.abc import Mapping, Sequence, Set
 from types import CodeType, FunctionType, MethodType
 from typing import Any
 
 import numpy as np
 
-__all__ = ["canonical", "digest", "plain"]
+__all__ = ["canonical", "digest", "digests", "plain"]
 
 #: Where an object is in memory, which says nothing about it.
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
@@ -20,12 +20,33 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 
 def digest(*values: Any) -> str:
     """32 hexadecimal digits."""
-    return hashlib.blake2b(canonical(values).encode(), digest_size=16).hexdigest()
+    return _hashed(canonical(values))
+
+
+def _hashed(text: str) -> str:
+    return hashlib.blake2b(text.encode(), digest_size=16).hexdigest()
+
+
+def digests(head: str, columns: Mapping[str, Sequence[Any]]) -> list[str]:
+    """digest(head, {name: value}) of each row of columns of equal length."""
+    names = sorted(columns, key=lambda name: f"list({name!r},")
+    if not all(type(value) is float for values in columns.values() for value in values):
+        rows = zip(*columns.values(), strict=True)
+        return [digest(head, dict(zip(columns, row, strict=True))) for row in rows]
+    start, inner = f"list({head!r},dict(", [f"list({name!r}," for name in names]
+    return [
+        _hashed(start + ",".join(f"{text}{it.hex()})" for text, it in zip(inner, row, strict=True)) + "))")
+        for row in zip(*(columns[name] for name in names), strict=True)
+    ]
 
 
 def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
     """A text with every bit of the value. Functions count by their code, defaults and closures, not by the
     modules that they use."""
+    if type(value) is float:  # what most are
+        return value.hex()
+    if type(value) is str:
+        return repr(value)
     if isinstance(value, np.generic | np.ndarray):
         value = value.tolist()
     if isinstance(value, float):

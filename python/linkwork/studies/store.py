@@ -16,7 +16,7 @@ import os
 import re
 import uuid
 import zlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from typing import Any
 from linkwork import arguments
 from linkwork.errors import FileError, cause, unwritable, warn
 from linkwork.studies.cases import Answer, Run
+from linkwork.studies.collected import Collected
 from linkwork.studies.fingerprints import digest
 
 __all__ = ["Store", "stored_identity", "write_whole"]
@@ -75,17 +76,15 @@ class Store:
         except OSError as error:
             raise unwritable("directory", self.directory, error) from error
 
-    def found(self, keys: Iterable[str]) -> tuple[dict[str, Run], list[Mapping[str, Any]]]:
-        """Those of these keys that are there, and the machines that ran them."""
-        wanted = set(keys)
-        runs: dict[str, Run] = {}
+    def find(self, to: Collected) -> list[Mapping[str, Any]]:
+        """Adds the cases that are there and wanted; the machines that ran them."""
         machines: list[Mapping[str, Any]] = []
         for machine, run in self._all():
-            if run.key in wanted and run.key not in runs:
-                runs[run.key] = run
+            if to.wants(run.key):
+                to.add(run)
                 if machine not in machines:
                     machines.append(machine)
-        return runs, machines
+        return machines
 
     def _all(self) -> Iterator[tuple[Mapping[str, Any], Run]]:
         """LinkworkWarning: a damaged file, whose cases count as not there."""

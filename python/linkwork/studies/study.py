@@ -7,7 +7,7 @@ import json
 import os
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,8 +17,8 @@ from linkwork.arguments import check_new, optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError, unwritable
 from linkwork.results.result import Result
-from linkwork.studies.cases import Run, Runner
-from linkwork.studies.outputs import Output
+from linkwork.studies.cases import Runner
+from linkwork.studies.collected import Collected
 from linkwork.studies.sampling import Cases
 
 if TYPE_CHECKING:
@@ -300,30 +300,20 @@ class Study:
 
 
 def assembled(
-    cases: Cases, keys: Sequence[str], runs: Mapping[str, Run], lost: Mapping[str, str],
+    cases: Cases, keys: Sequence[str], found: Collected, lost: Mapping[str, str],
     runner: Runner, manifest: Mapping[str, Any],
 ) -> Study:  # fmt: skip
     """Case by case; of a function whose arrays differ in shape, those unlike the first are failures."""
-    ordered = [runs.get(key) for key in keys]
-    shapes = _shapes(ordered)
-    ordered = [None if run is None else _of_shape(run, shapes) for run in ordered]
-    outputs = {it.label: _column(ordered, it, shapes, runner.times) for it in runner.outputs}
-    errors: dict[int, Mapping[str, Any]] = {
-        k: run.error for k, run in enumerate(ordered) if run is not None and run.error
-    }
-    for k, key in enumerate(keys):
-        if ordered[k] is None and key in lost:
-            errors[k] = {"type": "Lost", "code": "lost", "message": lost[key], "reached": None}
-    verdicts = [{} if run is None else run.verdict for run in ordered]
+    count = () if runner.times is None else (len(runner.times),)
     return Study(
         parameters={name: _array(values) for name, values in cases.columns.items()},
-        outputs=outputs,
-        status=np.array([_status(run, key in lost) for run, key in zip(ordered, keys, strict=True)]),
-        errors=errors,
-        verdict=np.array([it.get("level", "") for it in verdicts], dtype="<U6"),
-        accuracy=np.array([it.get("error", np.nan) for it in verdicts], dtype=float),
-        seconds=np.array([np.nan if run is None else run.seconds for run in ordered]),
-        remarks={k: run.remarks for k, run in enumerate(ordered) if run is not None and run.remarks},
+        outputs=found.outputs({it.label: count if it.over_time else () for it in runner.outputs}),
+        status=found.status(lost, keys),
+        errors=found.errors(lost, keys),
+        verdict=found.level,
+        accuracy=found.accuracy,
+        seconds=found.seconds,
+        remarks=found.remarks(),
         units={name: unit for name, unit in {
             **runner.source.units(list(cases.columns)), **{it.label: it.unit for it in runner.outputs}
         }.items() if unit},
@@ -343,35 +333,3 @@ def _array(values: Sequence[Any]) -> NDArray[Any]:
     except ValueError:
         found = np.array([], dtype=object)
     return found if found.dtype.kind in "biufU" else np.array([str(value) for value in values])
-
-
-def _status(run: Run | None, lost: bool) -> str:
-    return ("failed" if lost else "skipped") if run is None else run.status
-
-
-def _shapes(runs: Sequence[Run | None]) -> dict[str, tuple[int, ...]]:
-    """Of the outputs, from the first case that finished."""
-    first = next((run for run in runs if run is not None and run.status == "finished"), None)
-    return {} if first is None else {label: np.shape(it) for label, it in first.outputs.items()}
-
-
-def _of_shape(run: Run, shapes: Mapping[str, tuple[int, ...]]) -> Run:
-    for label, found in run.outputs.items():
-        if np.shape(found) != shapes[label]:
-            message = (
-                f"output '{label}' has shape {np.shape(found)}, not {shapes[label]} as in the first case"
-            )
-            error = {"type": "OptionError", "code": "shape", "message": message, "reached": None}
-            return replace(run, status="failed", outputs={}, error=error)
-    return run
-
-
-def _column(
-    runs: Sequence[Run | None], output: Output, shapes: Mapping[str, tuple[int, ...]], times: Floats | None
-) -> Floats:
-    usual = (len(times),) if output.over_time and times is not None else ()
-    column = np.full((len(runs), *shapes.get(output.label, usual)), np.nan)
-    for k, run in enumerate(runs):
-        if run is not None and run.status == "finished":
-            column[k] = run.outputs[output.label]
-    return column

@@ -33,10 +33,11 @@ from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
-from linkwork.studies.cases import Answer, Case, Run, Runner, check_times, machine
+from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
+from linkwork.studies.collected import Collected, Todo
 from linkwork.studies.executors import check_executor
-from linkwork.studies.fingerprints import canonical, digest
+from linkwork.studies.fingerprints import canonical, digest, digests
 from linkwork.studies.lanes import fits, with_lanes
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store, stored_identity
@@ -148,13 +149,14 @@ def sweep(
     _check_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
-    keys = [digest(head, drawn.case(k)) for k in range(len(drawn))]
+    keys = digests(head, drawn.columns)
     about = _about(runner, drawn, seed)
     store = None if directory is None else Store(directory, identity, about, new=not gather)
     if store is not None and isinstance(source, Built):
         _check_example(source, store)
-    known, machines = ({}, []) if store is None else store.found(keys)
-    todo = [] if gather else _todo(drawn, keys, known, shard)
+    known = Collected(keys)
+    machines = [] if store is None else store.find(known)
+    todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
     found, workers = _Found(known, machines, store), _Workers(executor, processes, case_seconds)
     lost = _carried_out(runner, todo, found, progress, workers)
     _tell_machines(machines)
@@ -366,16 +368,6 @@ def _about(runner: Runner, cases: Cases, seed: int | None) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _todo(
-    cases: Cases, keys: Sequence[str], known: Mapping[str, Run], shard: tuple[int, int] | None
-) -> list[Case]:
-    """Each key once, of this shard, that is not known."""
-    k, n = (0, 1) if shard is None else (shard[0] % shard[1], shard[1])
-    fresh = {key: number for number, key in reversed(list(enumerate(keys))) if key not in known}
-    return [Case(number, key, cases.case(number))
-            for key, number in sorted(fresh.items(), key=lambda it: it[1]) if number % n == k]  # fmt: skip
-
-
 # --- the cases ---
 
 
@@ -389,16 +381,17 @@ class _Workers(NamedTuple):
 
 @dataclass(frozen=True)
 class _Found:
-    """Cases that are done, by key, the machines that ran them, and who keeps them."""
+    """Cases that are done, the machines that ran them, and who keeps them."""
 
-    known: dict[str, Run]
+    known: Collected
     machines: list[Mapping[str, Any]]
     store: Store | None
 
     def add(self, answer: Answer) -> None:
         if self.store is not None:
             self.store.keep(answer)
-        self.known.update({run.key: run for run in answer.runs})
+        for run in answer.runs:
+            self.known.add(run)
         if answer.machine not in self.machines:
             self.machines.append(answer.machine)
 

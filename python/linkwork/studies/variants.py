@@ -200,6 +200,8 @@ class Changed:
         """OptionError: values of another shape than those of the model, or that are not finite."""
         base = self.value(name)
         shape = np.shape(base) if _is_numeric(base) else ()
+        if shape == () and all(type(value) is float for value in values) and np.isfinite(values).all():
+            return
         for number, value in enumerate(values):
             if not _is_numeric(value) or not np.isfinite(value).all():
                 raise OptionError(

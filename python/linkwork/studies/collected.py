@@ -1,0 +1,185 @@
+"""What becomes of the cases of a study, in columns as they come: a case takes little more than its outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.arrays import Floats
+from linkwork.studies.cases import Case, Run
+from linkwork.studies.sampling import Cases
+
+__all__ = ["Collected", "Todo"]
+
+NOTHING, FINISHED, FAILED = 0, 1, 2
+
+Shapes = Mapping[str, tuple[int, ...]]
+
+
+class Collected:
+    """By key; cases with the same key are one.
+
+    Outputs of a function may differ in shape from case to case: those unlike the first case are failures.
+    """
+
+    def __init__(self, keys: Sequence[str]) -> None:
+        self._first: dict[str, int] = {}
+        numbers = (self._first.setdefault(key, k) for k, key in enumerate(keys))
+        self._place = np.fromiter(numbers, dtype=np.int64, count=len(keys))
+        self._state = np.full(len(keys), NOTHING, dtype=np.int8)
+        self._seconds, self._accuracy = (np.full(len(keys), np.nan) for _ in range(2))
+        self._level = np.zeros(len(keys), dtype="<U6")
+        self._errors: dict[int, Mapping[str, Any]] = {}
+        self._remarks: dict[int, str] = {}
+        self._outputs: dict[str, Floats] = {}
+        self._others: dict[int, Mapping[str, Any]] = {}  # outputs of other shapes than those that came first
+
+    def __contains__(self, key: object) -> bool:
+        return self._state[self._first[str(key)]] != NOTHING
+
+    def wants(self, key: str) -> bool:
+        """Whether it is a case of the study, of which nothing is known."""
+        return key in self._first and key not in self
+
+    def add(self, run: Run) -> None:
+        k = self._first[run.key]
+        self._state[k] = FINISHED if run.status == "finished" else FAILED
+        self._seconds[k] = run.seconds
+        self._accuracy[k] = run.verdict.get("error", np.nan)
+        self._level[k] = run.verdict.get("level", "")
+        if run.error:
+            self._errors[k] = run.error
+        if run.remarks:
+            self._remarks[k] = run.remarks
+        if run.status == "finished":
+            self._keep(k, run.outputs)
+
+    def _keep(self, k: int, outputs: Mapping[str, Any]) -> None:
+        if not self._outputs:
+            self._outputs = self._columns(_shapes(outputs))
+        if _shapes(outputs) != self._kept_shapes():
+            self._others[k] = outputs
+            return
+        for label, value in outputs.items():
+            self._outputs[label][k] = value
+
+    def _columns(self, shapes: Shapes) -> dict[str, Floats]:
+        return {label: np.full((len(self._state), *shape), np.nan) for label, shape in shapes.items()}
+
+    def _kept_shapes(self) -> Shapes:
+        return {label: column.shape[1:] for label, column in self._outputs.items()}
+
+    def _settle(self) -> None:
+        """The shapes of the first case count, whichever came first."""
+        if not self._others:
+            return
+        first = int(np.flatnonzero(self._state == FINISHED)[0])
+        kept = self._kept_shapes()
+        found: dict[int, Shapes] = {k: _shapes(it) for k, it in self._others.items()}
+        if first in found:
+            for k in np.flatnonzero(self._state == FINISHED):
+                found.setdefault(int(k), kept)
+            others, self._outputs = self._others, self._columns(found[first])
+            for k, outputs in others.items():
+                if found[k] == found[first]:
+                    for label, value in outputs.items():
+                        self._outputs[label][k] = value
+        usual = found.get(first, kept)
+        for k, shapes in found.items():
+            if shapes != usual:
+                self._refuse(k, shapes, usual)
+        self._others = {}
+
+    def _refuse(self, k: int, shapes: Shapes, usual: Shapes) -> None:
+        label = next(label for label in shapes if shapes[label] != usual[label])
+        message = f"output '{label}' has shape {shapes[label]}, not {usual[label]} as in the first case"
+        self._errors[k] = {"type": "OptionError", "code": "shape", "message": message, "reached": None}
+        self._state[k] = FAILED
+
+    # --- case by case, at the end ---
+
+    def outputs(self, labels: Mapping[str, tuple[int, ...]]) -> dict[str, Floats]:
+        """(n, ...) of each label; of a shape that nobody knows as it is given."""
+        self._settle()
+        usual = self._columns({label: shape for label, shape in labels.items() if label not in self._outputs})
+        return {label: {**self._outputs, **usual}[label][self._place] for label in labels}
+
+    def status(self, lost: Mapping[str, str], keys: Sequence[str]) -> NDArray[np.str_]:
+        self._settle()
+        names = np.array(["skipped", "finished", "failed"])[self._state[self._place]]
+        for k, key in enumerate(keys if lost else ()):
+            if names[k] == "skipped" and key in lost:
+                names[k] = "failed"
+        return np.asarray(names)
+
+    def errors(self, lost: Mapping[str, str], keys: Sequence[str]) -> dict[int, Mapping[str, Any]]:
+        self._settle()
+        found = self._of_each(self._errors)
+        for k, key in enumerate(keys if lost else ()):
+            if self._state[self._place[k]] == NOTHING and key in lost:
+                found[k] = {"type": "Lost", "code": "lost", "message": lost[key], "reached": None}
+        return dict(sorted(found.items()))
+
+    def remarks(self) -> dict[int, str]:
+        return self._of_each(self._remarks)
+
+    def _of_each(self, found: Mapping[int, Any]) -> dict[int, Any]:
+        if not found:
+            return {}
+        there = np.flatnonzero(np.isin(self._place, np.fromiter(found, dtype=np.int64)))
+        return {int(k): found[int(self._place[k])] for k in there}
+
+    @property
+    def seconds(self) -> Floats:
+        return np.asarray(self._seconds[self._place])
+
+    @property
+    def accuracy(self) -> Floats:
+        return np.asarray(self._accuracy[self._place])
+
+    @property
+    def level(self) -> NDArray[np.str_]:
+        return np.asarray(self._level[self._place])
+
+
+def _shapes(outputs: Mapping[str, Any]) -> Shapes:
+    return {label: np.shape(value) for label, value in outputs.items()}
+
+
+class Todo(Sequence[Case]):
+    """Cases that are made when they are asked for: of many a study holds no more than their numbers."""
+
+    def __init__(self, cases: Cases, keys: Sequence[str], numbers: NDArray[np.int64]) -> None:
+        self._cases, self._keys, self._numbers = cases, keys, numbers
+
+    @classmethod
+    def of(
+        cls, cases: Cases, keys: Sequence[str], found: Collected, shard: tuple[int, int] | None
+    ) -> Todo:
+        """Each key once, of this shard, of which nothing is known."""
+        k, n = (0, 1) if shard is None else (shard[0] % shard[1], shard[1])
+        seen: set[str] = set()
+        numbers = []
+        for number, key in enumerate(keys):
+            if key in seen:
+                continue
+            seen.add(key)
+            if number % n == k and key not in found:
+                numbers.append(number)
+        return cls(cases, keys, np.array(numbers, dtype=np.int64))
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    @overload
+    def __getitem__(self, place: int) -> Case: ...
+    @overload
+    def __getitem__(self, place: slice) -> Todo: ...
+    def __getitem__(self, place: int | slice) -> Case | Todo:
+        if isinstance(place, slice):
+            return Todo(self._cases, self._keys, self._numbers[place])
+        number = int(self._numbers[place])
+        return Case(number, self._keys[number], self._cases.case(number))
