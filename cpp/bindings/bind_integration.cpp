@@ -225,8 +225,8 @@ void bind_lane_runs(py::module_& module) {
              const FixedSteps steps(t_end, step, std::max<std::int64_t>(balance_every, 1));
              return std::make_unique<LaneRun>(dynamics, steps, balance_every > 0);
            }),
-           py::arg("dynamics"), py::arg("t_end"), py::arg("step"), py::arg("balance_every") = 0,
-           py::keep_alive<1, 2>(), "balance_every: steps between the energies that are kept; 0: none.")
+           py::arg("dynamics"), py::arg("t_end"), py::arg("step"), py::arg("balance_every") = 0, py::keep_alive<1, 2>(),
+           "balance_every: steps between the energies that are kept; 0: none.")
       .def(
           "expect_breaks",
           [](LaneRun& run, std::vector<double> times) { run.sampling.expect_breaks(std::move(times)); },

@@ -39,6 +39,7 @@ __all__ = [
     "StabilizationInfo",
     "Tableau",
     "TimeFunction",
+    "advance_together",
     "force_kinds",
     "formulations",
     "instruction_set",
@@ -52,6 +53,7 @@ __all__ = [
     "stabilizations",
     "time_lanes",
     "time_sampling",
+    "trial_refusal",
 ]
 
 class AdaptiveSimulation(Run):
@@ -569,12 +571,20 @@ class LaneRun:
         dynamics: Dynamics,
         t_end: typing.SupportsFloat | typing.SupportsIndex,
         step: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> None: ...
+        balance_every: typing.SupportsInt | typing.SupportsIndex = 0,
+    ) -> None:
+        """
+        balance_every: steps between the energies that are kept; 0: none.
+        """
     def expect_breaks(
         self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
     ) -> None: ...
     def judge(self, dynamics: Dynamics, method: typing.Any, other: bool = False) -> dict: ...
     def relative_violation(self) -> float: ...
+    def take_balance(self) -> dict:
+        """
+        Energies by name as in frames, which are handed over.
+        """
     @property
     def energies(self) -> tuple: ...
     @property
@@ -732,6 +742,16 @@ class Model:
     ) -> Model:
         """
         A copy whose bodies are elsewhere at t = 0; joints stay where they are on the bodies.
+        """
+    def with_weights(
+        self,
+        gravity: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 1]"],
+        bodies: collections.abc.Sequence[typing.SupportsInt | typing.SupportsIndex],
+        masses: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
+        inertias: collections.abc.Sequence[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[3, 3]"]],
+    ) -> Model:
+        """
+        A copy with another gravity, and other masses and inertias (3, 3) of some bodies.
         """
     @property
     def body_count(self) -> int: ...
@@ -1215,6 +1235,13 @@ class TimeFunction:
     @property
     def of_time(self) -> bool: ...
 
+def advance_together(
+    runs: collections.abc.Sequence[AdaptiveSimulation], threads: typing.SupportsInt | typing.SupportsIndex
+) -> list[str]:
+    """
+    Advances runs of equal options by one method to their ends, in the lanes of the processor. Of each why it did not come there, and has to be simulated by itself; empty: it did.
+    """
+
 def force_kinds() -> list[KindInfo]: ...
 def formulations() -> list[FormulationInfo]: ...
 def instruction_set() -> str:
@@ -1270,4 +1297,9 @@ def time_lanes(
 def time_sampling(dynamics: Dynamics, steps: typing.SupportsInt | typing.SupportsIndex) -> float:
     """
     Time that a run of so many steps spends on following them for its verdict [s].
+    """
+
+def trial_refusal(dynamics: Dynamics) -> str:
+    """
+    lane_refusal for steps that follow tolerances.
     """

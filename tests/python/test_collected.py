@@ -39,7 +39,9 @@ def test_the_shape_of_the_first_case_counts_whichever_came_first(order: list[int
     assert_array_equal(outputs["x"], [[0, 0], [np.nan] * 2, [2, 2], [np.nan] * 2])
     assert_array_equal(outputs["y"], [1, np.nan, 1, np.nan])
     assert found.status({}, "abcd").tolist() == ["finished", "failed", "finished", "failed"]
-    assert found.errors({}, "abcd")[3]["message"] == "output 'x' has shape (3,), not (2,) as in the first case"
+    assert (
+        found.errors({}, "abcd")[3]["message"] == "output 'x' has shape (3,), not (2,) as in the first case"
+    )
 
 
 def test_cases_with_one_key_are_one_and_what_is_lost_says_so() -> None:

@@ -22,6 +22,7 @@ from linkwork.studies.variants import Changed
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 
+
 def many(models: Sequence[lw.Model], t_end: float, step: float, **options: Any) -> lw.EnsembleResult:
     return lw.simulate_many(
         models, None, t_end, step, **{"deterministic": True, "progress": False, **options}

@@ -1,4 +1,4 @@
-"""Ensembles whose steps follow tolerances: each run tries steps of its own, and has the bits that it has alone."""
+"""Ensembles whose steps follow tolerances: each run tries its own steps, to the bits of itself alone."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def with_stop(k: int) -> lw.Model:
     model = lw.Model(name="stop")
     rod = model.body("rod", mass=1.0 + 0.1 * k, inertia=(0.01, 0.1, 0.1), position=(0.5, 0, 0))
     model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
-    model.rotational_stop(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), lower=-1.0, upper=0.1, stiffness=1e4)
+    model.rotational_stop(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), lower=-1, upper=0.1, stiffness=1e4)
     return model
 
 

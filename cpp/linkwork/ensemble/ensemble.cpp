@@ -61,7 +61,7 @@ void Ensemble::run_moved(const std::vector<Lane*>& lanes, const std::function<vo
 
 /// Runs that have ended, for their verdicts.
 void Ensemble::judge(const LaneStructure& structure, const std::vector<Lane*>& lanes,
-                          const std::function<void()>& look) {
+                     const std::function<void()>& look) {
   std::vector<LaneRun*> ended;
   for (const Lane* lane : lanes)
     if (lane->run() && lane->alive()) ended.push_back(lane->run());

@@ -27,11 +27,7 @@ FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every)
 }
 
 LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balance)
-    : dynamics(mechanism),
-      fixed_steps(steps),
-      balanced(keeps_balance),
-      sampling(mechanism),
-      y(mechanism.initial_y()) {
+    : dynamics(mechanism), fixed_steps(steps), balanced(keeps_balance), sampling(mechanism), y(mechanism.initial_y()) {
   sampling.expect(steps.count());
 }
 
@@ -110,8 +106,7 @@ void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
     }
     EnergyFrames& out = run_->balance;
     out.t.push_back(t);
-    out.kinetic.push_back(
-        system.kinetic_energy(dynamics_.evaluation(), y.segment(system.q_size(), system.v_size())));
+    out.kinetic.push_back(system.kinetic_energy(dynamics_.evaluation(), y.segment(system.q_size(), system.v_size())));
     out.potential.push_back(potential);
     out.work.push_back(y[y.size() - 1]);
   });

@@ -350,15 +350,13 @@ void eliminate(const FrontPlace& at, const LaneData& data, const double* b, doub
                SmallestPivots& smallest) {
   const int columns = at.front.width;
   if (narrow(at.front)) {
-    with_count<at_once>(columns, [&](auto count) {
-      eliminate_block<count, true>(at, data, b, 0, U, pivots, smallest);
-    });
+    with_count<at_once>(columns,
+                        [&](auto count) { eliminate_block<count, true>(at, data, b, 0, U, pivots, smallest); });
     return;
   }
   for (int k0 = 0; k0 < columns; k0 += at_once)
-    with_count<at_once>(columns - k0 < at_once ? columns - k0 : at_once, [&](auto count) {
-      eliminate_block<count, false>(at, data, b, k0, U, pivots, smallest);
-    });
+    with_count<at_once>(columns - k0 < at_once ? columns - k0 : at_once,
+                        [&](auto count) { eliminate_block<count, false>(at, data, b, k0, U, pivots, smallest); });
 }
 
 void update_kept(const FrontPlace& at, const double* U, const double* pivots) {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "linkwork/constraints/refinement.hpp"
-#include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/ensemble/lane_guard.hpp"
 #include "linkwork/ensemble/lanes.hpp"
+#include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/math/aligned.hpp"
 
 namespace linkwork {
@@ -28,8 +28,7 @@ class LaneRefinement {
     const double *t, *mass, *D, *a, *b;
     double *x, *lambda;
   };
-  void refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby,
-              LaneGuard& guard);
+  void refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby, LaneGuard& guard);
 
  private:
   void load(std::size_t l);

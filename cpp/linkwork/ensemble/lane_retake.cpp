@@ -121,8 +121,7 @@ void judge_runs(const LaneStructure& structure, const InstructionSet& instructio
   for (const LaneRun* run : runs) findings.push_back(std::make_unique<Findings>(run->dynamics));
   std::vector<RunJudge> judges;
   judges.reserve(runs.size());
-  for (LaneRun* run : runs)
-    judges.emplace_back(run->sampling, run->dynamics, in_parts(make_runge_kutta(tableau)));
+  for (LaneRun* run : runs) judges.emplace_back(run->sampling, run->dynamics, in_parts(make_runge_kutta(tableau)));
   LaneRetake lanes(structure, instructions, runs, tableau);
   std::vector<std::vector<const KeptStep*>> steps(runs.size());
   const int divisions = judges.front().divisions();

@@ -143,8 +143,8 @@ std::vector<std::string> run_trials(const std::vector<AdaptiveSimulation*>& runs
     const Dynamics& mechanism = runs[k]->mechanism();
     reasons[k] = refusal_of_trials(mechanism);
     if (!reasons[k].empty()) continue;
-    auto found = std::find_if(queues.begin(), queues.end(),
-                              [&](const auto& queue) { return queue->structure.same(mechanism); });
+    auto found =
+        std::find_if(queues.begin(), queues.end(), [&](const auto& queue) { return queue->structure.same(mechanism); });
     if (found == queues.end()) found = queues.insert(queues.end(), std::make_unique<TrialQueue>(mechanism));
     (*found)->runs.push_back(runs[k]);
     (*found)->reasons.push_back(&reasons[k]);

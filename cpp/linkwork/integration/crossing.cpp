@@ -85,8 +85,7 @@ double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) co
   double least = INFINITY;
   for (int body = 0; body < dynamics_.system().body_count(); ++body) {
     const double way = in_loops_[static_cast<std::size_t>(body)] ? reach : fastest;
-    least =
-        std::min(least, time_of(way, step_.rate(v.segment<6>(6 * body)), step_.rate(v_dot.segment<6>(6 * body))));
+    least = std::min(least, time_of(way, step_.rate(v.segment<6>(6 * body)), step_.rate(v_dot.segment<6>(6 * body))));
   }
   return least;
 }

@@ -56,8 +56,7 @@ double RunJudge::size(const StepError& error) const {
 void RunJudge::judge(const RetakenSteps& retaken) {
   judge_.divide_parts(divisions_);
   for (std::size_t k = 0; k < kept_.size(); ++k)
-    out_.steps.push_back(
-        judge_.judge(*kept_[k], k % every_reaction == 0, k % every_inside_ == 0, end_of(k, retaken)));
+    out_.steps.push_back(judge_.judge(*kept_[k], k % every_reaction == 0, k % every_inside_ == 0, end_of(k, retaken)));
   for (const StepError& it : out_.steps) speed_ = std::max({speed_, it.speed, length_ * it.spin});
   std::vector<std::size_t> order(out_.steps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

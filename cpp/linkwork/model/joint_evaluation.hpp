@@ -143,8 +143,9 @@ LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const Constr
     const BodyState<Pack> j = load_state(joints.states + 18l * width * joints.body_j[joint], v_j);
     const long row = static_cast<long>(joints.row[joint]) * width;
     Pack *D = packs(out.D + joints.D[joint] * width), *Phi_t = packs(out.Phi_t + row);
-    Joint::template evaluate<Pack>(load_attachment(joints.attachment + 24l * width * joint), parameters, i, j,
-                                   Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D, D + 6 * rows});
+    Joint::template evaluate<Pack>(
+        load_attachment(joints.attachment + 24l * width * joint), parameters, i, j,
+        Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D, D + 6 * rows});
     multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, packs(out.Phi_dot + row));
   }
 }

@@ -371,8 +371,8 @@ Model Model::without_inertances() const {
   return out;
 }
 
-Model Model::with_weights(const Vec3<double>& gravity, const std::vector<int>& bodies, const std::vector<double>& masses,
-                          const std::vector<Mat3<double>>& inertias) const {
+Model Model::with_weights(const Vec3<double>& gravity, const std::vector<int>& bodies,
+                          const std::vector<double>& masses, const std::vector<Mat3<double>>& inertias) const {
   if (!gravity.allFinite()) throw ModelError("gravity", "gravity must be finite");
   Model out = *this;
   out.gravity_ = gravity;

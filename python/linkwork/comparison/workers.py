@@ -55,7 +55,7 @@ def processor_count() -> int:
 
 
 def can_fork() -> bool:
-    """Whether `in_processes` has processes, and so can end what takes too long: workers of pools have none."""
+    """Whether `in_processes` has processes, and so can end what takes too long: a daemon has none."""
     return (
         hasattr(os, "fork")
         and sys.platform.startswith("linux")

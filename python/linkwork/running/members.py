@@ -151,7 +151,7 @@ def run_members(models: Sequence[Model | Exception], method: Method) -> list[Mem
 
 
 def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[Member]:
-    """With steps that follow tolerances: each is the run that it is by itself, some of whose stages lanes take."""
+    """With steps that follow tolerances: each is the run that it is alone, but lanes take stages of it."""
     found: dict[int, Member] = {}
     runs: dict[int, tuple[Prepared, list[str]]] = {}
     for place, model in enumerate(models):
@@ -167,7 +167,8 @@ def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[M
             except Exception as error:
                 found[place] = Member(None, error=facts_of(error))
     with Interrupts() as interrupts, interrupts.computing():
-        reasons = _core.advance_together([it.run for it, _ in runs.values()], method.threads)
+        together = [it.run for it, _ in runs.values() if isinstance(it.run, _core.AdaptiveSimulation)]
+        reasons = _core.advance_together(together, method.threads)
     for (place, (it, remarks)), reason in zip(runs.items(), reasons, strict=True):
         found[place] = _concluded(it, method, reason, remarks)
     return [found[place] for place in range(len(models))]

@@ -80,7 +80,7 @@ def run_cases(
 
 
 def _parts(chunk: Chunk, lost: Lost) -> list[Chunk]:
-    """Halves, so that few of many cases are taken once more by themselves; of what took too long each case."""
+    """Halves, so that few of many cases are run again by themselves; of what took too long each case."""
     if lost.late or len(chunk) == 1:
         return [[case] for case in chunk]
     middle = (len(chunk) + 1) // 2

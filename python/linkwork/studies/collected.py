@@ -1,4 +1,4 @@
-"""What becomes of the cases of a study, in columns as they come: a case takes little more than its outputs."""
+"""What becomes of the cases of a study, in columns as they come: each takes little more than its outputs."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Collected:
         self._others: dict[int, Mapping[str, Any]] = {}  # outputs of other shapes than those that came first
 
     def __contains__(self, key: object) -> bool:
-        return self._state[self._first[str(key)]] != NOTHING
+        return bool(self._state[self._first[str(key)]] != NOTHING)
 
     def wants(self, key: str) -> bool:
         """Whether it is a case of the study, of which nothing is known."""
@@ -80,10 +80,10 @@ class Collected:
         kept = self._kept_shapes()
         found: dict[int, Shapes] = {k: _shapes(it) for k, it in self._others.items()}
         if first in found:
-            for k in np.flatnonzero(self._state == FINISHED):
-                found.setdefault(int(k), kept)
-            others, self._outputs = self._others, self._columns(found[first])
-            for k, outputs in others.items():
+            for place in np.flatnonzero(self._state == FINISHED).tolist():
+                found.setdefault(place, kept)
+            self._outputs = self._columns(found[first])
+            for k, outputs in self._others.items():
                 if found[k] == found[first]:
                     for label, value in outputs.items():
                         self._outputs[label][k] = value
@@ -156,9 +156,7 @@ class Todo(Sequence[Case]):
         self._cases, self._keys, self._numbers = cases, keys, numbers
 
     @classmethod
-    def of(
-        cls, cases: Cases, keys: Sequence[str], found: Collected, shard: tuple[int, int] | None
-    ) -> Todo:
+    def of(cls, cases: Cases, keys: Sequence[str], found: Collected, shard: tuple[int, int] | None) -> Todo:
         """Each key once, of this shard, of which nothing is known."""
         k, n = (0, 1) if shard is None else (shard[0] % shard[1], shard[1])
         seen: set[str] = set()
