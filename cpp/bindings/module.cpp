@@ -9,11 +9,19 @@ void look_for_signals() {
   if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
 }
 
+/// KeyboardInterrupt and the like, which are no Exception.
+bool is_signal(const std::exception& thrown) {
+  const auto* error = dynamic_cast<const pybind11::error_already_set*>(&thrown);
+  if (error == nullptr) return false;
+  const pybind11::gil_scoped_acquire acquire;
+  return !error->matches(PyExc_Exception);
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled core of linkwork: models, evaluation, formulations and the drivers of the integrators.";
-  linkwork::set_interruption(&look_for_signals);
+  linkwork::set_interruption(&look_for_signals, &is_signal);
   linkwork::python::bind_errors(module);
   linkwork::python::bind_time_functions(module);
   linkwork::python::bind_kinds(module);

@@ -163,6 +163,46 @@ def failing(t: float) -> lw.Model:
     return model
 
 
+def raising(error: type[BaseException]) -> lw.Model:
+    """A force by a function that raises from 0.03 s on."""
+    model = mechanisms.chain(3)
+
+    def broken(now: float) -> float:
+        if now > 0.03:
+            raise error("broken")
+        return 0.0
+
+    model.force(model.find("link[0]"), force=(broken, 0.0, 0.0), name="broken")
+    return model
+
+
+STEPS = pytest.mark.parametrize("steps", [{"step": 1e-3}, {"rtol": 1e-6}])
+
+
+@STEPS
+@pytest.mark.parametrize("threads", [1, 2])
+@pytest.mark.parametrize("error", [ValueError, StopIteration, ZeroDivisionError])
+def test_an_error_in_a_function_of_one_member_ends_no_other(
+    error: type[Exception], threads: int, steps: dict[str, float]
+) -> None:
+    models = [mechanisms.chain(3) for _ in range(10)]
+    options: dict[str, Any] = {"progress": False, "threads": threads, **steps}
+    good = lw.simulate_many(models, None, 0.1, **options)
+    models[4] = raising(error)
+    found = lw.simulate_many(models, None, 0.1, **options)
+    assert found.status.tolist() == ["finished"] * 4 + ["failed"] + ["finished"] * 5
+    assert "broken" in found.errors[4]["message"] or error is StopIteration
+    for k in (0, 3, 5, 9):
+        assert bits(found.member(k)) == bits(good.member(k)) and k not in found.alone
+
+
+@STEPS
+def test_an_interruption_in_a_function_ends_all(steps: dict[str, float]) -> None:
+    models = [*(mechanisms.chain(3) for _ in range(3)), raising(KeyboardInterrupt)]
+    with pytest.raises(KeyboardInterrupt):
+        lw.simulate_many(models, None, 0.1, progress=False, threads=1, **steps)
+
+
 def test_what_goes_wrong_in_one_lane_disturbs_no_other() -> None:
     """Forces that are no numbers, and redundant equations that change, in random places among 40."""
     good = [with_functions(0.05 + 0.01 * k, 5.0) for k in range(40)]

@@ -75,14 +75,13 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   std::vector<Lane*> alive;
   std::vector<int> members;
   for (const int member : task.members) {
-    try {
-      lanes.push_back(std::make_unique<Lane>(*dynamics_[member], runs_.empty() ? nullptr : runs_[member]));
-    } catch (const Error& error) {
-      members_[member].reason = error.what();
-      continue;
-    }
-    members.push_back(member);
-    alive.push_back(lanes.back().get());
+    do_apart(
+        [&] {
+          lanes.push_back(std::make_unique<Lane>(*dynamics_[member], runs_.empty() ? nullptr : runs_[member]));
+          members.push_back(member);
+          alive.push_back(lanes.back().get());
+        },
+        [&](std::string why) { members_[member].reason = std::move(why); });
   }
   if (alive.empty()) return;
   run_pack(task.group->structure, alive, look);

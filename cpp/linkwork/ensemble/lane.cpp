@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "linkwork/ensemble/lane_guard.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -50,11 +51,7 @@ void Lane::leave(double t, std::string reason) {
 
 template <class Action>
 void Lane::guarded(double t, Action action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    leave(t, error.what());
-  }
+  do_apart(action, [&](std::string why) { leave(t, std::move(why)); });
 }
 
 void Lane::accept(double t, double last_step) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <exception>
+#include <new>
 #include <string>
+
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 
@@ -18,5 +22,20 @@ class LaneGuard {
   /// It meets what lanes cannot do.
   virtual void leave(int l, double t, std::string reason) = 0;
 };
+
+/// Does something of one lane. What goes wrong there, functions of the user's included, is told to `fail` in words and
+/// concerns no other lane; not so interruptions, and where there is no memory.
+template <class Action, class Fail>
+void do_apart(const Action& action, const Fail& fail) {
+  try {
+    action();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& thrown) {
+    if (is_interruption(thrown)) throw;
+    const std::string words = thrown.what();
+    fail(words.substr(0, words.find('\n')));
+  }
+}
 
 }  // namespace linkwork

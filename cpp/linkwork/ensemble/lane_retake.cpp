@@ -6,7 +6,6 @@
 
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/runge_kutta.hpp"
-#include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
@@ -128,19 +127,21 @@ void judge_runs(const LaneStructure& structure, const InstructionSet& instructio
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (judges[k].divisions() == divisions) steps[k] = judges[k].steps();
   const std::vector<RetakenSteps> first = lanes.retake(steps, divisions, look);
+  const auto told_by_whoever_asks = [](const std::string&) {};
   std::vector<char> judged(runs.size(), 0);
   for (std::size_t k = 0; k < runs.size(); ++k) {
     steps[k].clear();
-    try {
-      judges[k].judge(first[k]);
-      judged[k] = 1;
-      steps[k] = judges[k].worst_steps();
-    } catch (const Error&) {  // told by whoever asks
-    }
+    do_apart(
+        [&] {
+          judges[k].judge(first[k]);
+          steps[k] = judges[k].worst_steps();
+          judged[k] = 1;
+        },
+        told_by_whoever_asks);
   }
   const std::vector<RetakenSteps> again = lanes.retake(steps, RunJudge::worst_divisions(), look);
   for (std::size_t k = 0; k < runs.size(); ++k)
-    if (judged[k]) runs[k]->errors = judges[k].judge_worst(again[k]);
+    if (judged[k]) do_apart([&] { runs[k]->errors = judges[k].judge_worst(again[k]); }, told_by_whoever_asks);
 }
 
 }  // namespace linkwork

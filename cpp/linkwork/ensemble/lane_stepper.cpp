@@ -5,7 +5,6 @@
 
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
-#include "linkwork/math/error.hpp"
 #include "linkwork/model/joint_kind.hpp"
 
 namespace linkwork {
@@ -255,11 +254,13 @@ void LaneStepper::evaluate_rest(int l, double t, const Numbers& y, LaneGuard& gu
   const double* g = g_.data() + l;
   for (int k = 0; k < nv; ++k) at.g[k] = g[static_cast<std::ptrdiff_t>(k) * width_];
   at.potential = *lane(potential_, 0, l);
-  try {
-    system.evaluate_rest(t, state_.head(nq), state_.segment(nq, nv), dynamics.history(), at);
-  } catch (const Error& error) {
-    return guard.leave(l, t, error.what());
-  }
+  bool there = true;
+  do_apart([&] { system.evaluate_rest(t, state_.head(nq), state_.segment(nq, nv), dynamics.history(), at); },
+           [&](std::string why) {
+             guard.leave(l, t, std::move(why));
+             there = false;
+           });
+  if (!there) return;
   give(at.g.data(), nv, l, g_, 0);
   *lane(power_, 0, l) = at.power;
   *lane(potential_, 0, l) = at.potential;

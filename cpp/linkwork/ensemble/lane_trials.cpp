@@ -1,10 +1,10 @@
 #include "linkwork/ensemble/lane_trials.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "linkwork/ensemble/lane_threads.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
-#include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
@@ -37,13 +37,11 @@ SingularWatch& LaneTrials::watch_of(const Lane& lane) const { return lane.run->m
 
 template <class Action>
 void LaneTrials::guarded(Lane& lane, const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    *lane.reason = error.what();
+  do_apart(action, [&](std::string why) {
+    *lane.reason = std::move(why);
     lane.run = nullptr;
-    lane.trial = false;
-  }
+    lane.trial = lane.active = false;
+  });
 }
 
 void LaneTrials::take_up(int l) {

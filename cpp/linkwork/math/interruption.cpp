@@ -10,11 +10,20 @@ namespace {
 constexpr std::chrono::nanoseconds interval = std::chrono::milliseconds(50);
 
 std::atomic<Interruption> owner{nullptr};
+std::atomic<InterruptionTest> tells{nullptr};
 std::atomic<std::int64_t> next{0};
 
 }  // namespace
 
-void set_interruption(Interruption look) { owner.store(look, std::memory_order_relaxed); }
+void set_interruption(Interruption look, InterruptionTest test) {
+  owner.store(look, std::memory_order_relaxed);
+  tells.store(test, std::memory_order_relaxed);
+}
+
+bool is_interruption(const std::exception& thrown) {
+  const InterruptionTest test = tells.load(std::memory_order_relaxed);
+  return test != nullptr && test(thrown);
+}
 
 void look_for_interruption() {
   const Interruption look = owner.load(std::memory_order_relaxed);
