@@ -21,16 +21,32 @@ LaneStepper::LaneStepper(const LaneStructure& structure, const InstructionSet& i
       stabilization_(mechanisms_.front()->stabilization()),
       refinement_(structure, kernels_, mechanisms_) {
   for (const Dynamics* it : mechanisms_) rest_ = rest_ || it->system().has_rest();
-  const auto size = [&](Numbers& numbers, std::ptrdiff_t count) { numbers.assign(count * width_, 0.0); };
-  const auto& symbolic = structure.symbolic;
-  const int n = structure.bodies, m = structure.rows;
+  allocate_motion();
+  allocate_factors();
+  for (int l = 0; l < width_; ++l) load(l, mechanism(l));
+}
+
+void LaneStepper::size(Numbers& numbers, std::ptrdiff_t count) const { numbers.assign(count * width_, 0.0); }
+
+void LaneStepper::allocate_motion() {
+  const int n = structure_.bodies, m = structure_.rows;
   size(states_, 18 * (n + 1));
-  size(D_, structure.D_size);
+  size(D_, structure_.D_size);
   for (Numbers* rows : {&Phi_, &Phi_t_, &Phi_dot_, &gamma_, &b_, &u_, &lambda_, &looked_lambda_}) size(*rows, m);
   for (Numbers* velocities : {&g_, &v_dot_, &looked_v_dot_}) size(*velocities, velocity_size * n);
   for (Numbers* one : {&smallest_, &power_, &potential_, &largest_, &stage_t_, &velocity_gains_, &position_gains_})
     size(*one, 1);
   ones_.assign(width_, 1.0);
+  for (Numbers* state : {&y_, &before_, &stage_}) size(*state, structure_.y_size());
+  k_.assign(tableau_.b.size(), y_);
+  size(weights_, tableau_.b.size());
+  state_.resize(structure_.y_size());
+  rows_.resize(m);
+  rates_.resize(m);
+}
+
+void LaneStepper::allocate_factors() {
+  const block::SymbolicFactorization& symbolic = structure_.symbolic;
   size(factors_, symbolic.factor_size);
   size(articulated_inertias_, block::articulated_inertia_size * symbolic.articulated_inertia_count);
   size(panels_, symbolic.panel_size);
@@ -38,21 +54,14 @@ LaneStepper::LaneStepper(const LaneStructure& structure, const InstructionSet& i
   int most_rows = 0;
   for (const block::CoreBody& body : symbolic.bodies) most_rows = std::max(most_rows, body.rows);
   size(scratch_, std::max(12 * most_rows, 8 * symbolic.highest_front + symbolic.widest_front));
-  for (Numbers* state : {&y_, &before_, &stage_}) size(*state, structure.y_size());
-  k_.assign(tableau.b.size(), y_);
-  size(weights_, tableau.b.size());
   size(gravity_, 3);
-  for (Numbers* all : {&mass_, &nearby_mass_}) size(*all, 10l * n);
+  for (Numbers* all : {&mass_, &nearby_mass_}) size(*all, 10l * structure_.bodies);
   size(mass_factors_, 9l * symbolic.mass_factor_count);
-  for (const LaneStructure::Joints& joints : structure.joints) {
+  for (const LaneStructure::Joints& joints : structure_.joints) {
     const std::ptrdiff_t count = std::ssize(joints.joint);
-    attachments_.emplace_back(24 * count * width_, 0.0);
-    parameters_.emplace_back(3 * count * std::ssize(joint_kinds()[joints.kind].info.parameters) * width_, 0.0);
+    size(attachments_.emplace_back(), 24 * count);
+    size(parameters_.emplace_back(), 3 * count * std::ssize(joint_kinds()[joints.kind].info.parameters));
   }
-  state_.resize(structure.y_size());
-  rows_.resize(m);
-  rates_.resize(m);
-  for (int l = 0; l < width_; ++l) load(l, mechanism(l));
 }
 
 const Dynamics& LaneStepper::mechanism(int l) const { return *mechanisms_[std::min(l, count() - 1)]; }

@@ -69,6 +69,9 @@ class LaneStepper {
  private:
   using Numbers = AlignedDoubles;
 
+  void size(Numbers& numbers, std::ptrdiff_t count) const;
+  void allocate_motion();
+  void allocate_factors();
   void load(int l, const Dynamics& mechanism);
   void load_masses(int l, const Dynamics& mechanism);
   void load_joints(int l, const Model& model);
